@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/batch/point_in_convex_polyhedron.h"
 
+#include <array>
 #include <vector>
 
 #include "geometry/validation.h"
@@ -12,16 +13,27 @@
 namespace touchstone::robust::batch {
 namespace {
 
-/// The numbers of a face that isa/beside.h reads: a corner, the normal that points outwards, the sums of the magnitudes
-/// of its terms, 2^-1000 too large, and the other corners. `outside` is the side of the face that is outside, 1 or -1.
-void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
-  const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
+/// Of the numbers of a face that isa/beside.h reads those of its plane: a corner, the normal, and the sums of the
+/// magnitudes of its terms, 2^-1000 too large. The normal is the one that points outwards: `outside` is the side of the
+/// face that is outside, 1 or -1.
+std::array<double, 9> plane_numbers(const Point3d& a, const Point3d& b, const Point3d& c, double outside) {
   const Vector3d v = b - a, w = c - a, normal = cross(v, w);
   const auto size = [](double p, double q) { return __builtin_fabs(p) + __builtin_fabs(q) + 0x1p-1000; };
-  const double sign = outside;
-  for (const double number : {a.x, a.y, a.z, sign * normal.x, sign * normal.y, sign * normal.z,
-                              size(v.y * w.z, v.z * w.y), size(v.z * w.x, v.x * w.z), size(v.x * w.y, v.y * w.x)})
-    numbers.push_back(number);
+  return {a.x,
+          a.y,
+          a.z,
+          outside * normal.x,
+          outside * normal.y,
+          outside * normal.z,
+          size(v.y * w.z, v.z * w.y),
+          size(v.z * w.x, v.x * w.z),
+          size(v.x * w.y, v.y * w.x)};
+}
+
+/// All of them: the others are the other corners, counter-clockwise as seen from outside.
+void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
+  const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
+  for (const double number : plane_numbers(a, b, c, outside)) numbers.push_back(number);
   for (const Point3d* corner : {outside > 0 ? &b : &c, outside > 0 ? &c : &b})
     for (const double number : {corner->x, corner->y, corner->z}) numbers.push_back(number);
 }

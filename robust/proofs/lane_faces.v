@@ -124,7 +124,45 @@ split; [exact D'|]. split.
 - eapply least_more; cycle 2; [eapply low_times; [exact F|exact L|exact N2]|cbn; lia|lra].
 Qed.
 
-(* The sign of a displacement's product with the normal. *)
+(* The sign of a displacement's product with a vector that has coordinates like these. *)
+Definition coordinate (c m : float) t T := up m /\
+  (finite m -> dominated c m /\ est 4 0 c t T /\ least_of 5 0 m T).
+Lemma product_right fused (c1 m1 d1 c2 m2 d2 c3 m3 d3 : float) t1 T1 d1' t2 T2 d2' t3 T3 d3' :
+  coordinate c1 m1 t1 T1 -> coordinate c2 m2 t2 T2 -> coordinate c3 m3 t3 T3 ->
+  near d1 d1' -> near d2 d2' -> near d3 d3' ->
+  let z := plus (plus (times c1 d1) (times c2 d2)) (times c3 d3) in
+  let terms := plus (plus (times m1 (size d1)) (times m2 (size d2))) (times m3 (size d3)) in
+  above (size z) (bound fused (-50) terms) = true ->
+  (negative_lane z = true -> t1 * d1' + t2 * d2' + t3 * d3' < 0) /\
+  (negative_lane z = false -> t1 * d1' + t2 * d2' + t3 * d3' > 0).
+Proof.
+intros [U1 C1] [U2 C2] [U3 C3] D1 D2 D3 z terms A. assert (U : up terms) by (unfold terms; ups).
+destruct (bound_says _ _ _ _ A U ltac:(lia)) as (M & FB & BL). assert (PB := up_value _ (up_bound fused (-50) _ U
+  ltac:(lia))).
+set (b := bound fused (-50) terms) in *. clearbody b. unfold terms in M.
+destruct (plus_finite _ _ M) as (M1 & F3 & _). destruct (plus_finite _ _ M1) as (F1 & F2 & _).
+destruct (times_finite _ _ F1) as (FM1 & _). destruct (times_finite _ _ F2) as (FM2 & _).
+destruct (times_finite _ _ F3) as (FM3 & _).
+destruct (C1 FM1) as (DM1 & E1 & L1). destruct (C2 FM2) as (DM2 & E2 & L2). destruct (C3 FM3) as (DM3 & E3 & L3).
+destruct (term_says _ _ _ _ _ _ DM1 U1 E1 L1 D1 F1) as (X1 & E1' & L1').
+destruct (term_says _ _ _ _ _ _ DM2 U2 E2 L2 D2 F2) as (X2 & E2' & L2').
+destruct (term_says _ _ _ _ _ _ DM3 U3 E3 L3 D3 F3) as (X3 & E3' & L3').
+assert (X12 := dominated_plus _ _ _ _ X1 X2 M1). destruct X12 as (F12 & _). destruct X3 as (FX3 & _).
+destruct (sure_plus _ _ b F12 FX3 PB FB A) as [SN SP].
+assert (E : est 7 spare (plus (times c1 d1) (times c2 d2) + times c3 d3) (t1 * d1' + t2 * d2' + t3 * d3')
+  (T1 * Rabs d1' + T2 * Rabs d2' + T3 * Rabs d3'))
+  by (within ltac:(eapply est_sum; [eapply of_plus; [exact F12|exact E1'|exact E2']|exact E3'])).
+assert (L : least_of 9 spare terms (T1 * Rabs d1' + T2 * Rabs d2' + T3 * Rabs d3')).
+{ pose proof eta_pos. unfold terms. eapply least_more; cycle 2.
+  - eapply low_plus; [exact M|ups..| | |eapply low_plus; [exact M1|ups..| | |exact L1'|exact L2']|exact L3']; lra.
+  - cbn. lia.
+  - small_rest. }
+destruct (signs _ _ _ _ _ _ _ 8 (-50) E L ltac:(lia) ltac:(lia) ltac:(lra) ltac:(simpl; lra) ltac:(rewrite v_is;
+  simpl; lra) BL) as [N P].
+split; intros K; [exact (N (SN K))|exact (P (SP K))].
+Qed.
+
+(* And with the normal. *)
 Definition face fused s1 s2 s3 t1 t2 t3 d1 d2 d3 :=
   let value := plus (plus (times (difference_of s2 t3 s3 t2) d1) (times (difference_of s3 t1 s1 t3) d2))
     (times (difference_of s1 t2 s2 t1) d3) in
@@ -138,59 +176,29 @@ Lemma face_finite fused s1 s2 s3 t1 t2 t3 d1 d2 d3 : let '(z, b) := face fused s
   above (size z) b = true -> Forall finite [s1; s2; s3; t1; t2; t3; d1; d2; d3].
 Proof.
 cbv beta zeta delta [face]. intros A.
-match type of A with above _ (bound _ _ ?m) = true => assert (U : up m)
-  by (unfold terms_of; ups) end.
+match type of A with above _ (bound _ _ ?m) = true => assert (U : up m) by (unfold terms_of; ups) end.
 destruct (bound_says _ _ _ _ A U ltac:(lia)) as (M & _). clear A U. unfold terms_of in M. finites.
 repeat constructor; assumption.
 Qed.
-Theorem face_right fused s1 s2 s3 t1 t2 t3 d1 d2 d3 s1' s2' s3' t1' t2' t3' d1' d2' d3' :
+Lemma face_right fused s1 s2 s3 t1 t2 t3 d1 d2 d3 s1' s2' s3' t1' t2' t3' d1' d2' d3' :
   near s1 s1' -> near s2 s2' -> near s3 s3' -> near t1 t1' -> near t2 t2' -> near t3 t3' ->
   near d1 d1' -> near d2 d2' -> near d3 d3' ->
   let '(z, b) := face fused s1 s2 s3 t1 t2 t3 d1 d2 d3 in above (size z) b = true ->
   (negative_lane z = true -> face_exact s1' s2' s3' t1' t2' t3' d1' d2' d3' < 0) /\
   (negative_lane z = false -> face_exact s1' s2' s3' t1' t2' t3' d1' d2' d3' > 0).
 Proof.
-intros S1 S2 S3 T1 T2 T3 D1 D2 D3. cbv beta zeta delta [face].
-set (mx := terms_of s2 t3 s3 t2). set (my := terms_of s3 t1 s1 t3). set (mz := terms_of s1 t2 s2 t1).
-set (nx := difference_of s2 t3 s3 t2). set (ny := difference_of s3 t1 s1 t3). set (nz := difference_of s1 t2 s2 t1).
-set (terms := plus _ (times mz _)). intros A.
-assert (UX : up mx) by apply up_terms. assert (UY : up my) by apply up_terms. assert (UZ : up mz) by apply up_terms.
-assert (U : up terms) by (unfold terms; ups).
-destruct (bound_says _ _ _ _ A U ltac:(lia)) as (M & FB & BL). assert (PB := up_value _ (up_bound fused (-50) _ U
-  ltac:(lia))).
-set (b := bound fused (-50) terms) in *. clearbody b. unfold terms in M.
-destruct (plus_finite _ _ M) as (M1 & FZ & _). destruct (plus_finite _ _ M1) as (FX & FY & _).
-destruct (times_finite _ _ FX) as (FMX & _). destruct (times_finite _ _ FY) as (FMY & _).
-destruct (times_finite _ _ FZ) as (FMZ & _).
-destruct (coordinate_says _ _ _ _ _ _ _ _ S2 T3 S3 T2 FMX) as (DX & EX & LX).
-destruct (coordinate_says _ _ _ _ _ _ _ _ S3 T1 S1 T3 FMY) as (DY & EY & LY).
-destruct (coordinate_says _ _ _ _ _ _ _ _ S1 T2 S2 T1 FMZ) as (DZ & EZ & LZ).
-destruct (term_says _ _ _ _ _ _ DX UX EX LX D1 FX) as (DX' & EX' & LX').
-destruct (term_says _ _ _ _ _ _ DY UY EY LY D2 FY) as (DY' & EY' & LY').
-destruct (term_says _ _ _ _ _ _ DZ UZ EZ LZ D3 FZ) as (DZ' & EZ' & LZ').
-fold nx in DX', EX'. fold ny in DY', EY'. fold nz in DZ', EZ'.
-assert (DXY := dominated_plus _ _ _ _ DX' DY' M1). destruct DXY as (FXY & _). destruct DZ' as (FNZ & _).
-destruct (sure_plus _ _ b FXY FNZ PB FB A) as [SN SP].
-match type of EX' with est _ _ _ ?x ?X => match type of EY' with est _ _ _ ?y ?Y => match type of EZ' with
-  est _ _ _ ?z ?Z =>
-  assert (E : est 7 spare (plus (times nx d1) (times ny d2) + times nz d3) (x + y + z) (X + Y + Z))
-    by (within ltac:(eapply est_sum; [eapply of_plus; [exact FXY|exact EX'|exact EY']|exact EZ']));
-  assert (L : least_of 9 spare terms (X + Y + Z)) end end end.
-{ pose proof eta_pos. unfold terms. eapply least_more; cycle 2.
-  - eapply low_plus; [exact M|ups..| | |
-      eapply low_plus; [exact M1|ups..| | |exact LX'|exact LY']|exact LZ']; lra.
-  - cbn. lia.
-  - small_rest. }
-destruct (signs _ _ _ _ _ _ _ 8 (-50) E L ltac:(lia) ltac:(lia) ltac:(lra) ltac:(simpl; lra) ltac:(rewrite v_is;
-  simpl; lra) BL) as [N P].
-split; intros K; [exact (N (SN K))|exact (P (SP K))].
+intros S1 S2 S3 T1 T2 T3 D1 D2 D3. cbv beta zeta delta [face]. intros A.
+assert (C : forall p q r w p' q' r' w', near p p' -> near q q' -> near r r' -> near w w' ->
+  coordinate (difference_of p q r w) (terms_of p q r w) (p' * q' - r' * w') (total_of p' q' r' w'))
+  by (intros; split; [apply up_terms|now apply coordinate_says]).
+exact (product_right fused _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ (C _ _ _ _ _ _ _ _ S2 T3 S3 T2)
+  (C _ _ _ _ _ _ _ _ S3 T1 S1 T3) (C _ _ _ _ _ _ _ _ S1 T2 S2 T1) D1 D2 D3 A).
 Qed.
 
 (* Where the side is known, the numbers are finite, and the exact volume has that sign. *)
 Definition sides_right (known : bool * bool) (arguments : list float) exact :=
   (fst known = true -> Forall finite arguments /\ exact > 0) /\
   (snd known = true -> Forall finite arguments /\ exact < 0).
-
 (* A side is known of what the bound lets through, with the sign of the value. *)
 Lemma sides_of known below arguments exact : (known = true -> Forall finite arguments /\
   (below = true -> exact < 0) /\ (below = false -> exact > 0)) ->

@@ -1,23 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The filters of robust/batch/isa with classes of their own, as Coq functions: as lane_text.py does the others.
+"""Filters of robust/batch/isa that work with points, axes and sides, as Coq functions: lane_text.py does the others.
 
 Points and axes are fields of numbers here, and classes have constructors, methods and operators: each is run from its
 own text. A side of a FacePlane is a function of its own, which the filters that ask for it call.
 """
 import copy
 import re
+from fractions import Fraction
 
 import lane_text
 from lane_text import Body, Run, Source, Term, Truth
 
-HEADER = "robust/batch/isa/triangles.h"
+HEADERS = ["robust/batch/isa/triangles.h", "robust/batch/isa/beside.h"]
+NUMBERS = "robust/batch/point_in_convex_polyhedron.cpp"  # what a convex solid's faces are to beside.h
+SPACE = "geometry/space.h"
 HEAD = lane_text.HEAD.replace("Import floats lanes.", "Import floats lanes lane_filters.")
 # Definition, class, method or None, its arguments.
 FILTERS = [("lane_face_side", "FacePlane", "side", "abcp"), ("lane_face_leading", "FacePlane", "leading", "abcd"),
            ("lane_segment_triangle", "SegmentTriangle", None, 15), ("lane_ray_triangle", "RayTriangle", None, 15),
+           ("lane_side_of_face", None, "side_of_face", 9),
            ("lane_ray_box_2", "RayBox", None, 8, 2), ("lane_ray_box_3", "RayBox", None, 12, 3)]
 NAMES = {name for name, *_ in FILTERS}
-SIDES = {method: name for name, _, method, *_ in FILTERS if method}
+SIDES = {method: name for name, owner, method, *_ in FILTERS if owner and method}
 FIELDS = {"Certain": ("positive", "negative"), "Verdict": ("known", "set")}
 KINDS = ("InSpace", "FacePlane", "Certain", "Edges", "OfAxis")
 
@@ -51,8 +55,13 @@ class Shapes:
     """What the classes and functions of triangles.h are, as text."""
 
     def __init__(self, source, root):
-        self.source, text = source, (root / HEADER).read_text(encoding="utf-8")
+        self.source = source
+        text = "".join((root / name).read_text(encoding="utf-8") for name in [*HEADERS, NUMBERS])
         self.text = re.sub(r"//.*", "", text)
+        text = (root / SPACE).read_text(encoding="utf-8")
+        for head in (r"operator-\(const Point3<Real>&", r"cross\("):
+            found = re.search(rf"^Vector3<Real> {head}.*?^\}}\n", text, re.M | re.S)[0]
+            self.text += re.sub(r"<Real>|\bReal(?=\()", "", found)
         for body in list(source.classes.values()):
             for kind, inner in re.findall(r"^  struct (\w+) \{\n(.*?)^  \};", body, re.M | re.S):
                 source.classes[kind] = re.sub(r"^  ", "", inner, flags=re.M)
@@ -72,15 +81,13 @@ class Shapes:
     def function(self, owner, name):
         """Result, parameters and body; of a method, or without a class."""
         text, indent = (self.source.classes[owner], "  ") if owner else (self.text, "")
-        found = re.findall(rf"^{indent}(?:friend |static )?(\w+) {re.escape(name)}\(([^)]*)\)(?: const)? "
+        before = r"(?:\[\[gnu::\w+\]\] inline |friend |static )?"
+        found = re.findall(rf"^{indent}{before}(\w[\w:<>, ]*?) {re.escape(name)}\(([^)]*)\)(?: const)? "
                            rf"\{{(?: ([^\n]*) \}}$|\n(.*?)^{indent}\}})", text, re.M | re.S)
         if len(found) != 1:
             raise SystemExit(f"{owner} {name}: {len(found)} of them")
         kind, parameters, line, lines = found[0]
         return kind, parameters_of(parameters), line or lines
-
-    def has(self, name):
-        return re.search(rf"^\w+ {name}\(", self.text, re.M)
 
 
 class Reader(Body):
@@ -210,7 +217,9 @@ class Reader(Body):
 
     def operation(self, operator, left, right):
         if isinstance(left, dict) and isinstance(right, dict):
-            return self.method("InSpace", f"operator{operator}", {}, [left, right])
+            return self.method(None if self.run.open is None else "InSpace", f"operator{operator}", {}, [left, right])
+        if isinstance(left, Term) and isinstance(right, Fraction):
+            right = lane_text.number(right)
         if isinstance(left, Pointer) and isinstance(right, int) and operator == "+":
             return Pointer(left.offset + right)
         return Body.operation(operator, left, right)
@@ -246,6 +255,10 @@ class Reader(Body):
     def made_of(self, fields):
         if self.result == "InSpace":
             return self.constructed("InSpace", fields)
+        if self.result == "Vector3":
+            return dict(zip("xyz", fields, strict=True))
+        if self.result == "std::array<double, 9>" and len(fields) == 9:
+            return fields
         if self.result not in FIELDS or len(fields) != 2:
             raise SystemExit(f"braces around what is no {self.result}")
         return dict(zip(FIELDS[self.result], Body.made_of(fields).values()))
@@ -276,7 +289,14 @@ def extracted(shapes, name, owner, method, arguments, dimensions=None):
     run = Run(shapes.source, dimensions, used)
     run.shapes, run.open = shapes, method is not None
     reader = Reader(run, "")
-    if method:
+    if not owner:
+        names = [f"n{i}" for i in range(arguments)]
+        points = [f"p{axis}" for axis in "xyz"]
+        run.taken.update([*names, *points])
+        found = reader.method(None, method, {}, [list(map(Term, names)), list(map(Term, points))])
+        result = f"({found['positive']}, {found['negative']})"
+        names += points
+    elif method:
         names = [f"{point}{axis}".replace("by", "by_") for point in arguments for axis in "xyz"]  # by is Coq's
         points = [dict(zip("xyz", map(Term, names[i:i + 3]))) for i in range(0, len(names), 3)]
         run.taken.update(names)
@@ -299,11 +319,28 @@ def extracted(shapes, name, owner, method, arguments, dimensions=None):
     return "\n".join(lines), [used[k] for k in sorted(used)]
 
 
+def plane_numbers(shapes):
+    """The numbers of a face, from its corners and the side that is outside."""
+    used = {}
+    run = Run(shapes.source, None, used)
+    run.shapes, run.open = shapes, None
+    names = [f"{point}{axis}".replace("by", "by_") for point in "abc" for axis in "xyz"]
+    run.taken.update([*names, "outside"])
+    points = [dict(zip("xyz", map(Term, names[i:i + 3]))) for i in range(0, 9, 3)]
+    found = Reader(run, "").method(None, "plane_numbers", {}, [*points, Term("outside")])
+    lines = [f"Definition lane_plane_numbers ({' '.join(names)} outside : float) :=", *run.lets,
+             f"  ({', '.join(found)})."]
+    return "\n".join(lines) + "\n", [used[k] for k in sorted(used)]
+
+
 def all_of(root):
     """As lane_text.all_of."""
     shapes, found = Shapes(Source(root), root), []
     shared = [str(sorted(shapes.source.constants.items())), (root / lane_text.LANES).read_text(encoding="utf-8")]
     for row in FILTERS:
         definition, parts = extracted(shapes, *row)
+        if not row[1]:
+            numbers, texts = plane_numbers(shapes)
+            definition, parts = numbers + definition, texts + parts
         found.append((row[0], definition, [*parts, *shared]))
     return HEAD + "\n".join(d for _, d, _ in found) + "\n", found

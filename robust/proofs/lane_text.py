@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from tokens import Tokens
 
-HEADERS = ["robust/batch/isa/kernels.h", "robust/batch/isa/triangles.h"]
+HEADERS = [f"robust/batch/isa/{name}.h" for name in ("kernels", "triangles", "beside")]
 LANES = "robust/batch/isa/lanes.h"  # what the functions of lanes.v are; its text is reviewed with each filter
 HEAD = """(* Written by extract.py from robust/batch/isa. *)
 From Coq Require Import Reals ZArith Bool.
@@ -21,11 +21,12 @@ From Filters Require Import floats lanes.
 FILTERS = [("lane_turn", "Turn", None), ("lane_orientation", "Orientation", None),
            ("lane_point_on_segment", "PointOnSegment", None), ("lane_segment_segment", "SegmentSegment", None),
            ("lane_point_plane", "PointPlane", None), ("lane_spheres_2", "Spheres", 2), ("lane_spheres_3", "Spheres", 3),
-           ("lane_boxes_2", "Boxes", 2), ("lane_boxes_3", "Boxes", 3),
+           ("lane_turn_seen", "TurnSeen", None), ("lane_boxes_2", "Boxes", 2), ("lane_boxes_3", "Boxes", 3),
            ("lane_sphere_box_2", "SphereBox", 2), ("lane_sphere_box_3", "SphereBox", 3)]
 NAMES = {name for name, _, _ in FILTERS}
-FUNCTIONS = {"magnitude": "size", "multiply_add": "multiply_add fused", "above": "above", "not_below": "not_below",
-             "equal": "equal", "negative": "negative_lane", "lesser": "lesser", "greater": "greater_of"}
+FUNCTIONS = {"magnitude": "size", "__builtin_fabs": "size", "multiply_add": "multiply_add fused", "above": "above",
+             "not_below": "not_below", "equal": "equal", "negative": "negative_lane", "lesser": "lesser",
+             "greater": "greater_of"}
 RESERVED = {*FUNCTIONS.values(), "plus", "minus", "times", "number", "fused", "v", "end", "at", "in"}
 TRUTHS = {"above", "not_below", "equal", "negative"}
 OPERATORS = {"+": "plus", "-": "minus", "*": "times"}
@@ -230,7 +231,8 @@ class Body(Tokens):
         elif token.isdigit():
             value = int(token)
         elif token == "same":
-            value = number(*self.arguments())
+            (value,) = self.arguments()
+            value = value if isinstance(value, Term) else number(value)
         elif token == "by_sign":
             value, bound = self.arguments()
             value = self.run.named("value", value)

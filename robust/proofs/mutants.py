@@ -8,6 +8,7 @@ import tempfile
 
 import enclosed
 import extract
+import lane_shapes
 import lane_text
 import source
 
@@ -27,6 +28,7 @@ OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.c
             ("flipped", re.compile(r"\babove\((?=min, from\)|from, max\)|ways, zero\))"), "not_below("),
             ("left out", re.compile(r" & not_below\(narrowest, zero\)"), ""),
             ("flipped", re.compile("zero - value"), "value"),
+            ("flipped", re.compile(r"same\(0\) - value"), "value"),
             # of triangles: what pays for underflow, sides, edges on two sides of a line, ends on one side of a plane
             ("left out", re.compile(r" \+ same\(tiny\)"), ""),
             ("flipped", re.compile(r"known & ~below, known & below"), "known & below, known & ~below"),
@@ -69,7 +71,7 @@ def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in [*TEXTS, lane_text.LANES]:
+        for name in [*TEXTS, lane_text.LANES, lane_shapes.NUMBERS]:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):

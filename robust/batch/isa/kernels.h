@@ -20,8 +20,8 @@
 ///
 /// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
 /// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. The
-/// filters of this file are proved by machine from this text (robust/proofs/lane_*.v). What is proved of triangles says
-/// triangles.h; those of rings and of solids are not proved.
+/// filters of this file are proved by machine from this text (robust/proofs/lane_*.v); triangles.h and beside.h say
+/// what is proved of theirs.
 namespace touchstone::robust::batch::isa {
 namespace {
 
