@@ -18,7 +18,7 @@ HEAD = lane_text.HEAD.replace("Import floats lanes.", "Import floats lanes lane_
 # Definition, class, method or None, its arguments.
 FILTERS = [("lane_face_side", "FacePlane", "side", "abcp"), ("lane_face_leading", "FacePlane", "leading", "abcd"),
            ("lane_segment_triangle", "SegmentTriangle", None, 15), ("lane_ray_triangle", "RayTriangle", None, 15),
-           ("lane_side_of_face", None, "side_of_face", 9),
+           ("lane_triangle_triangle", "TriangleTriangle", None, 18), ("lane_side_of_face", None, "side_of_face", 9),
            ("lane_ray_box_2", "RayBox", None, 8, 2), ("lane_ray_box_3", "RayBox", None, 12, 3)]
 NAMES = {name for name, *_ in FILTERS}
 SIDES = {method: name for name, owner, method, *_ in FILTERS if owner and method}
@@ -28,6 +28,10 @@ KINDS = ("InSpace", "FacePlane", "Certain", "Edges", "OfAxis")
 
 class Break(Exception):
     """Out of a loop."""
+
+
+class NoLane(str):
+    """That a bit is set in no lane: not in this one, and not in the others."""
 
 
 class Pointer:
@@ -141,6 +145,13 @@ class Reader(Body):
             name = [self.take(), self.take()][1]
             scope[name] = self.array()
             self.take(";")
+        elif self.peek() == "const" and self.peek(3) == "[":  # one with its elements
+            self.take()
+            name = [self.take(), self.take()][1]
+            for token in ("[", "]", "="):
+                self.take(token)
+            scope[name] = self.elements()
+            self.take(";")
         elif self.peek(1) == "[" and self.peek() in scope:  # one of its elements
             place, index = scope[self.take()], None
             while self.peek() == "[":
@@ -151,9 +162,13 @@ class Reader(Body):
         elif self.peek() == "if":
             self.take()
             (condition,) = self.arguments()
-            if not isinstance(condition, bool):
+            if isinstance(condition, NoLane):  # only where it is so in all lanes
+                self.take("return")
+                self.run.early = condition, self.expression()
+                self.take(";")
+            elif not isinstance(condition, bool):
                 raise SystemExit("a branch by what is not a constant")
-            if condition:
+            elif condition:
                 self.statement()
             else:
                 self.at = self.after(self.at)
@@ -177,6 +192,15 @@ class Reader(Body):
         value = self.expression()
         self.take("]")
         return value
+
+    def elements(self):
+        self.take("{")
+        values = [self.expression()]
+        while self.peek() == ",":
+            self.take()
+            values.append(self.expression())
+        self.take("}")
+        return values
 
     def array(self):
         """With elements that are not there yet."""
@@ -218,6 +242,8 @@ class Reader(Body):
     def operation(self, operator, left, right):
         if isinstance(left, dict) and isinstance(right, dict):
             return self.method(None if self.run.open is None else "InSpace", f"operator{operator}", {}, [left, right])
+        if operator == "==" and isinstance(left, Truth) and right == 0:
+            return NoLane(left)
         if isinstance(left, Term) and isinstance(right, Fraction):
             right = lane_text.number(right)
         if isinstance(left, Pointer) and isinstance(right, int) and operator == "+":
@@ -287,7 +313,7 @@ class Reader(Body):
 def extracted(shapes, name, owner, method, arguments, dimensions=None):
     used = {}
     run = Run(shapes.source, dimensions, used)
-    run.shapes, run.open = shapes, method is not None
+    run.shapes, run.open, run.early = shapes, method is not None, None
     reader = Reader(run, "")
     if not owner:
         names = [f"n{i}" for i in range(arguments)]
@@ -314,7 +340,11 @@ def extracted(shapes, name, owner, method, arguments, dimensions=None):
         scope = {given: Pointer(0), "all_lanes": Truth("true"), "dimensions": dimensions}
         found = reader.call(text, scope, kind)["return"]
         result = f"({found['known']}, {found['set']})"
-    lines = [f"Definition {name} (fused : bool) ({' '.join(names)} : float) : bool * bool :=", *run.lets,
+        if run.early:
+            bit, other = run.early
+            result = f"if others && negb {bit} then ({other['known']}, {other['set']}) else {result}"
+    others = " others" if run.early else ""
+    lines = [f"Definition {name} (fused{others} : bool) ({' '.join(names)} : float) : bool * bool :=", *run.lets,
              f"  {result}."]
     return "\n".join(lines), [used[k] for k in sorted(used)]
 
@@ -323,7 +353,7 @@ def plane_numbers(shapes):
     """The numbers of a face, from its corners and the side that is outside."""
     used = {}
     run = Run(shapes.source, None, used)
-    run.shapes, run.open = shapes, None
+    run.shapes, run.open, run.early = shapes, None, None
     names = [f"{point}{axis}".replace("by", "by_") for point in "abc" for axis in "xyz"]
     run.taken.update([*names, "outside"])
     points = [dict(zip("xyz", map(Term, names[i:i + 3]))) for i in range(0, 9, 3)]

@@ -4,9 +4,9 @@
 
 #include "robust/batch/isa/kernels.h"
 
-/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them the
-/// filters of segments and rays with triangles, are proved by machine from this text (robust/proofs/lane_faces.v and
-/// lane_triangles.v). Of two triangles only the sides are; that these decide is argued below.
+/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them what the
+/// filters answer, are proved by machine from this text (robust/proofs/lane_faces.v, lane_triangles.v,
+/// lane_triangle_triangle.v).
 namespace touchstone::robust::batch::isa {
 namespace {
 
