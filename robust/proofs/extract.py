@@ -7,7 +7,7 @@
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
 own text. What this does not understand is an error, never left out. enclosed.py does the same for enclosed.h and
-push.h, lane_text.py for the filters of arrays.
+push.h, lane_text.py and lane_shapes.py for the filters of arrays.
 """
 import hashlib
 import pathlib
@@ -15,6 +15,7 @@ import re
 import sys
 
 import enclosed
+import lane_shapes
 import lane_text
 from cpp import Body, Run
 from source import Source, split
@@ -245,8 +246,9 @@ def all_of(root):
         "constants": f"{HEAD}Definition relative (twice_c d u : R) := {source.relative}.\n",
         "filters": HEAD.replace("Import model.", "Import model constants.") + "\n".join(d for _, d, _ in found) + "\n"}
     files["enclosed"], others = enclosed.all_of(root)
-    files["lane_filters"], lanes = lane_text.all_of(root)
-    others += lanes
+    for name, reader in (("lane_filters", lane_text), ("lane_shape_filters", lane_shapes)):
+        files[name], lanes = reader.all_of(root)
+        others += lanes
     return files, found + [(name, definition, digest(parts)) for name, definition, parts in others]
 
 

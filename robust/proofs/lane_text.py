@@ -2,14 +2,15 @@
 """The filters of robust/batch/isa as Coq functions: what their C++ text computes in one lane, operation by operation.
 
 A class of kernels.h is run on names instead of numbers: its `of` becomes one function of the columns, or its
-constructor one of the numbers that it is given. What this does not understand is an error, never left out. See extract.py.
+constructor one of the numbers that it is given. What this does not understand is an error, never left out. See
+extract.py.
 """
 import re
 from fractions import Fraction
 
 from tokens import Tokens
 
-HEADERS = ["robust/batch/isa/kernels.h"]
+HEADERS = [f"robust/batch/isa/{name}.h" for name in ("kernels", "triangles", "beside")]
 LANES = "robust/batch/isa/lanes.h"  # what the functions of lanes.v are; its text is reviewed with each filter
 HEAD = """(* Written by extract.py from robust/batch/isa. *)
 From Coq Require Import Reals ZArith Bool.
@@ -19,14 +20,18 @@ From Filters Require Import floats lanes.
 # Definition, class, its dimensions.
 FILTERS = [("lane_turn", "Turn", None), ("lane_orientation", "Orientation", None),
            ("lane_point_on_segment", "PointOnSegment", None), ("lane_segment_segment", "SegmentSegment", None),
-           ("lane_point_plane", "PointPlane", None), ("lane_spheres_2", "Spheres", 2), ("lane_spheres_3", "Spheres", 3)]
+           ("lane_point_plane", "PointPlane", None), ("lane_spheres_2", "Spheres", 2), ("lane_spheres_3", "Spheres", 3),
+           ("lane_turn_seen", "TurnSeen", None), ("lane_boxes_2", "Boxes", 2), ("lane_boxes_3", "Boxes", 3),
+           ("lane_sphere_box_2", "SphereBox", 2), ("lane_sphere_box_3", "SphereBox", 3)]
 NAMES = {name for name, _, _ in FILTERS}
-FUNCTIONS = {"magnitude": "size", "multiply_add": "multiply_add fused", "above": "above", "not_below": "not_below",
-             "equal": "equal", "negative": "negative_lane", "lesser": "lesser", "greater": "greater_of"}
+FUNCTIONS = {"magnitude": "size", "__builtin_fabs": "size", "multiply_add": "multiply_add fused", "above": "above",
+             "not_below": "not_below", "equal": "equal", "negative": "negative_lane", "lesser": "lesser",
+             "greater": "greater_of"}
 RESERVED = {*FUNCTIONS.values(), "plus", "minus", "times", "number", "fused", "v", "end", "at", "in"}
 TRUTHS = {"above", "not_below", "equal", "negative"}
 OPERATORS = {"+": "plus", "-": "minus", "*": "times"}
-TOKEN = re.compile(r"\s*(0x[0-9a-f.]+p-?\d+|\d+|[A-Za-z_]\w*(?:::\w+)*|\+=|&=|\|=|==|\+\+|[-+*/(){}\[\],;<>=&|?:.~])")
+TOKEN = re.compile(r"\s*(0x[0-9a-f.]+p-?\d+|\d+|[A-Za-z_]\w*(?:::\w+)*"
+                   r"|\+=|&=|\|=|==|&&|\+\+|[-+*/%(){}\[\],;<>=&|?:.~])")
 
 
 class Term(str):
@@ -130,12 +135,15 @@ class Body(Tokens):
                 self.take()
             kind = self.take()
             while True:
+                if self.peek() == "&":
+                    self.take()
                 name = self.take()
                 if self.peek() == "(":  # a constructor
                     scope[name] = self.constructed(kind, self.arguments())
                 else:
                     self.take("=")
                     value = self.expression()
+                    value = Truth("false") if kind == "Mask" and value == 0 else value
                     scope[name] = self.run.named(name, value) if not isinstance(value, dict) else dict(value)
                 if self.take() == ";":
                     return
@@ -148,8 +156,8 @@ class Body(Tokens):
             value = self.expression()
             self.take(";")
             target = scope if len(path) == 1 else scope[path[0]]
-            if operator == "&=":
-                value = Truth(f"({target[path[-1]]} && {value})")
+            if operator in ("&=", "|="):
+                value = Truth(f"({target[path[-1]]} {operator[0] * 2} {value})")
             elif operator != "=":
                 raise SystemExit(f"assignment not understood: {operator}")
             target[path[-1]] = self.run.named(path[-1], value)
@@ -160,7 +168,7 @@ class Body(Tokens):
         if not found:
             raise SystemExit(f"loop not understood: {head}")
         start = self.at = self.at + 14
-        for i in range(self.run.scope[found[2]]):
+        for i in range(int(found[2]) if found[2].isdigit() else self.run.scope[found[2]]):
             self.at = start
             self.run.scope[found[1]] = i
             self.statement()
@@ -175,7 +183,7 @@ class Body(Tokens):
         return {k: x for k, x in made.items() if k not in self.run.source.constants}
 
     def expression(self, level=0):
-        levels = [("?",), ("|",), ("&",), ("==",), ("+", "-"), ("*",)]
+        levels = [("?",), ("&&",), ("|",), ("&",), ("==",), ("+", "-"), ("*", "%")]
         if level == len(levels):
             return self.unary()
         left = self.expression(level + 1)
@@ -198,8 +206,8 @@ class Body(Tokens):
         if isinstance(left, Term) and isinstance(right, Term) and operator in OPERATORS:
             return Term(f"({OPERATORS[operator]} {left} {right})")
         if isinstance(left, (int, Fraction)) and isinstance(right, (int, Fraction)):
-            if operator == "==":
-                return left == right
+            if operator in ("==", "&&", "%"):
+                return left == right if operator == "==" else left and right if operator == "&&" else left % right
             return left + right if operator == "+" else left - right if operator == "-" else left * right
         raise SystemExit(f"not understood: {left!r} {operator} {right!r}")
 
@@ -215,10 +223,7 @@ class Body(Tokens):
                 if self.peek() == ",":
                     self.take()
             self.take("}")
-            if len(fields) != 2:
-                raise SystemExit("braces around what is no verdict")
-            fields = [Truth("false") if x == 0 and not isinstance(x, str) else x for x in fields]
-            value = dict(zip(("known", "set"), fields))
+            value = self.made_of(fields)
         elif token == "~":
             value = Truth(f"(negb {self.unary()})")
         elif token.startswith("0x"):
@@ -226,27 +231,45 @@ class Body(Tokens):
         elif token.isdigit():
             value = int(token)
         elif token == "same":
-            value = number(*self.arguments())
+            (value,) = self.arguments()
+            value = value if isinstance(value, Term) else number(value)
         elif token == "by_sign":
             value, bound = self.arguments()
             value = self.run.named("value", value)
             bound = self.run.named("bound", bound)
             value = {"known": Truth(f"(above (size {value}) {bound})"), "set": Truth(f"(negative_lane {value})")}
-        elif token in FUNCTIONS:
+        elif token in FUNCTIONS and self.peek() == "(":
             kind = Truth if token in TRUTHS else Term
             value = kind(f"({FUNCTIONS[token]} {' '.join(self.arguments())})")
-        elif token in self.run.scope:
-            value = self.run.scope[token]
         else:
-            raise SystemExit(f"unknown name {token!r}")
+            value = self.of_name(token)
         while self.peek() in (".", "["):
             if self.take() == ".":
-                value = value[self.take()]
+                value = self.member(value, self.take())
             else:
                 index = self.expression()
                 self.take("]")
-                value = Term(f"{value}{index}")
+                value = self.element(value, index)
         return value
+
+    def of_name(self, name):
+        if name not in self.run.scope:
+            raise SystemExit(f"unknown name {name!r}")
+        return self.run.scope[name]
+
+    @staticmethod
+    def made_of(fields):
+        if len(fields) != 2:
+            raise SystemExit("braces around what is no verdict")
+        fields = [Truth("false") if x == 0 and not isinstance(x, str) else x for x in fields]
+        return dict(zip(("known", "set"), fields))
+
+    def member(self, value, name):
+        return value[name]
+
+    @staticmethod
+    def element(value, index):
+        return Term(f"{value}{index}")
 
 
 def names_of(parameters):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Headers with one constant that is smaller: does a run refuse them? See prove.py."""
+"""Headers with a smaller constant, or, of arrays, another comparison: does a run refuse them? See prove.py."""
 import math
 import pathlib
 import re
@@ -8,6 +8,7 @@ import tempfile
 
 import enclosed
 import extract
+import lane_shapes
 import lane_text
 import source
 
@@ -18,11 +19,26 @@ ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 MULTIPLE = re.compile(r"above\((\d+) \* B::u\)")
 LEAST = re.compile(r"least\(\) \{ return Format::above\(power_of_two\(-(\d+)")
 UNITS_OF_LANES = re.compile(r"(\d+) \* v\b")
+# Of the filters of arrays: the other choice, 0 taken for positive, an answer turned over, numbers that may be infinite.
+OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.compile(r"\bgreater\("), "lesser("),
+            ("flipped", re.compile(r"\babove\((?=\w+(?:\([\w, ]*\))?, same\(0\)\))"), "not_below("),
+            ("flipped", re.compile(r"\bnegative\(depth\)"), "above(depth, same(0))"),
+            ("left out", re.compile(r"not_below\(same\(0x1\.f+p1023\), [\w +]+\) & "), ""),
+            # of rays with boxes: touching, no direction, max < min, the value's opposite
+            ("flipped", re.compile(r"\babove\((?=min, from\)|from, max\)|ways, zero\))"), "not_below("),
+            ("left out", re.compile(r" & not_below\(narrowest, zero\)"), ""),
+            ("flipped", re.compile("zero - value"), "value"),
+            ("flipped", re.compile(r"same\(0\) - value"), "value"),
+            # of triangles: what pays for underflow, sides, edges on two sides of a line, ends on one side of a plane
+            ("left out", re.compile(r" \+ same\(tiny\)"), ""),
+            ("flipped", re.compile(r"known & ~below, known & below"), "known & below, known & ~below"),
+            ("flipped", re.compile(r"(?<=ca\.positive\)) & "), " | "),
+            ("left out", re.compile(r"(?<=edges\.inside) & ~apart"), "")]
 TEXTS = source.READ + enclosed.HEADERS + lane_text.HEADERS
 
 
 def mutants(root):
-    """(what, header, text): each constant one unit smaller, in its last parameter and in its first."""
+    """(kind, what, header, text): each constant one unit smaller, in its last parameter and in its first."""
     for name in TEXTS:
         text = (root / name).read_text(encoding="utf-8")
         def other_text(found, other):
@@ -43,6 +59,9 @@ def mutants(root):
         code = re.sub("//.*", lambda comment: " " * len(comment[0]), text)
         for found in UNITS_OF_LANES.finditer(code if name in lane_text.HEADERS else ""):
             yield "half", *other_text(found, f"{int(found[1]) // 2} * v")
+        for kind, pattern, other in OF_LANES if name in lane_text.HEADERS else []:
+            for found in pattern.finditer(code):
+                yield kind, *other_text(found, other)
         for found in TAKEN.finditer(text if name in enclosed.HEADERS else ""):
             if float(found[0]) > 1:
                 yield "taken", *other_text(found, str(math.ceil(float(found[0])) - 1))
@@ -52,7 +71,7 @@ def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in [*TEXTS, lane_text.LANES]:
+        for name in [*TEXTS, lane_text.LANES, lane_shapes.NUMBERS]:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):

@@ -6,7 +6,7 @@
   prove.py --reviewed           writes reviewed.txt: every proof was reviewed after the last change of its filter
   prove.py --only NAME           the theorems of one filter or part
   prove.py --share               a share of the theorems, for the tests; all filters' texts are compared all the same
-  prove.py --mutants [FILTER]    each constant one unit smaller: refused by Coq, or as changed text alone
+  prove.py --mutants [FILTER]    each constant one unit smaller, or another comparison: refused by Coq
   prove.py --self-check          changed constants, open steps, axioms and caches are refused, without a run of Coq
 
 A filter NAME has three theorems: NAME_right about real numbers where nothing overflows, NAME_binary64 about all numbers
@@ -28,6 +28,7 @@ from concurrent.futures import ThreadPoolExecutor
 sys.dont_write_bytecode = True
 import enclosed
 import extract
+import lane_shapes
 import lane_text
 import mutants
 
@@ -35,6 +36,7 @@ SKIPPED = 77  # for CTest
 SHARE = {"cross_sign", "orientation", "elevation", "plane"}
 KINDS = ("right", "binary64", "runs")
 OF_REALS = {"crossings"}  # not yet on all of binary64
+OF_LANES = lane_text.NAMES | lane_shapes.NAMES
 OTHERS = ["segments_meet", "ray_meets", "obb_axis_separates", "point_in_obb_solid", "zero_is_positive",
           "rounds_to_nearest_right", "gradual_computes", "flushed_computes"]
 HERE = pathlib.Path(__file__).resolve().parent
@@ -120,7 +122,7 @@ def faults(files, filters, folder=HERE):
 
 
 def theorems_of(name):
-    alone = enclosed.THEOREMS | OF_REALS | lane_text.NAMES
+    alone = enclosed.THEOREMS | OF_REALS | OF_LANES
     return [f"{name}_{kind}" for kind in (KINDS[:1] if name in alone else KINDS)]
 
 
@@ -142,7 +144,7 @@ def prove(work, jobs, chosen):
     if found:
         return found
     names = [name for name, _, _ in filters if chosen is None or name in chosen]
-    groups = [[f"{name}_right"] for name in names if name not in enclosed.THEOREMS | lane_text.NAMES]
+    groups = [[f"{name}_right"] for name in names if name not in enclosed.THEOREMS | OF_LANES]
     # all that rests on Flocq at once: Coq goes through the whole of it each time
     groups.append([theorem for name in names for theorem in theorems_of(name) if [theorem] not in groups]
                   + ["in_binary64", "growing_in_binary64"] + ([] if chosen else OTHERS))
@@ -204,7 +206,7 @@ def self_check():
         without = {name: text.replace(f"Theorem {theorem}", "Theorem plane_wrong") for name, text in files.items()}
         if not any(f"plane: no theorem {theorem}" in line for line in faults(without, filters)):
             wrong.append(f"not refused: a filter without {theorem}")
-    print(f"{proved} mutants of constants refused" if not wrong else "")
+    print(f"{proved} mutants refused" if not wrong else "")
     return wrong
 
 

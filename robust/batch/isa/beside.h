@@ -5,7 +5,9 @@
 #include "robust/batch/isa/close_triangles.h"
 
 /// Filters of points beside a shape that all rows share: the model and the constants of kernels.h. Where an instruction
-/// set has an FMA, the edges and faces that a filter cannot tell are looked at again, exactly.
+/// set has an FMA, the edges and faces that a filter cannot tell are looked at again, exactly. The turn of an edge and
+/// the side of a face, with the numbers that a face has, are proved by machine from their text
+/// (robust/proofs/lane_beside.v); what is concluded from all of them is argued here.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -89,6 +91,16 @@ void put_locations(std::uint8_t* to, std::uint64_t outside, std::uint64_t bounda
   for (; boundary != 0; boundary &= boundary - 1) to[__builtin_ctzll(boundary)] = 1;
 }
 
+/// The turn of a point and the ends of an edge, of which these are the differences from the point: as Turn, with its C.
+struct TurnSeen {
+  Lanes value, bound;
+  TurnSeen(Lanes from_x, Lanes from_y, Lanes to_x, Lanes to_y) {
+    const Lanes l = from_x * to_y, r = from_y * to_x;
+    value = l - r;
+    bound = multiply_add(magnitude(l + r), same(4 * v), same(tiny));
+  }
+};
+
 /// The ray to +x from each point, with all edges of a ring: shared.numbers holds its vertices, x and y in turn, which
 /// are finite; there are shared.count of them.
 ///
@@ -109,10 +121,10 @@ void point_in_ring(const double* const* columns, const std::size_t* steps, std::
       for (const double* b = shared.numbers; b != last + 2; a = b, b += 2) {
         const Lanes by = same(b[1]), to_x = same(b[0]) - x, to_y = by - y;
         const Mask b_higher = above(by, y), crosses = higher ^ b_higher, level = equal(by, y);
-        const Lanes l = from_x * to_y, r = from_y * to_x, value = l - r;
-        const Mask certain = above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
-        const Mask inconclusive = crosses & ~certain;
-        Mask right = negative(value);
+        const TurnSeen seen(from_x, from_y, to_x, to_y);
+        const Verdict turn = by_sign(seen.value, seen.bound);
+        const Mask inconclusive = crosses & ~turn.known;
+        Mask right = turn.set;
         if ((inconclusive | level) != 0) [[unlikely]] {
           const Closer found = closer_to_edge(a, b, x, y, inconclusive, level);
           on |= found.on, open |= found.open;

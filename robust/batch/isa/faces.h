@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -11,16 +12,26 @@
 /// Faces of a mesh that all rows share, as the filters of isa/beside.h and isa/solid.h read them.
 namespace touchstone::robust::batch::isa {
 
-/// A corner, the normal n, the sums of the magnitudes of its terms, 2^-1000 too large, and the other corners,
-/// counter-clockwise as seen from where n points to. `outside` is the side of the face to which n points, 1 or -1.
-inline void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
-  const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
+/// Of a face's numbers those of its plane: a corner, the normal, and the sums of the magnitudes of its terms, 2^-1000
+/// too large. `outside` is the side of the face to which the normal points, 1 or -1.
+inline std::array<double, 9> plane_numbers(const Point3d& a, const Point3d& b, const Point3d& c, double outside) {
   const Vector3d v = b - a, w = c - a, normal = cross(v, w);
   const auto size = [](double p, double q) { return __builtin_fabs(p) + __builtin_fabs(q) + 0x1p-1000; };
-  const double sign = outside;
-  for (const double number : {a.x, a.y, a.z, sign * normal.x, sign * normal.y, sign * normal.z,
-                              size(v.y * w.z, v.z * w.y), size(v.z * w.x, v.x * w.z), size(v.x * w.y, v.y * w.x)})
-    numbers.push_back(number);
+  return {a.x,
+          a.y,
+          a.z,
+          outside * normal.x,
+          outside * normal.y,
+          outside * normal.z,
+          size(v.y * w.z, v.z * w.y),
+          size(v.z * w.x, v.x * w.z),
+          size(v.x * w.y, v.y * w.x)};
+}
+
+/// And the other corners, counter-clockwise as seen from where the normal points to.
+inline void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
+  const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
+  for (const double number : plane_numbers(a, b, c, outside)) numbers.push_back(number);
   for (const Point3d* corner : {outside > 0 ? &b : &c, outside > 0 ? &c : &b})
     for (const double number : {corner->x, corner->y, corner->z}) numbers.push_back(number);
 }

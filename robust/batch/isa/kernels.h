@@ -20,8 +20,8 @@
 ///
 /// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
 /// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. The
-/// filters of turns, segments, planes and balls are proved by machine from this text (robust/proofs/lane_*.v); those of
-/// boxes, of balls and rays with boxes, of rings, of solids and of triangles are not.
+/// filters of this file are proved by machine from this text (robust/proofs/lane_*.v); triangles.h and beside.h say
+/// what is proved of theirs.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -189,11 +189,12 @@ struct SphereBox {
 /// twice the origin as seen from the box's center, h the box's width; a ray that is apart from a box is so along one of
 /// these. Across two axes along which the ray does not lead, the first and the second are both exactly 0.
 ///
-/// s_j is the sum of two differences, and off by 3 v m_j, m_j the sum of their magnitudes, at least |s_j| and h_j. In
-/// units of |w_i| m_j + |w_j| m_i the first two products are off by 4 v each, their difference by v, and the other two
-/// products and their sum by 3 v: 8 v in all before the last difference, which cannot make a sign wrong. C = 16 v. The
-/// bound has m_j + h_j in the place of m_j: then it is infinite or NaN wherever a sum, a width or a product is. A
-/// number that is not finite may be on an axis that does not decide: `total` asks for all.
+/// s_j is the sum of two differences: two roundings, in units of m_j, the sum of their magnitudes. With the product and
+/// the difference of products these are four, in units of |w_i| m_j + |w_j| m_i; the other products and their sum have
+/// three, in units of |w_i| h_j + |w_j| h_i. The last difference cannot make a sign wrong. So a value of the wrong sign
+/// is at most 4 v in units of |w_i| (m_j + h_j) + |w_j| (m_i + h_i). C = 8 v. The bound is infinite or NaN wherever a
+/// sum, a width or a product is. A number that is not finite may be on an axis that does not decide: `total` asks for
+/// all.
 template <std::size_t dimensions>
 struct RayBox {
   static constexpr std::size_t columns = 4 * dimensions;
@@ -230,7 +231,7 @@ struct RayBox {
       const OfAxis &p = axes[i], &q = axes[j];
       const Lanes value =
           magnitude(p.way * q.start - q.way * p.start) - (magnitude(p.way) * q.width + magnitude(q.way) * p.width);
-      const Lanes bound = multiply_add(magnitude(p.way) * q.size + magnitude(q.way) * p.size, same(16 * v), same(tiny));
+      const Lanes bound = multiply_add(magnitude(p.way) * q.size + magnitude(q.way) * p.size, same(8 * v), same(tiny));
       apart |= above(value, bound);
       meets &= above(zero - value, bound) | equal(magnitude(p.way) + magnitude(q.way), zero);
     }

@@ -15,11 +15,12 @@ struct SeenAlongX {
   Mask crossed = 0, left = 0, inconclusive = 0, level = 0;
 
   void add(Lanes from_y, Lanes from_z, Lanes to_y, Lanes to_z, Mask higher, Mask to_higher) {
-    const Lanes l = from_y * to_z, r = from_z * to_y, value = l - r;
-    const Mask crosses = higher ^ to_higher, right = negative(value), counted = crosses & (right ^ to_higher);
-    inconclusive |= crosses & ~above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
+    const TurnSeen turn(from_y, from_z, to_y, to_z);
+    const Verdict right = by_sign(turn.value, turn.bound);
+    const Mask crosses = higher ^ to_higher, counted = crosses & (right.set ^ to_higher);
+    inconclusive |= crosses & ~right.known;
     crossed ^= counted;
-    left |= counted & ~right;
+    left |= counted & ~right.set;
   }
 };
 

@@ -4,7 +4,9 @@
 
 #include "robust/batch/isa/kernels.h"
 
-/// Filters of triangles in space: the model and the constants of kernels.h.
+/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them what the
+/// filters answer, are proved by machine from this text (robust/proofs/lane_faces.v, lane_triangles.v,
+/// lane_triangle_triangle.v).
 namespace touchstone::robust::batch::isa {
 namespace {
 
