@@ -8,7 +8,7 @@
 
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
-#include "robust/kernel/plane.h"
+#include "robust/kernel/parallelepiped.h"
 
 /// Hulls of up to three points, and what two of them in one plane have in common: written once for both exact stages,
 /// as kernel/plane.h is. Dimensions are 0, 1, 2; -1 of nothing.
@@ -16,16 +16,10 @@ namespace touchstone::robust::kernel {
 
 /// v x w, and the signs of its products with vectors.
 template <class Integer>
-struct Normal {
-  Second<Integer> x, y, z;
-  Normal(const Vector3<Integer>& v, const Vector3<Integer>& w)
-      : x(multiply(v.y, w.z) - multiply(v.z, w.y)),
-        y(multiply(v.z, w.x) - multiply(v.x, w.z)),
-        z(multiply(v.x, w.y) - multiply(v.y, w.x)) {}
-  bool zero() const { return sign_of(x) == 0 && sign_of(y) == 0 && sign_of(z) == 0; }
-  int along(const Vector3<Integer>& d) const {
-    return sign_of(Third<Integer>(multiply(x, d.x) + multiply(y, d.y) + multiply(z, d.z)));
-  }
+struct Normal : Vector3<Second<Integer>> {
+  Normal(const Vector3<Integer>& v, const Vector3<Integer>& w) : Vector3<Second<Integer>>(axis_across(v, w)) {}
+  bool zero() const { return sign_of(this->x) == 0 && sign_of(this->y) == 0 && sign_of(this->z) == 0; }
+  int along(const Vector3<Integer>& d) const { return sign_of(product_with_axis<Integer>(*this, d)); }
 };
 
 /// The corners of the hull, each once; three are not on one line, and in the plane counter-clockwise. The places behind
@@ -45,7 +39,7 @@ using HullInPlane = SmallHull<Point2<Integer>>;
 /// Of x, y, z by number: an axis that is not in the plane of the ways from one point of it to others; or, where all are
 /// on one line, one in which that does not lead.
 template <class Integer>
-std::size_t axis_across(std::span<const Vector3<Integer>> ways) {
+std::size_t axis_to_look_along(std::span<const Vector3<Integer>> ways) {
   const Vector3<Integer>* along = &ways[0];
   for (const Vector3<Integer>& way : ways) {
     if (sign_of(along->x) == 0 && sign_of(along->y) == 0 && sign_of(along->z) == 0) along = &way;

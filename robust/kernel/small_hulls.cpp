@@ -10,7 +10,6 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/flat_hulls.h"
-#include "robust/kernel/plane.h"
 
 namespace touchstone::robust::kernel {
 namespace {
@@ -35,7 +34,7 @@ HullInSpace<Integer> hull_of(const Triangle3<Integer>& t) {
 template <class Integer>
 int in_plane(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
   const std::array ways{a.at[1] - a[0], a.at[2] - a[0], b[0] - a[0], b.at[1] - a[0], b.at[2] - a[0]};
-  const std::size_t axis = axis_across<Integer>(ways);
+  const std::size_t axis = axis_to_look_along<Integer>(ways);
   return common_dimension(seen_along(axis, a), seen_along(axis, b));
 }
 
@@ -113,7 +112,7 @@ int common_dimension(const Ray3<Integer>& ray, const HullInSpace<Integer>& t) {
   const int at_origin = normal.along(p - t[0]), rise = normal.along(way);
   if (at_origin == 0 && rise == 0) {
     const std::array ways{way, t[0] - p, t.at[1] - p, t.at[2] - p};
-    const std::size_t axis = axis_across<Integer>(ways);
+    const std::size_t axis = axis_to_look_along<Integer>(ways);
     const Point2<Integer> ahead = seen_along(axis, p + way), from = seen_along(axis, p);
     return common_dimension(Ray2<Integer>{from, ahead - from}, seen_along(axis, t));
   }

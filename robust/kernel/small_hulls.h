@@ -11,7 +11,7 @@
 namespace touchstone::robust::kernel {
 
 /// The dimension of the common part, -1 where nothing is common. Triangles and segments may be less than they seem. Of
-/// numbers on a lattice; empty where they fit none.
+/// numbers on a lattice, each axis on one of its own; empty where they fit none.
 std::optional<int> common_dimension_on_lattice(const Triangle3d& a, const Triangle3d& b);
 std::optional<int> common_dimension_on_lattice(const Segment3d& segment, const Triangle3d& triangle);
 std::optional<int> common_dimension_on_lattice(const Ray3d& ray, const Triangle3d& triangle);

@@ -50,7 +50,7 @@ struct Closer {
   return {turn.right, (inconclusive & turn.on) | (level & (equal(b[0], x) | between)), inconclusive & ~turn.known()};
 }
 
-/// The same exactly, of points in the window of cubes.
+/// On which side of a face points in the window of cubes are, exactly.
 Signs exact_side_of_face(const double* numbers, const Lanes* point, Mask asked) {
   Lanes at[9];
   for (std::size_t k = 0; k < 9; ++k) at[k] = same(numbers[k < 3 ? k : 6 + k]);
