@@ -138,9 +138,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   set(quietly -Wno-uninitialized -Wno-maybe-uninitialized)  # g++ 12 warns wrongly of its own header (its bug 105593)
 endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/robust/batch/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/robust/batch/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-mbmi")
   set_source_files_properties(${PROJECT_SOURCE_DIR}/robust/batch/isa/avx512.cpp
-                              PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;${quietly}")
+                              PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-mbmi;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;${quietly}")
 endif()
 
 touchstone_component(geometry)

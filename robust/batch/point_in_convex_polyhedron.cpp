@@ -26,8 +26,8 @@ void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::s
     validation::validate("point", point);
     return stages::point_in_convex_polyhedron::of_valid(mesh, point, outside).answer;
   };
-  isa::run(isa::Which{&isa::Filters::point_in_convex_solid}, isa::Shared{faces.data(), mesh.faces.size()}, at_most,
-           decide, decide, count, answers, points);
+  isa::run(isa::Which{&isa::Filters::point_in_convex_solid, &isa::Filters::close_point_in_convex_solid},
+           isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide, decide, count, answers, points);
 }
 
 }  // namespace touchstone::robust::batch

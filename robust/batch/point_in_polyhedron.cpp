@@ -21,8 +21,8 @@ void point_in_polyhedron(const Meshd& mesh, const Points3& points, std::size_t c
   std::vector<double> faces;
   faces.reserve(isa::of_boxed_face * mesh.faces.size());
   for (const Face& face : mesh.faces) isa::add_boxed_face(mesh, face, faces);
-  isa::run(isa::Which{&isa::Filters::point_in_solid}, isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide,
-           decide, count, answers, points);
+  isa::run(isa::Which{&isa::Filters::point_in_solid, &isa::Filters::close_point_in_solid},
+           isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide, decide, count, answers, points);
 }
 
 }  // namespace touchstone::robust::batch

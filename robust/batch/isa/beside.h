@@ -4,10 +4,10 @@
 
 #include "robust/batch/isa/close_triangles.h"
 
-/// Filters of points beside a shape that all rows share: the model and the constants of kernels.h. Where an instruction
-/// set has an FMA, the edges and faces that a filter cannot tell are looked at again, exactly. The turn of an edge and
-/// the side of a face, with the numbers that a face has, are proved by machine from their text
-/// (robust/proofs/lane_beside.v); what is concluded from all of them is argued here.
+/// Points beside a shape that all rows share: the model and the constants of kernels.h. A filter knows a point where it
+/// can tell of every edge or face that matters; the second stage, for instruction sets that have an FMA, looks at those
+/// that it cannot tell again, exactly. The turn of an edge and the side of a face, with the numbers that a face has, are
+/// proved by machine from their text (robust/proofs/lane_beside.v); what is concluded from all of them is argued here.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -33,63 +33,52 @@ namespace {
   return {above(value, bound), above(same(0) - value, bound)};
 }
 
-/// On which side of a point's line an edge is, once more; `open`: still not known.
-struct Closer {
-  Mask right = 0, on = 0, open = 0;
+/// The points of which it is known where they are; of these those outside, those on the boundary.
+struct Located {
+  Mask known, outside, on;
 };
 
 #if TOUCHSTONE_LANES > 2
 
-/// `inconclusive`: points that the filter knows nothing of; `level`: points with the y of the edge's end.
-[[gnu::noinline]] Closer closer_to_edge(const double* from, const double* to, Lanes x, Lanes y, Mask inconclusive,
-                                        Mask level) {
-  const Lanes a[] = {same(from[0]), same(from[1])}, b[] = {same(to[0]), same(to[1])}, p[] = {x, y};
-  Sides turn = close_turn({b[0], a[0]}, {b[1], a[1]}, {y, a[1]}, {x, a[0]});
-  settle(turn, a, b, p, inconclusive);
-  const Mask between = equal(a[1], y) & (above(a[0], x) ^ above(b[0], x));
-  return {turn.right, (inconclusive & turn.on) | (level & (equal(b[0], x) | between)), inconclusive & ~turn.known()};
-}
+/// Parts of a shape that a filter cannot tell, one for each lane at most, so that all lanes are looked at at once.
+struct Waiting {
+  Mask asked = 0;
+  Lanes part = same(0);  ///< by number
+  bool has_room(Mask inconclusive) const { return (asked & inconclusive) == 0; }
+  void add(Mask inconclusive, std::size_t number) {
+    part = chosen(inconclusive, same(static_cast<double>(number)), part);
+    asked |= inconclusive;
+  }
+};
 
-/// On which side of a face points in the window of cubes are, exactly.
-Signs exact_side_of_face(const double* numbers, const Lanes* point, Mask asked) {
+/// The numbers of a part for each lane.
+class Gathered {
+ public:
+  Gathered(const double* numbers, std::size_t of_part, Lanes part) {
+    double number[lanes];
+    std::memcpy(number, &part.v, sizeof number);
+    for (std::size_t i = 0; i < lanes; ++i) from_[i] = numbers + of_part * static_cast<std::size_t>(number[i]);
+  }
+  Lanes operator[](std::size_t k) const {
+    double of_each[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) of_each[i] = from_[i][k];
+    return Lanes::at(of_each);
+  }
+
+ private:
+  const double* from_[lanes];
+};
+
+/// On which side of faces points are, exactly where all are in the window of cubes.
+[[gnu::noinline]] Signs exact_side(const Gathered& face, const Lanes* point, Mask asked) {
   Lanes at[9];
-  for (std::size_t k = 0; k < 9; ++k) at[k] = same(numbers[k < 3 ? k : 6 + k]);
+  for (std::size_t k = 0; k < 9; ++k) at[k] = face[k < 3 ? k : 6 + k];
   const InSpace a(at), b(at + 3), c(at + 6);
-  const Mask valid = asked & in_window_of_cubes<9>(at);
+  const Mask valid = asked & in_window_of_cubes<9>(at) & in_window_of_cubes<3>(point);
   return CloseNormal(Way(b, a), Way(c, a)).along(Way(InSpace(point), a), valid).of(valid);
 }
 
-/// Where points are of which the filter knows of no face that they are outside: outside of one, on one, inside.
-[[gnu::noinline]] Signs closer_to_faces(const Shared& shared, const Lanes* point, Mask open) {
-  Signs found{0, open & in_window_of_cubes<3>(point), 0};
-  for (std::size_t face = 0; face < shared.count && found.known() != 0; ++face) {
-    const double* const numbers = shared.numbers + of_face * face;
-    const Mask asked = found.negative | found.zero;
-    const Certain likely = side_of_face(numbers, point);
-    Signs side{likely.positive, likely.negative, 0};
-    if ((asked & ~side.known()) != 0) side = exact_side_of_face(numbers, point, asked);
-    found.positive |= asked & side.positive;
-    found.zero |= found.negative & side.zero;
-    found.negative &= side.negative;
-    found.zero &= side.negative | side.zero;
-  }
-  return found;
-}
-
-#else
-
-Closer closer_to_edge(const double*, const double*, Lanes, Lanes, Mask inconclusive, Mask level) {
-  return {0, 0, inconclusive | level};
-}
-Signs closer_to_faces(const Shared&, const Lanes*, Mask) { return {}; }
-
 #endif
-
-/// A byte for each point of a chunk: inside 0, on the boundary 1, outside 2.
-void put_locations(std::uint8_t* to, std::uint64_t outside, std::uint64_t boundary) {
-  put_bytes(to, outside, 2, 0);
-  for (; boundary != 0; boundary &= boundary - 1) to[__builtin_ctzll(boundary)] = 1;
-}
 
 /// The turn of a point and the ends of an edge, of which these are the differences from the point: as Turn, with its C.
 struct TurnSeen {
@@ -106,71 +95,160 @@ struct TurnSeen {
 ///
 /// An edge from a to b crosses the ray's line where exactly one of a.y and b.y is greater than the point's y; those are
 /// comparisons, and exact. It crosses the ray where the turn of a, b and the point has the sign of b.y - a.y: as for
-/// Turn, and where it is in doubt, the edge is looked at closer. On the boundary the point is on an edge that crosses
-/// the line, where the turn is 0; or on a horizontal one or a vertex, and then it has the y of a vertex.
-void point_in_ring(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
-                   std::uint8_t* answers, std::uint64_t* unknown) {
-  const double* const last = shared.numbers + 2 * (shared.count - 1);
-  for (std::size_t n = 0; n < chunks; ++n) {
-    std::uint64_t known = 0, outside = 0, boundary = 0;
-    for (std::size_t i = 0; i < chunk; i += lanes) {
-      const Lanes x = Lanes::at(columns[0] + n * steps[0] + i), y = Lanes::at(columns[1] + n * steps[1] + i);
-      Lanes from_x = same(last[0]) - x, from_y = same(last[1]) - y;
-      Mask higher = above(same(last[1]), y), open = 0, odd = 0, on = 0;
-      const double* a = last;
-      for (const double* b = shared.numbers; b != last + 2; a = b, b += 2) {
-        const Lanes by = same(b[1]), to_x = same(b[0]) - x, to_y = by - y;
-        const Mask b_higher = above(by, y), crosses = higher ^ b_higher, level = equal(by, y);
-        const TurnSeen seen(from_x, from_y, to_x, to_y);
-        const Verdict turn = by_sign(seen.value, seen.bound);
-        const Mask inconclusive = crosses & ~turn.known;
-        Mask right = turn.set;
-        if ((inconclusive | level) != 0) [[unlikely]] {
-          const Closer found = closer_to_edge(a, b, x, y, inconclusive, level);
-          on |= found.on, open |= found.open;
-          right = (right & ~inconclusive) | (found.right & inconclusive);
-        }
-        odd ^= crosses & (right ^ b_higher);
-        from_x = to_x, from_y = to_y, higher = b_higher;
-      }
-      const Mask finite =
-          not_below(same(0x1.fffffffffffffp1023), magnitude(x)) & not_below(same(0x1.fffffffffffffp1023), magnitude(y));
-      known |= static_cast<std::uint64_t>(finite & (on | ~open) & all_lanes) << i;
-      outside |= static_cast<std::uint64_t>(~odd & all_lanes) << i;
-      boundary |= static_cast<std::uint64_t>(on & all_lanes) << i;
-    }
-    unknown[n] = ~known;
-    put_locations(answers + n * chunk, outside, boundary);
+/// Turn. On the boundary the point is on an edge that crosses the line, where the turn is 0; or on a horizontal one or
+/// a vertex, and then it has the y of a vertex.
+class Ring {
+ public:
+  static constexpr std::size_t columns = 2;
+
+  static Located filtered(const Shared& shared, const Lanes* p) {
+    Mask odd = 0, open = ~finite(p);
+    for_each_edge(shared, p, [&](const Edge& edge, std::size_t) {
+      odd ^= edge.crosses & (edge.turn.set ^ edge.b_higher);
+      open |= edge.inconclusive() | edge.level;
+    });
+    return {~open, ~odd, 0};
   }
-}
+
+#if TOUCHSTONE_LANES > 2
+  static Located closely(const Shared& shared, const Lanes* p) {
+    Mask odd = 0, on = 0, open = ~finite(p);
+    Waiting waiting;
+    const auto look = [&] {
+      const Lanes first = same(0), last = same(static_cast<double>(shared.count - 1)), to = waiting.part;
+      const Lanes from = chosen(equal(to, first), last, to - same(1));
+      const Sides turn = exact_turn({shared.numbers, 2, from}, {shared.numbers, 2, to}, p, waiting.asked);
+      odd ^= turn.known() & (turn.right ^ above(Gathered(shared.numbers, 2, to)[1], p[1]));
+      on |= turn.on, open |= waiting.asked & ~turn.known();
+      waiting.asked = 0;
+    };
+    for_each_edge(shared, p, [&](const Edge& edge, std::size_t vertex) {
+      const Mask inconclusive = edge.inconclusive();
+      odd ^= edge.crosses & ~inconclusive & (edge.turn.set ^ edge.b_higher);
+      if (edge.level != 0) on |= edge.ends_or_lies_at(p);
+      if (!waiting.has_room(inconclusive)) look();
+      waiting.add(inconclusive, vertex);
+    });
+    look();
+    return {on | ~open, ~odd, on};
+  }
+#endif
+
+ private:
+  struct Edge {
+    const double *a, *b;
+    Verdict turn;
+    Mask crosses, b_higher, level;  ///< level: the points with the y of b
+    Mask inconclusive() const { return crosses & ~turn.known; }
+    Mask ends_or_lies_at(const Lanes* p) const {
+      const Mask between = equal(same(a[1]), p[1]) & (above(same(a[0]), p[0]) ^ above(same(b[0]), p[0]));
+      return level & (equal(same(b[0]), p[0]) | between);
+    }
+  };
+
+  /// Calls look(edge, the number of the vertex where it ends).
+  template <class Look>
+  [[gnu::always_inline]] static void for_each_edge(const Shared& shared, const Lanes* p, const Look& look) {
+    const double* a = shared.numbers + 2 * (shared.count - 1);
+    Lanes from_x = same(a[0]) - p[0], from_y = same(a[1]) - p[1];
+    Mask higher = above(same(a[1]), p[1]);
+    for (std::size_t vertex = 0; vertex < shared.count; ++vertex) {
+      const double* const b = shared.numbers + 2 * vertex;
+      const Lanes by = same(b[1]), to_x = same(b[0]) - p[0], to_y = by - p[1];
+      const Mask b_higher = above(by, p[1]);
+      const TurnSeen seen(from_x, from_y, to_x, to_y);
+      look(Edge{a, b, by_sign(seen.value, seen.bound), higher ^ b_higher, b_higher, equal(by, p[1])}, vertex);
+      from_x = to_x, from_y = to_y, higher = b_higher, a = b;
+    }
+  }
+
+  static Mask finite(const Lanes* p) {
+    const Lanes greatest = same(0x1.fffffffffffffp1023);
+    return not_below(greatest, magnitude(p[0])) & not_below(greatest, magnitude(p[1]));
+  }
+
+#if TOUCHSTONE_LANES > 2
+  [[gnu::noinline]] static Sides exact_turn(const Gathered& from, const Gathered& to, const Lanes* point, Mask asked) {
+    const Lanes a[] = {from[0], from[1]}, b[] = {to[0], to[1]};
+    Sides turn = close_turn({b[0], a[0]}, {b[1], a[1]}, {point[1], a[1]}, {point[0], a[0]});
+    settle(turn, a, b, point, asked);
+    return {turn.left & asked, turn.right & asked, turn.on & asked};
+  }
+#endif
+};
 
 /// The side of every face of a convex solid on which each point lies: outside of one, on one, or inside of all.
 /// shared.numbers holds the numbers of shared.count faces.
-void point_in_convex_solid(const double* const* columns, const std::size_t* steps, std::size_t chunks,
-                           const Shared& shared, std::uint8_t* answers, std::uint64_t* unknown) {
+struct ConvexSolid {
+  static constexpr std::size_t columns = 3;
+
+  static Located filtered(const Shared& shared, const Lanes* p) {
+    Mask out = 0, in = all_lanes;
+    for (std::size_t face = 0; face < shared.count && out != all_lanes; ++face) {
+      const Certain side = side_of_face(shared.numbers + of_face * face, p);
+      out |= side.positive, in &= side.negative;
+    }
+    return {out | in, out, 0};
+  }
+
+#if TOUCHSTONE_LANES > 2
+  static Located closely(const Shared& shared, const Lanes* p) {
+    Mask out = 0, on = 0, open = 0;
+    Waiting waiting;
+    const auto look = [&] {
+      const Signs side = exact_side({shared.numbers, of_face, waiting.part}, p, waiting.asked);
+      out |= side.positive, on |= side.zero, open |= waiting.asked & ~side.known();
+      waiting.asked = 0;
+    };
+    for (std::size_t face = 0; face < shared.count && out != all_lanes; ++face) {
+      const Certain side = side_of_face(shared.numbers + of_face * face, p);
+      out |= side.positive;
+      const Mask inconclusive = all_lanes & ~(out | open | side.negative);
+      if (!waiting.has_room(inconclusive)) look();
+      waiting.add(inconclusive, face);
+    }
+    look();
+    return {out | ~open, out, on & ~out};
+  }
+#endif
+};
+
+/// A byte for each point of a chunk: inside 0, on the boundary 1, outside 2.
+template <class Shape>
+void filter_beside(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
+                   std::uint8_t* answers, std::uint64_t* unknown) {
   for (std::size_t n = 0; n < chunks; ++n) {
-    std::uint64_t known = 0, outside = 0, boundary = 0;
+    std::uint64_t known = 0, outside = 0;
     for (std::size_t i = 0; i < chunk; i += lanes) {
-      Lanes p[3];
-      for (std::size_t k = 0; k < 3; ++k) p[k] = Lanes::at(columns[k] + n * steps[k] + i);
-      Mask out = 0, in = all_lanes;
-      for (std::size_t face = 0; face < shared.count && out != all_lanes; ++face) {
-        const Certain side = side_of_face(shared.numbers + of_face * face, p);
-        out |= side.positive, in &= side.negative;
-      }
-      Mask on = 0;
-      if (const Mask open = all_lanes & ~(out | in); open != 0) [[unlikely]] {
-        const Signs found = closer_to_faces(shared, p, open);
-        out |= found.positive, in |= found.negative | found.zero, on = found.zero;
-      }
-      known |= static_cast<std::uint64_t>(out | in) << i;
-      outside |= static_cast<std::uint64_t>(out) << i;
-      boundary |= static_cast<std::uint64_t>(on) << i;
+      Lanes p[Shape::columns];
+      for (std::size_t k = 0; k < Shape::columns; ++k) p[k] = Lanes::at(columns[k] + n * steps[k] + i);
+      const Located found = Shape::filtered(shared, p);
+      known |= static_cast<std::uint64_t>(found.known & all_lanes) << i;
+      outside |= static_cast<std::uint64_t>(found.outside & all_lanes) << i;
     }
     unknown[n] = ~known;
-    put_locations(answers + n * chunk, outside, boundary);
+    put_bytes(answers + n * chunk, outside, 2, 0);
   }
 }
+
+#if TOUCHSTONE_LANES > 2
+
+template <class Shape>
+struct CloseBeside {
+  static constexpr std::size_t columns = Shape::columns;
+  static constexpr bool of_lengths = false;
+  static Decision of(const Lanes* p, Mask, const Shared& shared) {
+    const Located found = Shape::closely(shared, p);
+    return {found.known, found.on, found.outside & ~found.on};
+  }
+};
+
+#else
+
+template <class Shape>
+struct CloseBeside;
+
+#endif
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa

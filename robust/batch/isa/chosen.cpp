@@ -26,12 +26,11 @@ bool plain_arithmetic() {
 const Filters* filters_here(int at_most) {
   if (!plain_arithmetic()) return nullptr;
 #if defined(__x86_64__)
-  if (at_most >= static_cast<int>(Instructions::avx512) && __builtin_cpu_supports("avx512f") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-    return &avx512_filters;
-  if (at_most >= static_cast<int>(Instructions::avx2) && __builtin_cpu_supports("avx2") &&
-      __builtin_cpu_supports("fma"))
-    return &avx2_filters;
+  const bool of_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi");
+  const bool of_avx512 = of_avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  if (at_most >= static_cast<int>(Instructions::avx512) && of_avx512) return &avx512_filters;
+  if (at_most >= static_cast<int>(Instructions::avx2) && of_avx2) return &avx2_filters;
 #endif
   return &portable_filters;
 }

@@ -177,7 +177,7 @@ void put_answers(std::uint8_t* to, std::uint64_t where, std::uint64_t one, std::
 }
 
 template <class F>
-std::uint64_t close(const double* const* columns, std::uint64_t asked, std::uint8_t* answers) {
+std::uint64_t close(const double* const* columns, std::uint64_t asked, const Shared& shared, std::uint8_t* answers) {
   std::uint64_t known = 0, one = 0, two = 0;
   for (std::size_t i = 0; i < chunk; i += lanes) {
     const Mask here = static_cast<Mask>(asked >> i) & all_lanes;
@@ -185,7 +185,9 @@ std::uint64_t close(const double* const* columns, std::uint64_t asked, std::uint
     Lanes numbers[F::columns];
     for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(columns[k] + i);
     if constexpr (F::of_lengths) bring_near_one(numbers);
-    const Decision found = F::of(numbers, here);
+    Decision found;
+    if constexpr (requires { F::of(numbers, here, shared); }) found = F::of(numbers, here, shared);
+    else found = F::of(numbers, here);
     known |= static_cast<std::uint64_t>(found.known & here) << i;
     one |= static_cast<std::uint64_t>(found.one & here) << i;
     two |= static_cast<std::uint64_t>(found.two & here) << i;

@@ -56,25 +56,37 @@ void add_square(Lanes (&terms)[6 * count], std::size_t at, Lanes head, Lanes tai
 }
 
 /// The square of the sum of the radii less that of the distance. A ball of radius 0 has no interior: it can only touch.
+///
+/// A speck, a radius below 2^-720 where the other numbers are 0 or between 2^-200 and 2^200, is left out: without it
+/// these are multiples of 2^-252, and the value one of 2^-504. Specks add less than 2^-510, so they tell only where the
+/// value is 0.
 template <std::size_t dimensions>
 struct CloseSpheres {
   static constexpr std::size_t columns = 2 * dimensions + 2;
   static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask asked) {
     constexpr std::size_t n = dimensions;
-    const Lanes smaller = lesser(c[n], c[2 * n + 1]);
-    Mask valid = not_below(smaller, same(0));
-    for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
+    Lanes radii[] = {c[n], c[2 * n + 1]};
+    const Lanes smaller = lesser(radii[0], radii[1]);
+    Mask valid = not_below(smaller, same(0)), specks = 0;
+    for (Lanes& radius : radii) {
+      const Mask speck = above(radius, same(0)) & above(same(0x1p-720), radius);
+      radius = chosen(speck, same(0), radius), specks |= speck;
+    }
+    const Mask wide = ~specks & all_lanes;
+    const auto in_own_window = [&](Lanes x) { return in_window(x, 0x1p200) | (wide & in_window(x)); };
+    valid &= in_own_window(radii[0]) & in_own_window(radii[1]);
     Lanes terms[6 * (n + 1)];
     for (std::size_t k = 0; k < n; ++k) {
+      valid &= in_own_window(c[k]) & in_own_window(c[n + 1 + k]);
       const Difference way(c[n + 1 + k], c[k]);
       add_square<n + 1>(terms, k, way.head, way.tail, true);
     }
-    const Sum reach(c[n], c[2 * n + 1]);
+    const Sum reach(radii[0], radii[1]);
     add_square<n + 1>(terms, n, reach.head, reach.tail, false);
     const Signs signs = signs_of_sums(terms, asked & valid);
-    const Mask solid = above(smaller, same(0));
-    return {valid & signs.known(), signs.zero | (signs.positive & ~solid), signs.positive & solid};
+    const Mask solid = above(smaller, same(0)), inside = signs.positive | (signs.zero & specks);
+    return {valid & signs.known(), (signs.zero & ~specks) | (inside & ~solid), inside & solid};
   }
 };
 

@@ -29,7 +29,8 @@ using Filter = void(const double* const* columns, const std::size_t* steps, std:
 
 /// Of the rows of one chunk, columns[k] being where its column k starts, decides those that are asked, writes a byte
 /// for each that it decides and no others, and returns those that it does not.
-using SecondStage = std::uint64_t(const double* const* columns, std::uint64_t asked, std::uint8_t* answers);
+using SecondStage = std::uint64_t(const double* const* columns, std::uint64_t asked, const Shared& shared,
+                                  std::uint8_t* answers);
 
 /// The filters of one instruction set. They hold where results are rounded to nearest and nothing is flushed.
 struct Filters {
@@ -43,7 +44,8 @@ struct Filters {
   SecondStage *close_boxes_in_plane, *close_boxes_in_space, *close_spheres_in_plane, *close_spheres_in_space;
   SecondStage *close_sphere_and_box_in_plane, *close_sphere_and_box_in_space;
   SecondStage *close_ray_and_box_in_plane, *close_ray_and_box_in_space;
-  SecondStage *close_segment_triangle, *close_ray_triangle, *close_triangle_triangle, *none = nullptr;
+  SecondStage *close_segment_triangle, *close_ray_triangle, *close_triangle_triangle;
+  SecondStage *close_point_in_ring, *close_point_in_convex_solid, *close_point_in_solid, *none = nullptr;
 };
 
 extern const Filters portable_filters, avx2_filters, avx512_filters;

@@ -66,8 +66,9 @@ class Left {
  public:
   static constexpr std::size_t columns = Flat<Operands...>::size;
 
-  Left(SecondStage* close, const PastFilter& past_filter, std::uint8_t* answers, const Operands&... operands)
-      : close_(close), past_filter_(past_filter), answers_(answers), operands_(operands...) {}
+  Left(SecondStage* close, const Shared& shared, const PastFilter& past_filter, std::uint8_t* answers,
+       const Operands&... operands)
+      : close_(close), shared_(shared), past_filter_(past_filter), answers_(answers), operands_(operands...) {}
 
   /// Those of chunk n of the feed, whose first row is `first`.
   void add(const Feed<columns>& feed, std::size_t n, std::size_t first, std::uint64_t rows) {
@@ -75,7 +76,7 @@ class Left {
     std::array<const double*, columns> starts;
     for (std::size_t k = 0; k < columns; ++k) starts[k] = feed.starts()[k] + n * feed.steps()[k];
     if (std::popcount(rows) >= many) {
-      const std::uint64_t open = close_(starts.data(), rows, answers_ + first);
+      const std::uint64_t open = close_(starts.data(), rows, shared_, answers_ + first);
       if (open == 0) return;
       flush();
       return decide(first, open);
@@ -96,7 +97,7 @@ class Left {
       std::fill(packed_[k] + size_, packed_[k] + chunk, packed_[k][0]);
     }
     std::uint8_t found[chunk];
-    const std::uint64_t open = close_(starts.data(), ~std::uint64_t{0} >> (chunk - size_), found);
+    const std::uint64_t open = close_(starts.data(), ~std::uint64_t{0} >> (chunk - size_), shared_, found);
     for (std::size_t n = 0; n < size_; ++n) {
       if ((open >> n & 1) == 0) answers_[rows_[n]] = found[n];
       else decide(rows_[n], 1);
@@ -116,6 +117,7 @@ class Left {
   }
 
   SecondStage* close_;
+  const Shared& shared_;
   const PastFilter& past_filter_;
   std::uint8_t* answers_;
   std::tuple<const Operands&...> operands_;
@@ -139,7 +141,7 @@ void run(Which which, const Shared& shared, Instructions at_most, const Decide& 
   if (filters == nullptr) return decide_each(decide, count, answers, operands...);
   Filter* const filter = filters->*which.filter;
   Feed<Flat<Operands...>::size> feed(Flat<Operands...>(operands...).columns);
-  Left<PastFilter, Operands...> left(filters->*which.close, past_filter, answers, operands...);
+  Left<PastFilter, Operands...> left(filters->*which.close, shared, past_filter, answers, operands...);
   std::uint64_t unknown[most_chunks];
   for (std::size_t first = 0; first < count;) {
     const std::size_t rows = feed.take(first, count - first), chunks = (rows + chunk - 1) / chunk;

@@ -28,9 +28,9 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .segment_triangle = filter<SegmentTriangle>,
                                        .ray_triangle = filter<RayTriangle>,
                                        .triangle_triangle = filter<TriangleTriangle>,
-                                       .point_in_ring = point_in_ring,
-                                       .point_in_convex_solid = point_in_convex_solid,
-                                       .point_in_solid = point_in_solid,
+                                       .point_in_ring = filter_beside<Ring>,
+                                       .point_in_convex_solid = filter_beside<ConvexSolid>,
+                                       .point_in_solid = filter_beside<Solid>,
                                        .close_orientation = close_stage<CloseOrientation>,
                                        .close_point_on_segment = close_stage<ClosePointOnSegment>,
                                        .close_segment_segment = close_stage<CloseSegmentSegment>,
@@ -45,7 +45,10 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .close_ray_and_box_in_space = close_stage<CloseRayBox<3>>,
                                        .close_segment_triangle = close_stage<CloseSegmentTriangle>,
                                        .close_ray_triangle = close_stage<CloseRayTriangle>,
-                                       .close_triangle_triangle = close_stage<CloseTriangleTriangle>};
+                                       .close_triangle_triangle = close_stage<CloseTriangleTriangle>,
+                                       .close_point_in_ring = close_stage<CloseBeside<Ring>>,
+                                       .close_point_in_convex_solid = close_stage<CloseBeside<ConvexSolid>>,
+                                       .close_point_in_solid = close_stage<CloseBeside<Solid>>};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa
