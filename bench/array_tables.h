@@ -18,10 +18,9 @@ using catalogue::Question;
 using catalogue::Word;
 using robust::batch::Column;
 
-enum class Cases { random, one_in_a_hundred, near_degenerate };
-constexpr Cases every_kind[] = {Cases::random, Cases::one_in_a_hundred, Cases::near_degenerate};
+enum class Cases { random, one_in_a_hundred, near_degenerate, hard };
 inline const char* name_of(Cases kind) {
-  constexpr const char* names[] = {"random", "one_in_a_hundred_near", "near_degenerate"};
+  constexpr const char* names[] = {"random", "one_in_a_hundred_near", "near_degenerate", "every_hard_case"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -39,16 +38,16 @@ inline bool accepted(const Operation& operation, const Question& question) {
   return true;
 }
 
-/// Families of full precision, or all hard cases where none says so by its name.
-inline std::vector<std::size_t> near_misses(const Operation& operation) {
+/// All hard cases, or those of full precision; all as well where none says so by its name.
+inline std::vector<std::size_t> hard_families(const Operation& operation, Cases kind) {
   std::vector<std::size_t> named, all;
   for (std::size_t i = 0; i < operation.families().size(); ++i) {
     const std::string& name = operation.families()[i];
     if (name.find('+') != std::string::npos) continue;
     if (i < operation.row().hard_cases.size()) all.push_back(i);
-    if (name.starts_with("nearly") || name.starts_with("rounded")) named.push_back(i);
+    if (near_degenerate(name)) named.push_back(i);
   }
-  return named.empty() ? all : named;
+  return named.empty() || kind == Cases::hard ? all : named;
 }
 
 /// case_count rows, all like `shape`: of one alternative and, where there are lists, of one list.
@@ -157,6 +156,14 @@ inline const SharedShape* shape_of(const Operation& operation) {
   return nullptr;
 }
 
+/// Without `hard` where that would be the rows of near_degenerate once more.
+inline std::vector<Cases> kinds_of(const Operation& operation) {
+  std::vector<Cases> kinds = {Cases::random, Cases::one_in_a_hundred, Cases::near_degenerate};
+  const bool more = hard_families(operation, Cases::hard) != hard_families(operation, Cases::near_degenerate);
+  if (more && shape_of(operation) == nullptr) kinds.push_back(Cases::hard);
+  return kinds;
+}
+
 /// A question of the family, or of points in [-1, 1) beside the shape.
 inline Question drawn_row(const Operation& operation, std::size_t family, bool hard, catalogue::DrawStream& draws) {
   const SharedShape* const shape = shape_of(operation);
@@ -174,11 +181,11 @@ inline Table drawn_table(const Operation& operation, const std::vector<Word>& wo
   const auto& families = operation.families();
   const auto random =
       static_cast<std::size_t>(std::find(families.begin(), families.end(), "random") - families.begin());
-  const std::vector<std::size_t> near = near_misses(operation);
+  const std::vector<std::size_t> near = hard_families(operation, kind);
   std::size_t rows = 0;
   for (std::uint64_t index = 0; rows < case_count; ++index) {
     catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, name_of(kind), index));
-    const bool hard = kind == Cases::near_degenerate || (kind == Cases::one_in_a_hundred && rows % 100 == 0);
+    const bool hard = kind == Cases::one_in_a_hundred ? rows % 100 == 0 : kind != Cases::random;
     const std::size_t family = hard ? near[draws.below(near.size())] : random;
     const Question question = drawn_row(operation, family, hard, draws);
     if (question.words != words) continue;

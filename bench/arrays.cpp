@@ -223,7 +223,7 @@ void add_row() {
   for (const std::vector<Word>& words : words_of_tables(operation)) {
     const bool several = shape_of(operation) == nullptr && !words.empty();
     const std::string alternative = several ? "_" + std::to_string(words[0] + 2) + "d" : "";
-    for (const Cases kind : every_kind) {
+    for (const Cases kind : kinds_of(operation)) {
       const std::string group = "arrays_" + operation.name() + alternative + "/" + name_of(kind) + "/";
       const Asked asked{operation, words, kind};
       add_ours(group, asked);
@@ -281,7 +281,7 @@ bool verified() {
   bool held = true;
   for (const Operation* operation : catalogue::all_operations()) {
     for (const std::vector<Word>& words : words_of_tables(*operation)) {
-      for (const Cases kind : every_kind) {
+      for (const Cases kind : kinds_of(*operation)) {
         const Table& table = table_of(*operation, words, kind);
         std::size_t wrong = 0;
         for (const Instructions set : {Instructions::portable, Instructions::avx2, Instructions::avx512}) {

@@ -5,8 +5,8 @@
   bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--page FILE.html] [--keep FILE.json]
   bench/ratios.py --picture FILE.svg --times FILE.json
 
-BUILD is the build directory (build/bench). A time is the least of N repetitions (default 25) of 10 ms each: what else the
-machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
+BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three where
+three take more than two seconds, making the cases included: what else the machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
 bench/README.md, --page writes them with bars and curves (page.py), --keep keeps the times of a run. --picture draws the
 README's picture from the times of this run, or of one that was kept.
 """
@@ -24,6 +24,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
 import page
 
@@ -34,7 +35,8 @@ HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
 MESH = "polyhedron_complexity_100000"
 PAIRS = "all_pairs_"
 ARRAYS = "arrays_"
-FEW_REPETITIONS = 3  # of hulls, meshes and pairs: a time is up to half a minute
+FEW_REPETITIONS = 3  # of what takes longer than this:
+SECONDS = 2
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
 
@@ -42,12 +44,19 @@ class Times:
     """Nanoseconds a case of one group of benchmarks: name -> one number a repetition."""
 
     def __init__(self, program, group, repetitions):
+        self.of, self.labels = {}, {}
+        began = time.monotonic()
+        self.run(program, group, min(repetitions, FEW_REPETITIONS))
+        if repetitions > FEW_REPETITIONS and time.monotonic() - began < SECONDS:
+            self.run(program, group, repetitions - FEW_REPETITIONS)
+
+    def run(self, program, group, repetitions):
+        """Adds to the times."""
         pattern = group.replace("^", ".")
         command = [program, f"--benchmark_filter=^{pattern}/", "--benchmark_format=json",
                    f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.01",
                    "--benchmark_enable_random_interleaving=true"]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
-        self.of, self.labels = {}, {}
         for run in json.loads(done.stdout)["benchmarks"] if done.stdout else []:
             if run["run_type"] == "iteration":
                 if run.get("error_occurred"):
@@ -340,7 +349,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", type=pathlib.Path, default=ROOT / "build/bench")
     parser.add_argument("--ops", type=lambda text: text.split(","), default=[])
-    parser.add_argument("--repetitions", type=int, default=25)
+    parser.add_argument("--repetitions", type=int, default=15)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--page", type=pathlib.Path)
     parser.add_argument("--picture", type=pathlib.Path)
@@ -360,9 +369,7 @@ def main():
             continue  # ./dev check builds only the program that has every operation
         for group in groups(program, options.ops):
             print(group, file=sys.stderr)
-            few = name in ("hulls", "meshes", "pairs")
-            repetitions = min(FEW_REPETITIONS, options.repetitions) if few else options.repetitions
-            timed[name][group] = Times(program, group, repetitions)
+            timed[name][group] = Times(program, group, options.repetitions)
     if not any(timed.values()):
         sys.exit(f"{', '.join(options.ops)}: no program in {options.build / 'bench'} measures this")
     add_earcut(str(options.build / "bench/triangulation"), timed["triangulation"])

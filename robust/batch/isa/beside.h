@@ -5,8 +5,8 @@
 #include "robust/batch/isa/close_triangles.h"
 
 /// Points beside a shape that all rows share: the model and the constants of kernels.h. A filter knows a point where it
-/// can tell of every edge or face that matters; the second stage, for instruction sets that have an FMA, looks at those
-/// that it cannot tell again, exactly. The turn of an edge and the side of a face, with the numbers that a face has, are
+/// can tell of every edge or face that matters; the second stage, for instruction sets that have an FMA, looks again at
+/// those that it cannot tell, exactly. The turn of an edge and the side of a face, with the numbers that a face has, are
 /// proved by machine from their text (robust/proofs/lane_beside.v); what is concluded from all of them is argued here.
 namespace touchstone::robust::batch::isa {
 namespace {
