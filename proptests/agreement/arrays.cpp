@@ -144,6 +144,30 @@ std::size_t asked_of(const Operation& operation, std::uint64_t questions) {
 
 }  // namespace
 
+/// Asks each of the rows many times, in turn, in every way that `check` knows.
+void check_in_turn(const char* name, const std::vector<Question>& rows, const std::vector<Word>& answers) {
+  const Operation& operation = *catalogue::find_operation(name);
+  Table table{{}, operation.row().batch.columns(rows[0])};
+  std::vector<Word> expected;
+  for (std::size_t i = 0; i < 70; ++i) {
+    table.questions.push_back(rows[i % rows.size()]);
+    expected.push_back(answers[i % rows.size()]);
+  }
+  check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+  CHECK(decisions(operation, table) == expected);
+}
+
+/// The same of points beside a mesh, and beside the mesh with its faces in the opposite order.
+void check_in_every_order(Meshd mesh, const std::vector<Point3d>& points, const std::vector<Word>& places) {
+  for (int order = 0; order < 2; ++order) {
+    std::vector<Question> rows;
+    for (const Point3d& point : points) rows.emplace_back(catalogue::packed(std::tuple(mesh, point)));
+    check_in_turn("point_in_convex_polyhedron", rows, places);
+    check_in_turn("point_in_polyhedron", rows, places);
+    std::reverse(mesh.faces.begin(), mesh.faces.end());
+  }
+}
+
 TEST_CASE("arrays: what follows asks something") {
   std::size_t with_arrays = 0;
   for (const Operation* operation : catalogue::all_operations())
@@ -207,7 +231,6 @@ TEST_CASE("arrays: of two rows that are refused the first is named, also where f
 
 TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
   // normal, offset, point
-  const Operation& operation = *catalogue::find_operation("point_plane");
   const std::vector<Question> rows = {{{0.7, 0.6, 0.8, -0.63, 0.1, 0.8, 0.1}, {}},
                                       {{0.3, 0.6, 0.3, -0.6, 0.4, 0.7, 0.2}, {}},
                                       {{0.7, 0.2, 0.7, -1.18, 0.8, 0.3, 0.8}, {}},
@@ -216,34 +239,35 @@ TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
                                       {{1, 0x1p60, -0x1p60, -0.5, 1, 1, 1}, {}},
                                       {{-1, -0x1p60, 0x1p60, 0.5, 1, 1, 1}, {}}};
   const std::vector<Word> sides = {0, 2, 0, 2, 0, 2};  // front, back
-  Table table{{}, operation.row().batch.columns(rows[0])};
-  std::vector<Word> expected;
-  for (std::size_t i = 0; i < 70; ++i) {
-    table.questions.push_back(rows[i % rows.size()]);
-    expected.push_back(sides[i % rows.size()]);
-  }
-  check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+  check_in_turn("point_plane", rows, sides);
 }
 
 TEST_CASE("arrays: points in the plane of one face, and on either side of another by less than is rounded") {
   // 3 times 0.1, as a double, is greater than 0.3, and 3 times the double before 0.1 is less: x - 3 y + 2 z is outside
-  // where it is positive, and the base has z = 0.
-  const double before = std::nextafter(0.1, 0.0);
+  // where it is positive, and the base has z = 0. Another face has x = z.
+  const double before = std::nextafter(0.1, 0.0), after = std::nextafter(0.1, 1.0);
   const Meshd mesh{{{0, 0, 0}, {3, 1, 0}, {0, 3, 0}, {1, 1, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-  const std::vector<Point3d> points = {{0.3, 0.1, 0}, {0.3, before, 0}, {0.3, 0.1, 0x1p-70}, {0.3, before, 0x1p-70}};
-  const std::vector<Word> places = {1, 2, 0, 2};  // boundary, outside, inside, outside
-  for (const char* const name : {"point_in_convex_polyhedron", "point_in_polyhedron"}) {
-    const Operation& operation = *catalogue::find_operation(name);
-    Table table;
-    std::vector<Word> expected;
-    for (std::size_t i = 0; i < 70; ++i) {
-      table.questions.emplace_back(catalogue::packed(std::tuple(mesh, points[i % points.size()])));
-      expected.push_back(places[i % points.size()]);
-    }
-    table.columns = operation.row().batch.columns(table.questions[0]);
-    check(operation, table, expected, expected.size(), all_of(table, 1), 0);
-    CHECK(decisions(operation, table) == expected);
-  }
+  const std::vector<Point3d> points = {{0.3, 0.1, 0},     {0.3, before, 0}, {0.3, 0.1, 0x1p-70}, {0.3, before, 0x1p-70},
+                                       {after, 0.5, 0.1}, {0.1, 0.5, 0.1},  {before, 0.5, 0.1}};
+  const std::vector<Word> places = {1, 2, 0, 2, 0, 1, 2};  // on the boundary 1, outside 2
+  check_in_every_order(mesh, points, places);
+}
+
+TEST_CASE("arrays: points between two faces that are closer to each other than is rounded") {
+  // Two faces meet in an edge along z and lead to x = 2^60 and x = 2^60 + 256 where y is 1. Where y is 0.1, as a double,
+  // they are at 2^60 times that, which is a double, and 25.6 farther on; the next double is 16 farther on.
+  const double y = 0.1, x = 0x1p60 * y;
+  const Meshd mesh{{{0, 0, -1}, {0, 0, 1}, {0x1p60, 1, 0}, {0x1p60 + 256, 1, 0}},
+                   {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
+  check_in_every_order(mesh, {{x - 16, y, 0.05}, {x, y, 0.05}, {x + 16, y, 0.05}, {x + 32, y, 0.05}}, {2, 1, 0, 2});
+}
+
+TEST_CASE("arrays: balls that meet only by a radius too small to be told beside the other") {
+  // The second center is a hair farther than the first radius: h h, with h = 2^-170, is less than twice the product of
+  // the radii 2^400 and 2^-721, and more than that of 2^400 and 2^-750.
+  const double r = 0x1p400, hair = 0x1p-170;
+  const std::vector<double> much{0, 0, r, r, hair, 0x1p-721}, little{0, 0, r, r, hair, 0x1p-750};
+  check_in_turn("sphere_sphere", {{much, {0}}, {little, {0}}}, {2, 0});
 }
 
 EACH_OPERATION("over arrays it answers as one by one, and as the oracle") {
