@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -7,11 +8,15 @@
 
 namespace {
 
-/// Bytes of an input: ten numbers, or eighty where there are lists, more where one question is a mesh.
+/// Bytes of an input: all numbers and words of a question after the first byte, and not fewer than 80, which families
+/// draw from; eighty numbers where there are lists, more where one question is a mesh.
 std::string longest() {
   const auto& operation = touchstone::fuzz::target().operation();
-  if (operation.question_shape().fixed) return "-max_len=80";
-  return operation.metadata().cost > 10 ? "-max_len=1600" : "-max_len=640";
+  if (!operation.question_shape().fixed) return operation.metadata().cost > 10 ? "-max_len=1600" : "-max_len=640";
+  std::size_t most = 80;
+  for (const auto& zeros : operation.zeros_of_alternatives())
+    most = std::max(most, 1 + sizeof(double) * (zeros.numbers.size() + zeros.words.size()));
+  return "-max_len=" + std::to_string(most);
 }
 
 }  // namespace
