@@ -95,6 +95,21 @@ std::string in_words(std::size_t environment) {
   return environment == 0 ? "" : " (" + environment_name(environment) + ")";
 }
 
+/// Of each number one in which it is not finite; then those that break another rule too once more, without that.
+std::vector<Question> not_finite_questions(const Operation& operation) {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::array<double, 3> bad{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+  std::vector<Question> questions;
+  for (const Question& zeros : operation.zeros_of_alternatives())
+    for (std::size_t i = 0; i < zeros.numbers.size(); ++i)
+      questions.push_back(with_not_finite(operation, zeros, i, bad[i % bad.size()]));
+  for (const Question& zeros : operation.zeros_of_alternatives())
+    for (std::size_t i = 0; i < zeros.numbers.size(); ++i)
+      if (auto question = with_only_not_finite(operation, zeros, i, bad[i % bad.size()]))
+        questions.push_back(std::move(*question));
+  return questions;
+}
+
 /// Robust is asked in every floating-point environment.
 std::string robust_complaint(const Json& line, const Examined& examined) {
   const auto& [operation, question, once] = examined;
@@ -163,14 +178,8 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
       vectors.lines.push_back(std::move(line));
     }
   }
-  for (const Question& zeros : operation.zeros_of_alternatives()) {
-    for (std::size_t i = 0; i < zeros.numbers.size(); ++i) {
-      static constexpr double infinity = std::numeric_limits<double>::infinity();
-      static constexpr std::array<double, 3> bad{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
-      const Examined examined{operation, with_not_finite(operation, zeros, i, bad[i % bad.size()])};
-      vectors.lines.push_back(one_line(vector_line(not_finite_family, examined)));
-    }
-  }
+  for (Question& question : not_finite_questions(operation))
+    vectors.lines.push_back(one_line(vector_line(not_finite_family, {operation, std::move(question)})));
   for (std::size_t i = 0; i < vectors.lines.size(); ++i)
     vectors.lines[i] = with_id(vectors.lines[i], operation.name(), i + 1);
   return vectors;

@@ -117,6 +117,24 @@ Meshd fans_at_a_vertex(DrawStream& draws) {
   return mesh;
 }
 
+Meshd convex_at_a_vertex(DrawStream& draws) {
+  Meshd mesh{{{0, 0, 0}}, {}};
+  for (const double side : {12.0, -12.0}) {
+    const auto first = static_cast<Index>(mesh.vertices.size());
+    const auto length = [&draws, side] { return side * static_cast<double>(1 + draws.below(3)); };
+    const double x = length(), y = length(), z = length();
+    mesh.vertices.insert(mesh.vertices.end(), {{x, 0, 0}, {0, y, 0}, {0, 0, z}});
+    // In the octant of negative numbers the same faces are turned inside out.
+    const bool turned = (side < 0) != (draws.below(4) == 3);
+    const std::array<Index, 4> at{0, first, first + 1, first + 2};
+    for (Face face : tetrahedron) {
+      if (turned) std::swap(face.b, face.c);
+      mesh.faces.push_back({at[face.a], at[face.b], at[face.c]});
+    }
+  }
+  return relisted(mesh, draws);
+}
+
 Meshd nested_shells(DrawStream& draws) {
   if (draws.below(4) == 3) return cube_in_hollow(draws);
   const Meshd shape = around_the_mean(lattice_polyhedron(draws));

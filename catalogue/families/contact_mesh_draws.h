@@ -25,6 +25,9 @@ Meshd touching_solids(DrawStream& draws);
 /// Triangles that all have vertex 0 at a corner: their sectors cross, touch, cover each other, or do not.
 Meshd fans_at_a_vertex(DrawStream& draws);
 
+/// Two tetrahedra in opposite octants that have vertex 0 in common and nothing else: convex everywhere but there.
+Meshd convex_at_a_vertex(DrawStream& draws);
+
 /// One to four convex shells around one point, or moved away from it: one within another in any order, some turned
 /// over; coincident; or a cube in the hollow of a cube.
 Meshd nested_shells(DrawStream& draws);

@@ -168,6 +168,21 @@ struct all_pairs {
            return std::tuple(shuffled(balls, c));
          },
          /*unscaled=*/true},
+        {"stacked",
+         [](DrawStream& c) -> Question {
+           // Along y or z most begin where the one below ends, in any order: nodes of a tree touch there.
+           const bool along_y = c.below(2) == 0;
+           double top = 0;
+           const auto box = [&](DrawStream& d) {
+             const double low = top + static_cast<double>(d.below(8) / 7), x = static_cast<double>(d.below(2));
+             top = low + 1 + static_cast<double>(d.below(3));
+             return along_y ? Aabb3d{{x, low, 0}, {x + 1, top, 1}} : Aabb3d{{x, 0, low}, {x + 1, 1, top}};
+           };
+           Boxes tower;
+           for (std::uint64_t left = 12 + c.below(50); left > 0; --left) tower.push_back(box(c));
+           return std::tuple(shuffled(tower, c));
+         },
+         /*unscaled=*/true},
     };
   }
 

@@ -139,6 +139,15 @@ struct sphere_capsule {
            const double r = c.below(2) == 1 ? -0.0 : static_cast<double>(c.below(2)), s = c.below(2) == 1 ? -0.0 : 1;
            return {{p, r}, {{a, c.below(2) == 1 ? b : Point3d{1, b.y, b.z}}, s}};
          }},
+        {"negative_radius",
+         [](DrawStream& c) -> Question {
+           // Of one of the two or of both, of solids that a filter would part.
+           const Point3d p = lattice_point_in_space(c, 16), a = lattice_point_in_space(c, 16);
+           const double r = 1 + static_cast<double>(c.below(8)), s = 1 + static_cast<double>(c.below(8));
+           const std::uint64_t which = c.below(3);
+           return {{p, which > 0 ? -r : r}, {{a, lattice_point_in_space(c, 16)}, which == 1 ? s : -s}};
+         },
+         /*unscaled=*/true},
     };
   }
 

@@ -102,6 +102,8 @@ struct polyhedron_complexity {
                const bool kept = c.below(2) == 0;
                return {relisted(kept ? reported::vcad_6_kept() : together(a, b), c)};
              },
+             /*unscaled=*/true},
+            {"convex_at_a_vertex", [](DrawStream& c) -> Question { return {convex_at_a_vertex(c)}; },
              /*unscaled=*/true}};
   }
 

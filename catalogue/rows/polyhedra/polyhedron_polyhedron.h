@@ -164,6 +164,20 @@ struct polyhedron_polyhedron {
            return either_first(reported::openscad_3641(common), c);
          },
          /*unscaled=*/true},
+        {"needless_vertex_inside",
+         [](DrawStream& c) -> Question {
+           // Solids that are apart or touch, but for a needless face of one, which reaches into the other.
+           Meshd a = lattice_solid(c);
+           const Meshd other = lattice_polyhedron(c);
+           const double gap = 12 * static_cast<double>(c.below(3));
+           const Meshd b = shifted(other, {greatest_x(a) - least_x(other) + gap, 0, 0});
+           const Face face = a.faces[c.below(a.faces.size())];
+           const auto added = static_cast<Index>(a.vertices.size());
+           a.vertices.push_back(between_vertices(b, c));
+           a.faces.insert(a.faces.end(), {{face.a, face.b, added}, {added, face.b, face.a}});
+           return c.below(2) == 0 ? Question{a, b} : Question{b, a};
+         },
+         /*unscaled=*/true},
     };
   }
 
@@ -213,6 +227,16 @@ struct polyhedron_polyhedron {
   }
   static Meshd scaled(const Meshd& mesh, double factor) {
     return mapped(mesh, [factor](const Point3d& p) { return Point3d{factor * p.x, factor * p.y, factor * p.z}; });
+  }
+  static double least_x(const Meshd& mesh) {
+    double least = mesh.vertices[0].x;
+    for (const Point3d& p : mesh.vertices) least = std::min(least, p.x);
+    return least;
+  }
+  static double greatest_x(const Meshd& mesh) {
+    double greatest = mesh.vertices[0].x;
+    for (const Point3d& p : mesh.vertices) greatest = std::max(greatest, p.x);
+    return greatest;
   }
   /// Faces in any order.
   static Question either_first(const reported::SolidPair& solids, DrawStream& c) {

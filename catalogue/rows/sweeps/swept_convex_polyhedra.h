@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "catalogue/draw/motions.h"
+#include "catalogue/families/lattice_hull.h"
 #include "catalogue/families/mesh_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
@@ -115,6 +117,30 @@ struct swept_convex_polyhedra {
            const Vector3d w = 12.0 * lattice_normal(c, 3);
            const Point3d from = p + -2.0 * w;
            return {shifted(a, {from.x, from.y, from.z}), b, static_cast<double>(1 + c.below(4)) * w};
+         },
+         /*unscaled=*/true},
+        {"huge_or_tiny_boxes",
+         [](DrawStream& c) -> Question {
+           // Past the filter's guards, but all on one lattice: one axis of a box decides, exactly.
+           const auto length = [&c] { return 12 * static_cast<double>(1 + c.below(3)); };
+           const double x = length(), y = length(), z = length(), gap = length();
+           const double u = length(), v = length(), w = length(), way = length();
+           static constexpr int exponents[] = {260, -300, 900, -900};
+           const int exponent = exponents[c.below(4)];
+           // Along each axis in turn.
+           const std::uint64_t axis = c.below(3);
+           const auto turned = [axis, exponent](double p, double q, double r) {
+             const std::array<double, 3> at{std::ldexp(p, exponent), std::ldexp(q, exponent), std::ldexp(r, exponent)};
+             return Point3d{at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]};
+           };
+           const auto box = [&turned](double low, double p, double q, double r) {
+             Meshd mesh =
+                 lattice_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+             for (Point3d& at : mesh.vertices) at = turned(low + p * at.x, q * at.y, r * at.z);
+             return mesh;
+           };
+           const Point3d velocity = turned(way, 0, 0);
+           return {box(0, x, y, z), box(x + gap, u, v, w), {velocity.x, velocity.y, velocity.z}};
          },
          /*unscaled=*/true},
     };
