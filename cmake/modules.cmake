@@ -142,6 +142,15 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
   set_source_files_properties(${PROJECT_SOURCE_DIR}/robust/batch/isa/avx512.cpp
                               PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-mbmi;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;${quietly}")
 endif()
+# touchstone_instruction_sets(folder): of the units in robust/ of that folder, for targets of the calling directory.
+function(touchstone_instruction_sets folder)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    set_source_files_properties(${folder}/robust/batch/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
+    set_source_files_properties(${folder}/robust/batch/isa/avx512.cpp
+                                PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;${quietly}")
+  endif()
+endfunction()
+touchstone_instruction_sets(${PROJECT_SOURCE_DIR})
 
 touchstone_component(geometry)
 touchstone_component(reference)

@@ -11,6 +11,7 @@
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
 #include "catalogue/judge/environment.h"
+#include "catalogue/operation/array_mismatch.h"
 #include "catalogue/operation/explained.h"
 #include "catalogue/operation/not_finite.h"
 #include "oracle/certificates/check.h"
@@ -110,7 +111,29 @@ std::vector<Question> not_finite_questions(const Operation& operation) {
   return questions;
 }
 
-/// Robust is asked in every floating-point environment.
+/// What robust answers otherwise over arrays, with each instruction set, to nearest: elsewhere arrays ask row by row.
+std::string array_complaint(const Examined& examined) {
+  using robust::batch::Instructions;
+  const auto& [operation, question, once] = examined;
+  const auto& row = operation.row();
+  if (row.batch.decide == nullptr) return "";
+  for (const auto set : {Instructions::portable, Instructions::avx2, Instructions::avx512}) {
+    const std::uint64_t choice = choice_of_every_path(set);
+    std::string mismatch;
+    try {
+      const Examination& examination = *examined;
+      const Word decision =
+          row.decide != nullptr ? examination.robust_decision() : examination.robust_answer().words.at(0);
+      mismatch = array_mismatch(operation, question, decision, 0, choice);
+    } catch (const InvalidInput& refused) {
+      mismatch = array_refusal_mismatch(operation, question, refused.what(), 0, choice);
+    }
+    if (!mismatch.empty()) return mismatch;
+  }
+  return "";
+}
+
+/// Robust is asked in every floating-point environment, and over arrays.
 std::string robust_complaint(const Json& line, const Examined& examined) {
   const auto& [operation, question, once] = examined;
   if (line.contains("refused")) {
@@ -118,6 +141,7 @@ std::string robust_complaint(const Json& line, const Examined& examined) {
       const std::string mismatch = operation.refusal_mismatch(question, environment);
       if (!mismatch.empty()) return mismatch + in_words(environment);
     }
+    if (std::string mismatch = array_complaint(examined); !mismatch.empty()) return mismatch;
     try {
       *examined;
     } catch (const InvalidInput& refused) {
@@ -136,7 +160,7 @@ std::string robust_complaint(const Json& line, const Examined& examined) {
     return environment == 0 ? "robust answers " + one_line(examination.robust())
                             : "robust answers wrongly" + in_words(environment);
   }
-  return "";
+  return array_complaint(examined);
 }
 
 /// What the line says in addition to the truth, as it would be written now. Another certificate may hold as well.

@@ -27,7 +27,7 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed);
 /// the file in which the line stands.
 std::string vector_complaint(const std::string& line, const std::string& folder);
 
-/// The last of these alone: what robust, asked in every floating-point environment, answers otherwise.
+/// Of these what concerns robust alone: what it answers otherwise, in any floating-point environment or over arrays.
 std::string robust_complaint(const std::string& line, const std::string& folder);
 
 }  // namespace touchstone::audit

@@ -96,8 +96,10 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
       if (!wrong.empty()) return wrong;
     }
     return catalogue::certificate_complaint(examination);
-  } catch (const InvalidInput&) {
-    return operation_.refusal_mismatch(question, environment);
+  } catch (const InvalidInput& refused) {
+    const std::string mismatch = operation_.refusal_mismatch(question, environment);
+    if (!mismatch.empty()) return mismatch;
+    return catalogue::array_refusal_mismatch(operation_, question, refused.what(), environment, hash >> 16);
   }
 }
 

@@ -4,7 +4,8 @@
 
 Writes the time of each kill to the file MATRIX, and prints it; the last line names the survivors. Exit code 1 if a
 mutant survives, or on a false alarm: a way finds something in the baseline, which has no mutant. Of the property suite
-it runs what compares robust with the oracle (agreement/robust_agrees.cpp, agreement/refusals.cpp)."""
+it runs what compares robust with the oracle, and arrays with single questions (agreement/interrogation.cpp,
+refusals.cpp, arrays.cpp)."""
 import argparse
 import collections
 import concurrent.futures
