@@ -179,7 +179,7 @@ struct all_pairs {
              return along_y ? Aabb3d{{x, low, 0}, {x + 1, top, 1}} : Aabb3d{{x, 0, low}, {x + 1, 1, top}};
            };
            Boxes tower;
-           for (std::uint64_t left = 12 + c.below(50); left > 0; --left) tower.push_back(box(c));
+           for (std::uint64_t left = 12 + c.below(8); left > 0; --left) tower.push_back(box(c));
            return std::tuple(shuffled(tower, c));
          },
          /*unscaled=*/true},
