@@ -8,7 +8,6 @@
 
 // Questions over arrays that families draw seldom, with the answers that follow from their definition.
 namespace touchstone::proptests::arrays_tests {
-
 namespace {
 
 /// Asks each of the rows many times, in turn, with every instruction set.
