@@ -385,6 +385,7 @@ def main():
     if options.page:
         command = shlex.join(["bench/ratios.py", *sys.argv[1:]])
         options.page.write_text(page.page(circumstances(options.build), command, options.repetitions, load, os.cpu_count(), timed, report))
+        print(f"\npage: {options.page}")
     if options.keep:
         kept = {name: {group: t.of for group, t in groups.items()} for name, groups in timed.items()}
         options.keep.write_text(json.dumps({"circumstances": circumstances(options.build), "timed": kept}))
