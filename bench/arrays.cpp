@@ -189,6 +189,9 @@ void add_shewchuk(const std::string&, const Asked&) {}
 template <class Row, class Question>
 struct EpickOf {
   static void add(const std::string& group, const Asked& asked) {
+    // Where rounding leaves the second point of CGAL's ray in the first, CGAL divides by 0, and the program ends.
+    const bool rays = std::string_view(Row::metadata().name).starts_with("ray_");
+    if (rays && asked.kind == Cases::hard) return;
     if constexpr (HasEpick<Row>) add_epick<Row, Question>(group, asked);
   }
 };

@@ -6,7 +6,7 @@
   bench/ratios.py --picture FILE.svg --times FILE.json
 
 BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three where
-three take more than two seconds, making the cases included: what else the machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
+three take more than two seconds: what else the machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
 bench/README.md, --page writes them with bars and curves (page.py), --keep keeps the times of a run. --picture draws the
 README's picture from the times of this run, or of one that was kept.
 """
@@ -24,7 +24,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 import page
 
@@ -45,18 +44,18 @@ class Times:
 
     def __init__(self, program, group, repetitions):
         self.of, self.labels = {}, {}
-        began = time.monotonic()
-        self.run(program, group, min(repetitions, FEW_REPETITIONS))
-        if repetitions > FEW_REPETITIONS and time.monotonic() - began < SECONDS:
+        taken = self.run(program, group, min(repetitions, FEW_REPETITIONS))
+        if repetitions > FEW_REPETITIONS and taken < SECONDS:
             self.run(program, group, repetitions - FEW_REPETITIONS)
 
     def run(self, program, group, repetitions):
-        """Adds to the times."""
+        """Adds to the times; the seconds that were timed."""
         pattern = group.replace("^", ".")
         command = [program, f"--benchmark_filter=^{pattern}/", "--benchmark_format=json",
                    f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.01",
                    "--benchmark_enable_random_interleaving=true"]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
+        taken = 0
         for run in json.loads(done.stdout)["benchmarks"] if done.stdout else []:
             if run["run_type"] == "iteration":
                 if run.get("error_occurred"):
@@ -64,6 +63,8 @@ class Times:
                 name = run["name"].rsplit("/", 1)[1]
                 self.of.setdefault(name, []).append(1e9 / run["items_per_second"])
                 self.labels[name] = run.get("label", "")
+                taken += run["real_time"] * run["iterations"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[run["time_unit"]]
+        return taken
 
     def least(self, name):
         return min(self.of[name]) if name in self.of else None
