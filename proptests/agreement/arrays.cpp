@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "catalogue/judge/environment.h"
-#include "proptests/agreement/array_tables.h"
+#include "proptests/array_tables.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "proptests/agreement/array_tables.h"
+#include "proptests/array_tables.h"
 #include "proptests/catch.h"
 
 // Questions over arrays that families draw seldom, with the answers that follow from their definition.
@@ -15,7 +15,7 @@ void check_in_turn(const char* name, const std::vector<Question>& rows, const st
   const Operation& operation = *catalogue::find_operation(name);
   Table table{{}, operation.row().batch.columns(rows[0])};
   std::vector<Word> expected;
-  for (std::size_t i = 0; i < 70; ++i) {
+  for (std::size_t i = 0; i < 300; ++i) {
     table.questions.push_back(rows[i % rows.size()]);
     expected.push_back(answers[i % rows.size()]);
   }
@@ -46,35 +46,21 @@ TEST_CASE("arrays: what follows asks something") {
 TEST_CASE("arrays: turns whose sign in double is wrong by nearly three units of rounding") {
   // In each product all three roundings go the same way, and in the other product the other way. The difference of the
   // products in double is 2.9999999 * 2^-53 times the magnitude of their sum, and on the other side of 0.
-  const Operation& operation = *catalogue::find_operation("orientation");
   const std::vector<double> right = {-0x1.0000000008p-53,   -0x1.0000000008p-53,   0x1.0000002p+0,
                                      -0x1.0000002000003p+0, -0x1.0000003fffffdp+0, 0x1.0000003fffffep+0};
   std::vector<double> left = right;
   for (std::size_t k = 0; k < left.size(); k += 2) left[k] = -left[k];
-  Table table{{}, operation.row().batch.columns({right, {}})};
-  std::vector<Word> expected;
-  for (std::size_t i = 0; i < 70; ++i) {
-    table.questions.push_back({i % 2 == 0 ? right : left, {}});
-    expected.push_back(i % 2 == 0 ? 2 : 0);  // right, left
-  }
-  CHECK(mismatch(operation, table, expected, expected.size(), all_of(table, 1), 0) == "");
+  check_in_turn("orientation", {{right, {}}, {left, {}}}, {2, 0});  // right, left
 }
 
 TEST_CASE("arrays: three points on the diagonal, whose differences are rounded, and one beside it") {
   // 1 - 2^-60 and 3 - 2^-60 are rounded to 1 and 3: the products are equal as computed, whatever the turn is.
-  const Operation& operation = *catalogue::find_operation("orientation");
   const double least = 0x1p-60, beyond = 0x1.8000000000001p1;
   const std::vector<Question> rows = {{{least, least, 1, 1, 3, 3}, {}},      {{least, least, 1, 1, 3, beyond}, {}},
                                       {{least, least, 1, 1, beyond, 3}, {}}, {{least, least * 2, 1, 1, 3, 3}, {}},
                                       {{least * 2, least, 1, 1, 3, 3}, {}},  {{1, 1, least, least, 1, 1}, {}}};
   const std::vector<Word> sides = {1, 0, 2, 0, 2, 1};  // on, left, right
-  Table table{{}, operation.row().batch.columns(rows[0])};
-  std::vector<Word> expected;
-  for (std::size_t i = 0; i < 300; ++i) {
-    table.questions.push_back(rows[i % rows.size()]);
-    expected.push_back(sides[i % rows.size()]);
-  }
-  CHECK(mismatch(operation, table, expected, expected.size(), all_of(table, 1), 0) == "");
+  check_in_turn("orientation", rows, sides);
 }
 
 TEST_CASE("arrays: of two rows that are refused the first is named, also where fewer rows of its chunk are open") {
@@ -128,6 +114,12 @@ TEST_CASE("arrays: points between two faces that are closer to each other than i
   const Meshd mesh{{{0, 0, -1}, {0, 0, 1}, {0x1p60, 1, 0}, {0x1p60 + 256, 1, 0}},
                    {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}};
   check_in_every_order(mesh, {{x - 16, y, 0.05}, {x, y, 0.05}, {x + 16, y, 0.05}, {x + 32, y, 0.05}}, {2, 1, 0, 2});
+}
+
+TEST_CASE("arrays: a point in the plane of a face that is seen edge-on, as high as its corner, and outside") {
+  // The base is in z = y + 1, as the point is, which is 1 beside it along x.
+  const Meshd mesh{{{3, 1, 2}, {0, 1, 2}, {0, 0, 1}, {2, 2, 2}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  check_in_every_order(mesh, {{1, 0, 1}, {0, 0, 1}, {0, 0.5, 1.5}, {-1, 0, 1}}, {2, 1, 1, 2});
 }
 
 TEST_CASE("arrays: balls that meet only by a radius too small to be told beside the other") {

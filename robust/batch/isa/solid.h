@@ -82,9 +82,9 @@ class Solid {
       if (near == 0) continue;
       const SeenAlongX seen(numbers, p);
       const Certain side = side_of_face(numbers, p);
-      const Mask within = near & seen.crossed, inconclusive = within & ~side.known();
-      odd ^= within & ahead(seen.left, side.positive, side.negative);
       open |= near & (seen.inconclusive | seen.level);
+      const Mask within = near & seen.crossed & ~open, inconclusive = within & ~side.known();
+      odd ^= within & ahead(seen.left, side.positive, side.negative);
       if (!waiting.has_room(inconclusive)) look();
       waiting.add(inconclusive, face);
       left = (left & ~inconclusive) | (seen.left & inconclusive);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proptests/agreement/array_tables.h"
+#include "proptests/array_tables.h"
 
 #include <algorithm>
 #include <cmath>
