@@ -24,6 +24,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import types
 
 import page
 
@@ -34,8 +35,7 @@ HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
 MESH = "polyhedron_complexity_100000"
 PAIRS = "all_pairs_"
 ARRAYS = "arrays_"
-FEW_REPETITIONS = 3  # of what takes longer than this:
-SECONDS = 2
+FEW_REPETITIONS, SECONDS = 3, 2  # so many of what then takes longer than this
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
 
@@ -332,13 +332,6 @@ def circumstances(build):
     return f"{version}; {flags}; {model.group(1) if model else platform.machine()}."
 
 
-class Kept:
-    """The times of one group, as `--keep` wrote them."""
-
-    def __init__(self, of):
-        self.of = of
-
-
 def draw_picture(file, words, timed):
     drawn = page.picture(words, timed)
     if not file or not drawn:
@@ -360,7 +353,7 @@ def main():
     if options.times:
         kept = json.loads(options.times.read_text())
         return draw_picture(options.picture, kept["circumstances"],
-                            {name: {group: Kept(of) for group, of in groups.items()} for name, groups in kept["timed"].items()})
+                            {name: {group: types.SimpleNamespace(of=of) for group, of in groups.items()} for name, groups in kept["timed"].items()})
     load = os.getloadavg()[0]
     timed = {}
     for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "pairs", "arrays", "oracle"]:
