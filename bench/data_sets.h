@@ -26,8 +26,8 @@ inline constexpr std::size_t case_count = std::size_t{1} << 17;
 inline constexpr std::size_t case_count_of_lists = std::size_t{1} << 13;
 
 enum class DataSet {
-  random,           ///< every number uniform in [-1, 1)
-  near_degenerate,  ///< random numbers rounded onto a degenerate place: the hard cases whose names say "nearly" or "rounded"
+  random,              ///< every number uniform in [-1, 1)
+  near_degenerate,     ///< random numbers rounded onto a degenerate place: hard cases named so (below)
   small_integer_grid,  ///< every number one of 0 .. 7: many cases are degenerate
   huge,                ///< random, lengths times 2^1012: every product of lengths overflows
   tiny,                ///< random, lengths so that all are multiples of 2^-1074: every product of lengths underflows

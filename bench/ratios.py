@@ -6,8 +6,8 @@
   bench/ratios.py --picture FILE.svg --times FILE.json
 
 BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three where
-three take more than two seconds: what else the machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
-bench/README.md, --page writes them with bars and curves (page.py), --keep keeps the times of a run. --picture draws the
+three take more than two seconds: what else the machine does only ever adds. The ratios of the medians stand beside those
+that a goal is about. --write puts the tables into bench/README.md, --page writes them with bars and curves (page.py), --keep keeps the times of a run. --picture draws the
 README's picture from the times of this run, or of one that was kept.
 """
 
@@ -35,7 +35,7 @@ HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
 MESH = "polyhedron_complexity_100000"
 PAIRS = "all_pairs_"
 ARRAYS = "arrays_"
-FEW_REPETITIONS, SECONDS = 3, 2  # so many of what then takes longer than this
+FEW_REPETITIONS, SECONDS = 3, 2  # no more repetitions are made of a group of which so many take longer than this
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
 

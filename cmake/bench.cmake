@@ -60,8 +60,6 @@ if(TARGET bench_arrays)
   target_sources(bench_arrays PRIVATE ${naive})
   set(as_users_do -ffp-contract=fast -fno-rounding-math -Wno-unused-function)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/plain.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do}")
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma;-mbmi")
-  set_source_files_properties(
-    ${PROJECT_SOURCE_DIR}/bench/isa/avx512.cpp
-    PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma;-mbmi;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;${quietly}")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do};${TOUCHSTONE_AVX2}")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/avx512.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do};${TOUCHSTONE_AVX512}")
 endif()

@@ -108,7 +108,7 @@ TEST_CASE("arrays: points in the plane of one face, and on either side of anothe
 }
 
 TEST_CASE("arrays: points between two faces that are closer to each other than is rounded") {
-  // Two faces meet in an edge along z and lead to x = 2^60 and x = 2^60 + 256 where y is 1. Where y is 0.1, as a double,
+  // Two faces meet in an edge along z and lead to x = 2^60 and x = 2^60 + 256 where y is 1. Where y is 0.1, rounded,
   // they are at 2^60 times that, which is a double, and 25.6 farther on; the next double is 16 farther on.
   const double y = 0.1, x = 0x1p60 * y;
   const Meshd mesh{{{0, 0, -1}, {0, 0, 1}, {0x1p60, 1, 0}, {0x1p60 + 256, 1, 0}},

@@ -127,9 +127,8 @@ std::vector<std::string> lines_of(const std::string& file) {
 }
 
 bool is_hard_case(const Operation& operation, const std::string& family) {
-  const auto& names = operation.families();
-  const auto moved = std::find_if(names.begin(), names.end(), [](const auto& name) { return name.ends_with("+ulp"); });
-  return std::find(names.begin(), moved, family) != moved;
+  const auto& hard_cases = operation.row().hard_cases;
+  return std::any_of(hard_cases.begin(), hard_cases.end(), [&](const auto& hard) { return hard.name == family; });
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include "robust/batch/isa/close_triangles.h"
 
 /// Points beside a shape that all rows share: the model and the constants of kernels.h. A filter knows a point where it
-/// can tell of every edge or face that matters; the second stage, for instruction sets that have an FMA, looks again at
-/// those that it cannot tell, exactly. The turn of an edge and the side of a face, with the numbers that a face has, are
-/// proved by machine from their text (robust/proofs/lane_beside.v); what is concluded from all of them is argued here.
+/// can tell of every edge or face that matters; the second stage, for instruction sets that have an FMA, looks again
+/// at those that it cannot tell, exactly. The turn of an edge and the side of a face, with the numbers that a face has,
+/// are proved by machine from their text (robust/proofs/lane_beside.v); what is concluded from all is argued here.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -37,6 +37,14 @@ namespace {
 struct Located {
   Mask known, outside, on;
 };
+
+/// The points whose numbers are all finite.
+template <std::size_t dimensions>
+Mask finite(const Lanes* p) {
+  Mask all = all_lanes;
+  for (std::size_t k = 0; k < dimensions; ++k) all &= not_below(same(0x1.fffffffffffffp1023), magnitude(p[k]));
+  return all;
+}
 
 #if TOUCHSTONE_LANES > 2
 
@@ -102,7 +110,7 @@ class Ring {
   static constexpr std::size_t columns = 2;
 
   static Located filtered(const Shared& shared, const Lanes* p) {
-    Mask odd = 0, open = ~finite(p);
+    Mask odd = 0, open = ~finite<columns>(p);
     for_each_edge(shared, p, [&](const Edge& edge, std::size_t) {
       odd ^= edge.crosses & (edge.turn.set ^ edge.b_higher);
       open |= edge.inconclusive() | edge.level;
@@ -112,7 +120,7 @@ class Ring {
 
 #if TOUCHSTONE_LANES > 2
   static Located closely(const Shared& shared, const Lanes* p) {
-    Mask odd = 0, on = 0, open = ~finite(p);
+    Mask odd = 0, on = 0, open = ~finite<columns>(p);
     Waiting waiting;
     const auto look = [&] {
       const Lanes first = same(0), last = same(static_cast<double>(shared.count - 1)), to = waiting.part;
@@ -160,11 +168,6 @@ class Ring {
       look(Edge{a, b, by_sign(seen.value, seen.bound), higher ^ b_higher, b_higher, equal(by, p[1])}, vertex);
       from_x = to_x, from_y = to_y, higher = b_higher, a = b;
     }
-  }
-
-  static Mask finite(const Lanes* p) {
-    const Lanes greatest = same(0x1.fffffffffffffp1023);
-    return not_below(greatest, magnitude(p[0])) & not_below(greatest, magnitude(p[1]));
   }
 
 #if TOUCHSTONE_LANES > 2

@@ -53,7 +53,7 @@ class Solid {
   static constexpr std::size_t columns = 3;
 
   static Located filtered(const Shared& shared, const Lanes* p) {
-    Mask odd = 0, open = ~finite(p);
+    Mask odd = 0, open = ~finite<columns>(p);
     for (std::size_t face = 0; face < shared.count; ++face) {
       const double* const numbers = shared.numbers + of_boxed_face * face;
       const Mask near = ~beside(numbers + of_face, p) & all_lanes;
@@ -68,7 +68,7 @@ class Solid {
 
 #if TOUCHSTONE_LANES > 2
   static Located closely(const Shared& shared, const Lanes* p) {
-    Mask odd = 0, on = 0, open = ~finite(p), left = 0;
+    Mask odd = 0, on = 0, open = ~finite<columns>(p), left = 0;
     Waiting waiting;
     const auto look = [&] {
       const Signs side = exact_side({shared.numbers, of_boxed_face, waiting.part}, p, waiting.asked);
@@ -98,11 +98,6 @@ class Solid {
   static Mask beside(const double* box, const Lanes* p) {
     return above(same(box[0]), p[1]) | above(p[1], same(box[1])) | above(same(box[2]), p[2]) |
            above(p[2], same(box[3])) | above(p[0], same(box[4]));
-  }
-  static Mask finite(const Lanes* p) {
-    const Lanes greatest = same(0x1.fffffffffffffp1023);
-    return not_below(greatest, magnitude(p[0])) & not_below(greatest, magnitude(p[1])) &
-           not_below(greatest, magnitude(p[2]));
   }
 };
 
