@@ -9,9 +9,11 @@ namespace touchstone::validation {
 
 /// Why a mesh does not tell inside from outside: an edge, a pair of vertices in whichever order, in an odd number of
 /// faces. Of several the first face counts, in it the first edge (a to b, b to c, c to a).
-[[noreturn]] inline void refuse_odd_edge(const std::string& field, std::size_t face, Index from, Index to) {
+template <class Real>
+[[noreturn]] void refuse_odd_edge(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle, Index from,
+                                  Index to) {
   const std::string edge = "from vertex " + std::to_string(from) + " to vertex " + std::to_string(to);
-  refuse_face(field, face, "closed: the edge " + edge + " must be in an even number of faces");
+  refuse_face(field, mesh, triangle, "closed: the edge " + edge + " must be in an even number of faces");
 }
 
 }  // namespace touchstone::validation

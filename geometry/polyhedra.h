@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "geometry/polygons.h"
@@ -16,12 +17,48 @@ struct Face {
 };
 
 /// Triangles over a list of vertices, as a surface in space. A face that names a vertex which is not there is refused.
+///
+/// A mesh may be named by polygons of three or more corners. `polygons` then holds them and `faces` a cut of them into
+/// triangles: first those of polygon 0, two fewer than it has corners, then those of polygon 1, and so on
+/// (robust/structures/polygon_mesh.h makes one). `polygons` is empty where every face is named as a triangle.
+///
+/// The corners of a polygon lie in one plane and name a ring that encloses an area. Corners may lie on the edge between
+/// two others, and the ring may run along one bridge in both directions, as around a hole. It may return to a position,
+/// but not cross itself, nor touch one of its edges but in a corner. A cut is valid if it covers that area: its triangles
+/// have areas, all turned as the polygon is, no interior point in common, and no corner but their own. Every valid cut
+/// gives the same answers.
 template <class Real>
 struct Mesh {
   std::vector<Point3<Real>> vertices;
   std::vector<Face> faces;
+  std::vector<std::vector<Index>> polygons;
 };
 
 using Meshd = Mesh<double>;
+
+/// How many faces a mesh names.
+template <class Real>
+std::size_t named_faces(const Mesh<Real>& mesh) {
+  return mesh.polygons.empty() ? mesh.faces.size() : mesh.polygons.size();
+}
+
+/// Of each triangle, which of the named faces it is a part of.
+template <class Real>
+std::vector<Index> named_face_of_each(const Mesh<Real>& mesh) {
+  std::vector<Index> named;
+  named.reserve(mesh.faces.size());
+  if (mesh.polygons.empty()) {
+    for (Index i = 0; i < mesh.faces.size(); ++i) named.push_back(i);
+  }
+  for (Index i = 0; i < mesh.polygons.size(); ++i) named.insert(named.end(), mesh.polygons[i].size() - 2, i);
+  return named;
+}
+
+/// The corners of the named face of that number.
+template <class Real>
+std::vector<Index> corners_of_named(const Mesh<Real>& mesh, std::size_t face) {
+  if (!mesh.polygons.empty()) return mesh.polygons[face];
+  return {mesh.faces[face].a, mesh.faces[face].b, mesh.faces[face].c};
+}
 
 }  // namespace touchstone

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -237,19 +238,59 @@ struct RingDefect {
 inline void validate(const std::string& field, const Polygon2d& polygon) { validate_ring(field, polygon.vertices); }
 inline void validate(const std::string& field, const Polygon3d& polygon) { validate_ring(field, polygon.vertices); }
 
-/// Every face of a mesh names vertices that are there.
+/// A mesh named by polygons, in this order: a corner names no vertex; the triangles are not as many as a cut of them has;
+/// the corners of a face are not in one plane; the triangles of a face do not cut it.
+[[noreturn]] inline void refuse_cut(const std::string& field) {
+  throw InvalidInput(field + ".cut", "a cut of the faces into triangles");
+}
+[[noreturn]] inline void refuse_askew(const std::string& field, std::size_t polygon) {
+  throw InvalidInput(field + ".faces[" + std::to_string(polygon) + "]", "planar");
+}
+
+[[noreturn]] inline void refuse_ring(const std::string& field, std::size_t polygon) {
+  throw InvalidInput(field + ".faces[" + std::to_string(polygon) + "]",
+                     "a polygon that encloses one area and does not cross itself");
+}
+
+/// Each of the corners names a vertex that is there.
+template <class Real, class Corners>
+void validate_corners(const std::string& field, const Mesh<Real>& mesh, const Corners& corners) {
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (corners[k] < mesh.vertices.size()) continue;
+    throw InvalidInput(field + "[" + std::to_string(k) + "]", "index of a vertex");
+  }
+}
+/// The corners of polygons.
+template <class Real>
+void validate_corners(const std::string& field, const Mesh<Real>& mesh) {
+  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const std::string face = field + ".faces[" + std::to_string(i) + "]";
+    if (mesh.polygons[i].size() < 3) throw InvalidInput(face, "at least 3 corners");
+    validate_corners(face, mesh, mesh.polygons[i]);
+  }
+}
+/// Every face of a mesh names vertices that are there, and there are as many triangles as a cut of polygons has.
 template <class Real>
 void validate_indices(const std::string& field, const Mesh<Real>& mesh) {
+  validate_corners(field, mesh);
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const std::array<Index, 3> corners{mesh.faces[i].a, mesh.faces[i].b, mesh.faces[i].c};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (corners[k] < mesh.vertices.size()) continue;
-      throw InvalidInput(field + ".faces[" + std::to_string(i) + "][" + std::to_string(k) + "]", "index of a vertex");
-    }
+    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return v < mesh.vertices.size(); })) continue;
+    validate_corners(field + (mesh.polygons.empty() ? ".faces[" : ".cut[") + std::to_string(i) + "]", mesh, corners);
   }
+  std::size_t triangles = 0;
+  for (const auto& polygon : mesh.polygons) triangles += polygon.size() - 2;
+  if (!mesh.polygons.empty() && triangles != mesh.faces.size()) refuse_cut(field);
 }
 inline void validate(const std::string& field, const Meshd& mesh) {
   validate_numbers(field, mesh), validate_indices(field, mesh);
+}
+
+/// The face of which that triangle is a part.
+template <class Real>
+[[noreturn]] void refuse_face(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle,
+                              const std::string& rule) {
+  throw InvalidInput(field + ".faces[" + std::to_string(named_face_of_each(mesh)[triangle]) + "]", rule);
 }
 
 /// What every surface of triangles around a solid needs before anything is measured.
@@ -257,30 +298,32 @@ template <class Real>
 void validate_triangles(const std::string& field, const Mesh<Real>& mesh) {
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const Face& f = mesh.faces[i];
-    if (f.a == f.b || f.b == f.c || f.c == f.a)
-      throw InvalidInput(field + ".faces[" + std::to_string(i) + "]", "three different vertices");
+    if (f.a == f.b || f.b == f.c || f.c == f.a) refuse_face(field, mesh, i, "three different vertices");
   }
-  if (mesh.faces.size() < 4) throw InvalidInput(field, "at least 4 faces");
+  if (named_faces(mesh) < 4) throw InvalidInput(field, "at least 4 faces");
 }
 
 /// Why a mesh is no closed convex surface, in this order: an edge of a face that another face has in the same direction
 /// or that none has in the opposite one; a face of area zero; all vertices on one plane; a vertex beyond the plane of a
 /// face. Of several the first face counts, in it the first edge (a to b, b to c, c to a) or the first vertex.
-[[noreturn]] inline void refuse_face(const std::string& field, std::size_t face, const std::string& rule) {
-  throw InvalidInput(field + ".faces[" + std::to_string(face) + "]", rule);
-}
-[[noreturn]] inline void refuse_edge(const std::string& field, std::size_t face, Index from, Index to) {
+template <class Real>
+[[noreturn]] void refuse_edge(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle, Index from,
+                              Index to) {
   const std::string a = std::to_string(from), b = std::to_string(to);
-  refuse_face(field, face, "closed: edge " + a + " -> " + b + " must occur once, and " + b + " -> " + a + " once");
+  refuse_face(field, mesh, triangle,
+              "closed: edge " + a + " -> " + b + " must occur once, and " + b + " -> " + a + " once");
 }
-[[noreturn]] inline void refuse_area(const std::string& field, std::size_t face) {
-  refuse_face(field, face, "nonzero area");
+template <class Real>
+[[noreturn]] void refuse_area(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle) {
+  refuse_face(field, mesh, triangle, "nonzero area");
 }
 [[noreturn]] inline void refuse_flat_mesh(const std::string& field) {
   throw InvalidInput(field, "convex: vertices on one plane have no inside");
 }
-[[noreturn]] inline void refuse_beyond(const std::string& field, std::size_t face, std::size_t vertex) {
-  refuse_face(field, face, "convex: vertex " + std::to_string(vertex) + " must not lie beyond its plane");
+template <class Real>
+[[noreturn]] void refuse_beyond(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle,
+                                std::size_t vertex) {
+  refuse_face(field, mesh, triangle, "convex: vertex " + std::to_string(vertex) + " must not lie beyond its plane");
 }
 
 }  // namespace touchstone::validation

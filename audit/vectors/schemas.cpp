@@ -64,6 +64,12 @@ Json schema_of(const Shape& shape, const std::string& number, bool input) {
     if (part.shape->kind != Shape::Kind::optional) required.emplace_back(part.name);
     mesh = mesh || std::strcmp(part.name, "faces") == 0;
   }
+  if (shape.form == Form::mesh) {
+    properties["cut"] = std::move(properties["faces"]);
+    properties["faces"] = std::move(properties["polygons"]);
+    properties["faces"]["items"]["minItems"] = 3;
+    properties.erase("polygons"), required.pop_back();
+  }
   schema = closed_object(properties, required);
   if (!input || !mesh) return schema;
   return {{"anyOf", Json::array({schema, reference_to("named_mesh")})}};

@@ -73,6 +73,7 @@ Json example_of(const Shape& shape) {
     if (shape.form == Form::list) record.push_back(example_of(*part.shape));
     else record[part.name] = example_of(*part.shape);
   }
+  if (shape.form == Form::mesh) record.erase("polygons");
   return record;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/codec/shape_json.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/expected.h"
+#include "catalogue/codec/mesh_json.h"
 #include "catalogue/numbers/true_number.h"
 
 namespace touchstone::catalogue {
@@ -32,16 +34,32 @@ void read_word(const Shape& shape, const Json& json, const std::string& path, st
   throw InvalidInput(path, expected(rule, json) + nearest);
 }
 
+/// The fields of an object in JSON.
+std::vector<const char*> fields_of(const Shape& shape) {
+  std::vector<const char*> names;
+  for (const Shape::Part& part : shape.parts) names.push_back(part.name);
+  if (shape.form == Form::mesh) names.back() = "cut";
+  return names;
+}
+
 void require_known(const Shape& shape, const Json& json, const std::string& path) {
   if (!json.is_object()) throw InvalidInput(path, expected("an object like " + one_line(example_of(shape)), json));
+  const std::vector<const char*> names = fields_of(shape);
   for (const auto& [key, value] : json.items()) {
-    bool known = false;
-    for (const Shape::Part& part : shape.parts) known = known || key == part.name;
-    if (known) continue;
-    std::vector<const char*> names;
-    for (const Shape::Part& part : shape.parts) names.push_back(part.name);
-    throw InvalidInput(unknown_path(path, key), no_such_field(key, names));
+    const bool known = std::any_of(names.begin(), names.end(), [&key = key](const char* name) { return key == name; });
+    if (!known) throw InvalidInput(unknown_path(path, key), no_such_field(key, names));
   }
+}
+
+template <class Real>
+void read_mesh(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
+               ReadNumber<Real> read) {
+  for (const char* name : {"vertices", "faces"}) {
+    if (!json.contains(name)) throw InvalidInput(member_path(path, name), "missing");
+  }
+  const std::size_t first = encoded.numbers.size();
+  read_json(*shape.parts[0].shape, json["vertices"], member_path(path, "vertices"), encoded, read, false);
+  read_faces(json, path, encoded.numbers.data() + first, (encoded.numbers.size() - first) / 3, encoded.words);
 }
 
 template <class Real>
@@ -55,6 +73,7 @@ void read_record(const Shape& shape, const Json& json, const std::string& path, 
     return;
   }
   require_known(shape, json, path);
+  if (shape.form == Form::mesh) return read_mesh(shape, json, path, encoded, read);
   for (const Shape::Part& part : shape.parts) {
     if (json.contains(part.name)) {
       read_json(*part.shape, json[part.name], member_path(path, part.name), encoded, read, partial);
@@ -153,7 +172,7 @@ Json json_of(const Shape& shape, Cursor<Real>& at, WriteNumber<Real> write) {
     if (shape.form == Form::list) record.push_back(std::move(value));
     else record[part.name] = std::move(value);
   }
-  return record;
+  return shape.form == Form::mesh ? with_polygons_as_faces(std::move(record)) : record;
 }
 
 template <class Real>
@@ -205,6 +224,11 @@ Json json_of(const Shape& shape) {
   for (const Shape::Part& part : shape.parts) {
     if (shape.form == Form::list) record.push_back(json_of(*part.shape));
     else record[std::string(part.name) + (part.shape->kind == Shape::Kind::optional ? "?" : "")] = json_of(*part.shape);
+  }
+  if (shape.form == Form::mesh) {
+    record["faces"] = std::move(record["polygons"]);
+    record["cut?"] = json_of(*shape.parts[1].shape);
+    record.erase("polygons");
   }
   return record;
 }

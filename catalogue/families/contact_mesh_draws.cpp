@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<Face, 4> tetrahedron{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
-void turn_over(Meshd& mesh) {
+void turn_inside_out(Meshd& mesh) {
   for (Face& face : mesh.faces) std::swap(face.b, face.c);
 }
 
@@ -144,7 +144,7 @@ Meshd nested_shells(DrawStream& draws) {
     Meshd shell = shape;
     const Vector3d away = draws.below(4) == 3 ? 48.0 * lattice_normal(draws, 4) : Vector3d{0, 0, 0};
     for (Point3d& p : shell.vertices) p = Point3d{size * p.x, size * p.y, size * p.z} + away;
-    if (draws.below(3) == 2) turn_over(shell);
+    if (draws.below(3) == 2) turn_inside_out(shell);
     mesh = together(mesh, shell);
   }
   return mesh;

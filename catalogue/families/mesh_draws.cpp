@@ -54,6 +54,15 @@ Meshd relisted(Meshd mesh, DrawStream& draws) {
 
 Meshd together(Meshd mesh, const Meshd& other) {
   const auto shift = static_cast<Index>(mesh.vertices.size());
+  if (!mesh.polygons.empty() || !other.polygons.empty()) {
+    std::vector<std::vector<Index>> polygons;
+    for (std::size_t i = 0; i < named_faces(mesh); ++i) polygons.push_back(corners_of_named(mesh, i));
+    for (std::size_t i = 0; i < named_faces(other); ++i) {
+      polygons.push_back(corners_of_named(other, i));
+      for (Index& corner : polygons.back()) corner += shift;
+    }
+    mesh.polygons = std::move(polygons);
+  }
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
   return mesh;
@@ -150,6 +159,7 @@ Meshd broken(Meshd mesh, DrawStream& draws) {
 }
 
 void make_tetrahedron(Meshd& mesh) {
+  mesh.polygons.clear();
   if (mesh.vertices.size() < 4) return;
   mesh.vertices.resize(4);
   mesh.faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};

@@ -157,7 +157,7 @@ Meshd opened(Meshd mesh, DrawStream& draws) {
 void make_solid(Meshd& mesh) {
   if (mesh.vertices.size() < 5) return make_tetrahedron(mesh);
   mesh.vertices.resize(5);
-  mesh.faces = faces_with_dent;
+  mesh.faces = faces_with_dent, mesh.polygons.clear();
 }
 
 }  // namespace touchstone::catalogue

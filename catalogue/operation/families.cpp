@@ -70,7 +70,10 @@ void append_drawn(const Shape& shape, DrawStream& draws, const Draw& number, Que
       return append_drawn(*shape.parts[which].shape, draws, number, question);
     }
     case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) append_drawn(*part.shape, draws, number, question);
+      for (const Shape::Part& part : shape.parts) {
+        if (part.drawn) append_drawn(*part.shape, draws, number, question);
+        else question.words.push_back(0);
+      }
   }
 }
 

@@ -53,8 +53,9 @@ enum class Meaning {
 };
 
 /// A list is a JSON array in the order of its members; a record is a JSON object; what is bare is written as its only
-/// member.
-enum class Form { list, record, bare };
+/// member. A mesh is an object of `vertices` and `faces`: where it has polygons, these are its faces, and its triangles
+/// are `cut` (catalogue/codec/mesh_json.h).
+enum class Form { list, record, bare, mesh };
 
 template <class T>
 struct Described;

@@ -125,8 +125,9 @@ struct Described<Face> {
 };
 template <class R>
 struct Described<Mesh<R>> {
-  static constexpr Form form = Form::record;
-  static constexpr auto members = std::tuple{member("vertices", &Mesh<R>::vertices), member("faces", &Mesh<R>::faces)};
+  static constexpr Form form = Form::mesh;
+  static constexpr auto members = std::tuple{member("vertices", &Mesh<R>::vertices), member("faces", &Mesh<R>::faces),
+                                             member("polygons", &Mesh<R>::polygons)};
 };
 template <>
 struct Described<IndexPair> {

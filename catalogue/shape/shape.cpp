@@ -97,7 +97,7 @@ void append_zeros(const Shape& shape, std::size_t list_length, Question& questio
       question.words.push_back(0);
       return append_zeros(*shape.parts[0].shape, list_length, question);
     case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) append_zeros(*part.shape, list_length, question);
+      for (const Shape::Part& part : shape.parts) append_zeros(*part.shape, part.drawn ? list_length : 0, question);
       return;
     default: question.words.push_back(0);
   }

@@ -27,6 +27,7 @@ struct Shape {
   struct Part {
     const char* name;  ///< in JSON; "" where there is none
     const Shape* shape;
+    bool drawn = true;  ///< whether families of the types alone draw it; else it is an empty list
   };
 
   Kind kind = Kind::number;
@@ -96,7 +97,7 @@ Shape made_shape() {
     if constexpr (requires { Described<T>::meaning; }) shape.meaning = Described<T>::meaning;
     for_each_member<T>([&](const auto& member) {
       using Part = std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>;
-      shape.parts.push_back({member.name, &shape_of<Part>(shape.meaning)});
+      shape.parts.push_back({member.name, &shape_of<Part>(shape.meaning), std::string_view(member.name) != "polygons"});
     });
   }
   return measured(std::move(shape));

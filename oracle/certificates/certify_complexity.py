@@ -4,7 +4,8 @@
 import json
 from collections import defaultdict
 
-from certify_meshes import height, mesh, plane_through
+from certify_meshes import height, named_mesh, plane_through
+from certify_polygon_faces import sides
 from certify_reading import expect
 from certify_solids import crossing
 from certify_space import cross, dot
@@ -31,10 +32,15 @@ def sign(value):
 
 
 class Space:
-    """The faces of the mesh in space, each with its plane."""
+    """The triangles of the mesh in space, each with its plane, and the faces as they are named."""
 
-    def __init__(self, vertices, faces):
+    def __init__(self, vertices, faces, named):
         self.vertices, self.faces = vertices, faces
+        self.face_of = [i for i, face in enumerate(named) for _ in face[2:]]
+        self.edges = {(i, min(a, b), max(a, b)) for i, face in enumerate(named) for a, b in sides(face)}
+        self.cuts = [[] for _ in named]
+        for t, i in enumerate(self.face_of):
+            self.cuts[i].append(t)
         self.planes = [plane_through(*(vertices[v] for v in face)) for face in faces]
         self.boxes = [[(min(axis), max(axis)) for axis in zip(*(vertices[v] for v in face))] for face in faces]
 
@@ -45,6 +51,12 @@ class Space:
         """All corners of face j but the common ones are on one side of the plane of face i."""
         sides = {self.side(self.planes[i], v) for v in self.faces[j] if v not in self.faces[i]}
         return len(sides) == 1 and sides != {0}
+
+    def share_a_diagonal(self, i, j):
+        """Both triangles name two vertices between which one of their faces has no edge."""
+        common = sorted(set(self.faces[i]) & set(self.faces[j]))
+        pairs = [(a, b) for a in common for b in common if a < b]
+        return any((self.face_of[t], a, b) not in self.edges for a, b in pairs for t in (i, j))
 
     def held_apart(self, normal, i, j):
         """The plane across the normal through the farthest corner of face i has face j on its other side; and on it, of
@@ -89,36 +101,54 @@ def named_pair(claim, faces):
     return tuple(pair)
 
 
-def expect_meeting(space, s, t, weights):
-    """The weights give one point of both faces, which common corners do not span."""
+def expect_meeting(space, i, j, weights):
+    """The weights give one point of both triangles, which common corners and common edges of their faces do not span."""
+    s, t = space.faces[i], space.faces[j]
     points, beyond = [], set(s) == set(t)
     for face, other in ((s, t), (t, s)):
-        total, combination = 0, (0, 0, 0)
+        total, combination, positive = 0, (0, 0, 0), 0
         for v in face:
             (weight,) = weights.next(1)
             expect(weight >= 0, "certificate: a weight is negative")
             total += weight
+            positive += weight > 0
             combination = tuple(c + weight * x for c, x in zip(combination, space.vertices[v]))
             beyond = beyond or (weight > 0 and v not in other)
         expect(total == 1, "certificate: the weights do not sum to 1")
+        beyond = beyond or (positive == 2 and len(set(s) & set(t)) == 2 and space.share_a_diagonal(i, j))
         points.append(combination)
     expect(points[0] == points[1], "certificate: the weights give two points")
     expect(beyond, "certificate: the faces share the point")
 
 
+def expect_apart(space, i, j, normals):
+    """Triangles i and j of two faces have nothing in common but corners and edges of both."""
+    both = f"faces {space.face_of[i]} and {space.face_of[j]}"
+    expect(set(space.faces[i]) != set(space.faces[j]), f"certificate: {both} coincide")
+    expect(not space.share_a_diagonal(i, j), f"certificate: {both} share a diagonal")
+    if space.across_an_axis(i, j) or space.beside(i, j) or space.beside(j, i):
+        return
+    expect(space.held_apart(normals.next(3), i, j), f"certificate.normals: {both} are not held apart")
+
+
 def first_meeting(claim, space, normals, weights):
-    """Of faces with areas: the first pair in the order of their places that meets beyond what both name."""
-    faces, named = space.faces, named_pair(claim, len(space.faces))
-    for i, s in enumerate(faces):
-        for j in range(i + 1, len(faces)):
+    """Of faces with areas: the first pair in the order of their places that meets beyond what both name. Where faces are
+    cut, `triangles` names one of each."""
+    named = named_pair(claim, len(space.cuts))
+    for i, cut in enumerate(space.cuts):
+        for j in range(i + 1, len(space.cuts)):
             if named == (i, j):
-                expect_meeting(space, s, faces[j], weights)
+                s, t = cut[0], space.cuts[j][0]
+                if "cut" in claim.input["mesh"]:
+                    places = Given(claim, "triangles")
+                    s, t = places.next(2)
+                    places.expect_used()
+                    expect(s in cut and t in space.cuts[j], "certificate.triangles: none of the face")
+                expect_meeting(space, int(s), int(t), weights)
                 return [i, j]
-            expect(set(s) != set(faces[j]), f"certificate: faces {i} and {j} coincide")
-            if space.across_an_axis(i, j) or space.beside(i, j) or space.beside(j, i):
-                continue
-            apart = space.held_apart(normals.next(3), i, j)
-            expect(apart, f"certificate.normals: faces {i} and {j} are not held apart")
+            for s in cut:
+                for t in space.cuts[j]:
+                    expect_apart(space, s, t, normals)
     return None
 
 
@@ -129,7 +159,7 @@ def first_splitting_face(space, used):
             first.setdefault(space.side(plane, v), v)
         if {1, -1} <= set(first):
             one, other = sorted((first[1], first[-1]))
-            return {"face": i, "one": one, "other": other}
+            return {"face": space.face_of[i], "one": one, "other": other}
     return None
 
 
@@ -156,11 +186,12 @@ def sign_of_volume(vertices, faces):
 
 def check_polyhedron_complexity(claim):
     claim.inputs("mesh")
-    vertices, faces = mesh(claim.input["mesh"], "mesh")
-    claim.expect_kind("complexity"), claim.facts("normals", "common_point", "directions")
+    vertices, faces, named = named_mesh(claim.input["mesh"], "mesh")
+    cut = ["triangles"] if "cut" in claim.input["mesh"] else []
+    claim.expect_kind("complexity"), claim.facts("normals", "common_point", "directions", *cut)
     uses, around, whole = defaultdict(lambda: [0, 0]), defaultdict(list), []
-    for face in faces:
-        for a, b, c in (face, face[1:] + face[:1], face[2:] + face[:2]):
+    for face in named:
+        for a, b, c in zip(face, face[1:] + face[:1], face[-1:] + face[:-1]):
             uses[min(a, b), max(a, b)][a > b] += 1
             whole.append((a, b)), around[a].append((b, c))
     root, numbered = joined(whole), defaultdict(list)
@@ -171,21 +202,23 @@ def check_polyhedron_complexity(claim):
     def first_edge(defective):
         return min((list(edge) for edge, use in uses.items() if defective(*use)), default=None)
 
-    used, space = sorted(around), Space(vertices, faces)
+    used, space = sorted(around), Space(vertices, faces, named)
     pinched = next((v for v in used if len(set(joined(around[v]).values())) != 1), None)
-    flat = next((i for i, (normal, _) in enumerate(space.planes) if normal == (0, 0, 0)), None)
+    flat = next((space.face_of[i] for i, (normal, _) in enumerate(space.planes) if normal == (0, 0, 0)), None)
     opened = first_edge(lambda forth, back: (forth + back) % 2 != 0)
     turned = first_edge(lambda forth, back: abs(forth - back) > 1)
     crowded = first_edge(lambda forth, back: forth + back > 2)
     normals, weights, directions = (Given(claim, fact) for fact in ("normals", "common_point", "directions"))
     meeting = first_meeting(claim, space, normals, weights) if flat is None else None
+    if cut and meeting is None:
+        Given(claim, "triangles").expect_used()
     embedded = flat is None and meeting is None
     solid = embedded and opened is None
     splitting = first_splitting_face(space, used) if solid else None
     nested = nesting(vertices, components, directions) if solid else None
     normals.expect_used(), weights.expect_used(), directions.expect_used()
-    answers = {"vertices": len(around), "edges": len(uses), "faces": len(faces), "components": len(components),
-               "euler": str(len(around) - len(uses) + len(faces)),
+    answers = {"vertices": len(around), "edges": len(uses), "faces": len(named), "components": len(components),
+               "euler": str(len(around) - len(uses) + len(named)),
                "volume": sign_of_volume(vertices, faces) if opened is None and turned is None else "none",
                "closed": opened is None, "oriented": turned is None, "edge_manifold": crowded is None,
                "vertex_manifold": crowded is None and pinched is None, "embedded": embedded,

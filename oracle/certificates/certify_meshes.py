@@ -3,28 +3,47 @@
 
 from collections import Counter
 
+from certify_polygon_faces import expect_cut
 from certify_reading import expect, only
 from certify_space import dot, point_in_space
 
 
 def corners(value, what, vertices):
-    expect(isinstance(value, list) and len(value) == 3, what + ": a list of three")
+    expect(isinstance(value, list) and len(value) >= 3, what + ": at least 3 corners")
     for k, corner in enumerate(value):
         there = isinstance(corner, int) and not isinstance(corner, bool) and 0 <= corner < vertices
         expect(there, f"{what}[{k}]: index of a vertex")
     return tuple(value)
 
 
-def mesh(value, what):
-    only(value, what, ["vertices", "faces"])
-    for name in ("vertices", "faces"):
-        expect(isinstance(value[name], list), f"{what}.{name}: a list")
+def faces_of(value, what, vertices):
+    expect(isinstance(value, list), what + ": a list")
+    return [corners(face, f"{what}[{i}]", vertices) for i, face in enumerate(value)]
+
+
+def named_mesh(value, what):
+    """Vertices, triangles, and the faces as they are named, which may have more than three corners."""
+    cut = isinstance(value, dict) and "cut" in value
+    only(value, what, ["vertices", "faces"] + cut * ["cut"])
+    expect(isinstance(value["vertices"], list), what + ".vertices: a list")
     vertices = [point_in_space(vertex, f"{what}.vertices[{i}]") for i, vertex in enumerate(value["vertices"])]
-    faces = [corners(face, f"{what}.faces[{i}]", len(vertices)) for i, face in enumerate(value["faces"])]
-    for i, face in enumerate(faces):
+    named = faces_of(value["faces"], what + ".faces", len(vertices))
+    triangles = faces_of(value["cut"], what + ".cut", len(vertices)) if cut else named
+    in_threes = all(len(triangle) == 3 for triangle in triangles)
+    expect(in_threes, what + (".cut: lists of three" if cut else ".faces: lists of three, or a cut"))
+    if cut:
+        enough = len(triangles) == sum(len(face) - 2 for face in named)
+        expect(enough, what + ".cut: a cut of the faces into triangles")
+        expect_cut(vertices, named, triangles, what)
+    for i, face in enumerate(triangles):
         expect(len(set(face)) == 3, f"{what}.faces[{i}]: three different vertices")
-    expect(len(faces) >= 4, what + ": at least 4 faces")
-    return vertices, faces
+    expect(len(named) >= 4, what + ": at least 4 faces")
+    return vertices, triangles, named
+
+
+def mesh(value, what):
+    """Vertices and triangles."""
+    return named_mesh(value, what)[:2]
 
 
 def expect_closed(faces, what):

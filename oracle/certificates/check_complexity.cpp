@@ -22,6 +22,8 @@ struct Uses {
   bool crowded() const { return forth + back > 2; }
 };
 
+bool has(const Face& face, Vertex v) { return std::find(face.begin(), face.end(), v) != face.end(); }
+
 /// Vertices of which some pairs are joined.
 class Joined {
  public:
@@ -47,16 +49,31 @@ class Joined {
 struct Counted {
   std::map<Edge, Uses> edges;
   Joined whole;
-  std::map<Vertex, Joined> around;  // a vertex's neighbours, joined by the faces that have both
+  std::map<Vertex, Joined> around;                // a vertex's neighbours, joined by the faces that have both
+  std::set<std::array<std::size_t, 3>> of_faces;  // each face with both ends of its edges
 
   explicit Counted(const Mesh& mesh) {
-    for (const Face& face : mesh.faces) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vertex a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+    for (std::size_t i = 0; i < mesh.named.size(); ++i) {
+      const auto& face = mesh.named[i];
+      const std::size_t count = face.size();
+      for (std::size_t k = 0; k < count; ++k) {
+        const Vertex a = face[k], b = face[(k + 1) % count], c = face[(k + count - 1) % count];
         ++(a < b ? edges[{a, b}].forth : edges[{b, a}].back);
-        whole.join(a, b), around[a].join(b, c);
+        whole.join(a, b), around[a].join(b, c), of_faces.insert({i, std::min(a, b), std::max(a, b)});
       }
     }
+  }
+  /// Whether both triangles name two vertices between which one of their faces has no edge.
+  bool share_a_diagonal(const Mesh& mesh, std::size_t i, std::size_t j) const {
+    const auto edge_of = [&](std::size_t t, Vertex a, Vertex b) {
+      return of_faces.contains({mesh.face_of[t], std::min(a, b), std::max(a, b)});
+    };
+    const Face &s = mesh.faces[i], &t = mesh.faces[j];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vertex a = s[k], b = s[(k + 1) % 3];
+      if (has(t, a) && has(t, b) && !(edge_of(i, a, b) && edge_of(j, a, b))) return true;
+    }
+    return false;
   }
   json first_edge(bool (Uses::*defect)() const) const {
     for (const auto& [edge, uses] : edges)
@@ -65,7 +82,6 @@ struct Counted {
   }
 };
 
-bool has(const Face& face, Vertex v) { return std::find(face.begin(), face.end(), v) != face.end(); }
 long common(const Face& s, const Face& t) {
   return std::count_if(s.begin(), s.end(), [&t](Vertex v) { return has(t, v); });
 }
@@ -143,18 +159,21 @@ std::optional<Edge> named_pair(const Claim& claim, std::size_t faces) {
   return Edge{pair[0].get<std::size_t>(), pair[1].get<std::size_t>()};
 }
 
-/// The weights give one point of both faces, which common corners do not span.
-void expect_meeting(const Space& space, const Face& s, const Face& t, Given& weights) {
+/// The weights give one point of both triangles, which common corners and common edges of their faces do not span.
+void expect_meeting(const Space& space, const Counted& counted, std::size_t i, std::size_t j, Given& weights) {
+  const Face &s = space.mesh.faces[i], &t = space.mesh.faces[j];
   const auto point = [&](const Face& f, const Face& other, bool& beyond) {
     Rational sum;
     Triple combination{0, 0, 0};
+    long positive = 0;
     for (const Vertex v : f) {
       const Rational& weight = weights.next();
       expect(sgn(weight) >= 0, "certificate: a weight is negative");
-      sum += weight, combination = along(combination, weight, space.mesh.vertices[v]);
+      sum += weight, combination = along(combination, weight, space.mesh.vertices[v]), positive += sgn(weight) > 0;
       beyond = beyond || (sgn(weight) > 0 && !has(other, v));
     }
     expect(sum == 1, "certificate: the weights do not sum to 1");
+    beyond = beyond || (positive == 2 && common(s, t) == 2 && counted.share_a_diagonal(space.mesh, i, j));
     return combination;
   };
   bool beyond = common(s, t) == 3;
@@ -163,21 +182,50 @@ void expect_meeting(const Space& space, const Face& s, const Face& t, Given& wei
   expect(beyond, "certificate: the faces share the point");
 }
 
-/// Of faces with areas: the first pair in the order of their places that meets beyond what both name.
-json first_meeting(const Claim& claim, const Space& space, Given& normals, Given& weights) {
-  const auto& faces = space.mesh.faces;
-  const std::optional<Edge> named = named_pair(claim, faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (std::size_t j = i + 1; j < faces.size(); ++j) {
-      const Face &s = faces[i], &t = faces[j];
+/// The triangles of each face.
+std::vector<std::vector<std::size_t>> cuts(const Mesh& mesh) {
+  std::vector<std::vector<std::size_t>> found(mesh.named.size());
+  for (std::size_t t = 0; t < mesh.faces.size(); ++t) found[mesh.face_of[t]].push_back(t);
+  return found;
+}
+
+/// Triangles i and j of two faces have nothing in common but corners and edges of both.
+void expect_apart(const Space& space, const Counted& counted, std::size_t i, std::size_t j, Given& normals) {
+  const Face &s = space.mesh.faces[i], &t = space.mesh.faces[j];
+  const std::string both =
+      "faces " + std::to_string(space.mesh.face_of[i]) + " and " + std::to_string(space.mesh.face_of[j]);
+  expect(common(s, t) < 3, "certificate: " + both + " coincide");
+  expect(!counted.share_a_diagonal(space.mesh, i, j), "certificate: " + both + " share a diagonal");
+  if (space.across_an_axis(s, t) || space.beside(i, t) || space.beside(j, s)) return;
+  expect(space.held_apart(normals.next_triple(), s, t), "certificate.normals: " + both + " are not held apart");
+}
+
+/// Of faces with areas: the first pair in the order of their places that meets beyond what both name. Where faces are
+/// cut, `triangles` names one of each.
+json first_meeting(const Claim& claim, const Space& space, const Counted& counted, Given& normals, Given& weights) {
+  const Mesh& mesh = space.mesh;
+  const auto triangles = cuts(mesh);
+  const std::optional<Edge> named = named_pair(claim, mesh.named.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t j = i + 1; j < triangles.size(); ++j) {
       if (named == Edge{i, j}) {
-        expect_meeting(space, s, t, weights);
+        std::size_t s = triangles[i][0], t = triangles[j][0];
+        if (claim.input["mesh"].contains("cut")) {
+          Given places(claim, "triangles");
+          const Rational first = places.next(), second = places.next();
+          const auto find = [](const std::vector<std::size_t>& all, const Rational& place) {
+            const auto found =
+                std::find_if(all.begin(), all.end(), [&](std::size_t n) { return place == Rational(n); });
+            expect(found != all.end(), "certificate.triangles: none of the face");
+            return *found;
+          };
+          s = find(triangles[i], first), t = find(triangles[j], second), places.expect_used();
+        }
+        expect_meeting(space, counted, s, t, weights);
         return {i, j};
       }
-      const std::string both = "faces " + std::to_string(i) + " and " + std::to_string(j);
-      expect(common(s, t) < 3, "certificate: " + both + " coincide");
-      if (space.across_an_axis(s, t) || space.beside(i, t) || space.beside(j, s)) continue;
-      expect(space.held_apart(normals.next_triple(), s, t), "certificate.normals: " + both + " are not held apart");
+      for (const std::size_t s : triangles[i])
+        for (const std::size_t t : triangles[j]) expect_apart(space, counted, s, t, normals);
     }
   }
   return nullptr;
@@ -188,7 +236,9 @@ json first_splitting_face(const Space& space, const Counted& counted) {
     std::map<int, Vertex> first;
     for (const auto& [v, neighbours] : counted.around) first.emplace(space.side(space.planes[i], v), v);
     if (!first.contains(1) || !first.contains(-1)) continue;
-    return {{"face", i}, {"one", std::min(first[1], first[-1])}, {"other", std::max(first[1], first[-1])}};
+    return {{"face", space.mesh.face_of[i]},
+            {"one", std::min(first[1], first[-1])},
+            {"other", std::max(first[1], first[-1])}};
   }
   return nullptr;
 }
@@ -249,7 +299,9 @@ void check_polyhedron_complexity(const Claim& claim) {
   claim.inputs({"mesh"});
   const Mesh surface = mesh(claim.input["mesh"], "mesh");
   claim.expect_kind("complexity");
-  claim.facts({"normals", "common_point", "directions"});
+  const bool cut = claim.input["mesh"].contains("cut");
+  if (cut) claim.facts({"normals", "common_point", "directions", "triangles"});
+  else claim.facts({"normals", "common_point", "directions"});
   Counted counted(surface);
   const Space space(surface);
   const auto parts = components(surface, counted);
@@ -257,16 +309,17 @@ void check_polyhedron_complexity(const Claim& claim) {
   for (auto& [vertex, neighbours] : counted.around)
     if (pinched.is_null() && neighbours.parts() != 1) pinched = vertex;
   for (std::size_t i = 0; i < space.planes.size() && flat.is_null(); ++i)
-    if (space.planes[i].normal == Triple{0, 0, 0}) flat = i;
+    if (space.planes[i].normal == Triple{0, 0, 0}) flat = surface.face_of[i];
   const json open = counted.first_edge(&Uses::odd), turned = counted.first_edge(&Uses::turned),
              crowded = counted.first_edge(&Uses::crowded);
   Given normals(claim, "normals"), weights(claim, "common_point"), directions(claim, "directions");
-  const json meeting = flat.is_null() ? first_meeting(claim, space, normals, weights) : json();
+  const json meeting = flat.is_null() ? first_meeting(claim, space, counted, normals, weights) : json();
+  if (cut && meeting.is_null()) Given(claim, "triangles").expect_used();
   const bool embedded = flat.is_null() && meeting.is_null(), solid = embedded && open.is_null();
   const json splitting = solid ? first_splitting_face(space, counted) : json(),
              nested = solid ? nesting(surface, parts, directions) : json();
   normals.expect_used(), weights.expect_used(), directions.expect_used();
-  const std::size_t vertices = counted.around.size(), edges = counted.edges.size(), faces = surface.faces.size();
+  const std::size_t vertices = counted.around.size(), edges = counted.edges.size(), faces = surface.named.size();
   const Rational euler = Rational(vertices) - Rational(edges) + Rational(faces);
   const std::vector<std::pair<const char*, json>> answers{
       {"vertices", vertices},

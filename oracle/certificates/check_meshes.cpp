@@ -10,14 +10,21 @@ namespace {
 
 using Face = std::array<std::size_t, 3>;
 
-Face corners(const json& value, const std::string& what, std::size_t vertices) {
-  expect(value.is_array() && value.size() == 3, what + ": a list of three");
-  Face found{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const bool there = value[k].is_number_unsigned() && value[k].get<std::uint64_t>() < vertices;
-    expect(there, numbered(what, k) + ": index of a vertex");
-    found[k] = value[k].get<std::size_t>();
+std::vector<std::size_t> corners(const json& value, const std::string& what, std::size_t vertices) {
+  expect(value.is_array() && value.size() >= 3, what + ": at least 3 corners");
+  std::vector<std::size_t> found;
+  for (const json& corner : value) {
+    const bool there = corner.is_number_unsigned() && corner.get<std::uint64_t>() < vertices;
+    expect(there, numbered(what, found.size()) + ": index of a vertex");
+    found.push_back(corner.get<std::size_t>());
   }
+  return found;
+}
+
+std::vector<std::vector<std::size_t>> faces(const json& list, const std::string& what, std::size_t vertices) {
+  expect(list.is_array(), what + ": a list");
+  std::vector<std::vector<std::size_t>> found;
+  for (const json& face : list) found.push_back(corners(face, numbered(what, found.size()), vertices));
   return found;
 }
 
@@ -32,8 +39,8 @@ void expect_closed(const Mesh& mesh, const std::string& what) {
       const auto reverse = times.find({to, from});
       const bool matched = times[{from, to}] == 1 && reverse != times.end() && reverse->second == 1;
       const std::string a = std::to_string(from), b = std::to_string(to);
-      expect(matched, numbered(what + ".faces", i) + ": closed: edge " + a + " -> " + b + " must occur once, and " + b +
-                          " -> " + a + " once");
+      expect(matched, numbered(what + ".faces", mesh.face_of[i]) + ": closed: edge " + a + " -> " + b +
+                          " must occur once, and " + b + " -> " + a + " once");
     }
   }
 }
@@ -49,18 +56,29 @@ Plane plane_through(const Triple& a, const Triple& b, const Triple& c) {
 }  // namespace
 
 Mesh mesh(const json& value, const std::string& what) {
-  only(value, what, {"vertices", "faces"});
-  for (const char* list : {"vertices", "faces"}) expect(value[list].is_array(), what + "." + list + ": a list");
+  const bool cut = value.is_object() && value.contains("cut");
+  if (cut) only(value, what, {"vertices", "faces", "cut"});
+  else only(value, what, {"vertices", "faces"});
+  expect(value["vertices"].is_array(), what + ".vertices: a list");
   Mesh found;
   for (const json& vertex : value["vertices"])
     found.vertices.push_back(point_in_space(vertex, numbered(what + ".vertices", found.vertices.size())));
-  for (const json& face : value["faces"])
-    found.faces.push_back(corners(face, numbered(what + ".faces", found.faces.size()), found.vertices.size()));
+  found.named = faces(value["faces"], what + ".faces", found.vertices.size());
+  const auto triangles = cut ? faces(value["cut"], what + ".cut", found.vertices.size()) : found.named;
+  for (std::size_t i = 0; i < found.named.size(); ++i)
+    found.face_of.insert(found.face_of.end(), found.named[i].size() - 2, i);
+  for (const auto& triangle : triangles) {
+    expect(triangle.size() == 3, what + (cut ? ".cut: lists of three" : ".faces: lists of three, or a cut"));
+    found.faces.push_back({triangle[0], triangle[1], triangle[2]});
+  }
+  expect(found.faces.size() == found.face_of.size(), what + ".cut: a cut of the faces into triangles");
+  if (cut) expect_cut(found, what);
   for (std::size_t i = 0; i < found.faces.size(); ++i) {
     const Face& f = found.faces[i];
-    expect(f[0] != f[1] && f[1] != f[2] && f[2] != f[0], numbered(what + ".faces", i) + ": three different vertices");
+    expect(f[0] != f[1] && f[1] != f[2] && f[2] != f[0],
+           numbered(what + ".faces", found.face_of[i]) + ": three different vertices");
   }
-  expect(found.faces.size() >= 4, what + ": at least 4 faces");
+  expect(found.named.size() >= 4, what + ": at least 4 faces");
   return found;
 }
 
@@ -68,7 +86,7 @@ std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what) {
   expect_closed(mesh, what);
   std::vector<Plane> planes;
   for (const Face& face : mesh.faces) {
-    const std::string field = numbered(what + ".faces", planes.size());
+    const std::string field = numbered(what + ".faces", mesh.face_of[planes.size()]);
     planes.push_back(plane_through(mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]));
     expect(!(planes.back().normal == Triple{0, 0, 0}), field + ": nonzero area");
   }
@@ -78,8 +96,9 @@ std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (front > 0) planes[i] = {Triple{0, 0, 0} - planes[i].normal, Rational(-planes[i].offset)};
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-      expect(sgn(planes[i].at(mesh.vertices[v])) <= 0,
-             numbered(what + ".faces", i) + ": convex: vertex " + std::to_string(v) + " must not lie beyond its plane");
+      expect(sgn(planes[i].at(mesh.vertices[v])) <= 0, numbered(what + ".faces", mesh.face_of[i]) +
+                                                           ": convex: vertex " + std::to_string(v) +
+                                                           " must not lie beyond its plane");
     }
   }
   return planes;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "oracle/exact/polygon_faces.h"
 #include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
@@ -13,7 +14,7 @@ namespace {
 
 template <class Number>
 std::vector<Point3<Rational>> exact_vertices(const std::string& field, const Mesh<Number>& mesh) {
-  validation::validate(field, mesh), validation::validate_triangles(field, mesh);
+  validation::validate(field, mesh), validate_polygons(field, mesh), validation::validate_triangles(field, mesh);
   std::vector<Point3<Rational>> vertices;
   for (const auto& vertex : mesh.vertices) vertices.push_back(exact(vertex));
   return vertices;
@@ -48,16 +49,16 @@ using Edge = std::pair<Index, Index>;
 
 std::array<Edge, 3> edges_of(const Face& f) { return {Edge{f.a, f.b}, Edge{f.b, f.c}, Edge{f.c, f.a}}; }
 
-void validate_closed(const std::string& field, const std::vector<Face>& faces) {
+void validate_closed(const std::string& field, const Mesh<Rational>& mesh) {
   std::map<Edge, int> times;
-  for (const Face& face : faces) {
+  for (const Face& face : mesh.faces) {
     for (const Edge& edge : edges_of(face)) ++times[edge];
   }
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (const Edge& edge : edges_of(faces[i])) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    for (const Edge& edge : edges_of(mesh.faces[i])) {
       const auto reverse = times.find({edge.second, edge.first});
       if (times[edge] > 1 || reverse == times.end() || reverse->second > 1)
-        validation::refuse_edge(field, i, edge.first, edge.second);
+        validation::refuse_edge(field, mesh, i, edge.first, edge.second);
     }
   }
 }
@@ -87,17 +88,17 @@ ConvexMesh::ConvexMesh(const std::string& field, const Mesh<Rational>& mesh) : f
   for (auto& p : vertices) p = {Integer(p.x / factor), Integer(p.y / factor), Integer(p.z / factor)};
   unit = Rational(factor, denominator);
   unit.canonicalize();
-  examine(field);
+  examine(field, mesh);
 }
 
 ConvexMesh::ConvexMesh(const std::string& field, const Meshd& mesh)
-    : ConvexMesh(field, Mesh<Rational>{exact_vertices(field, mesh), mesh.faces}) {}
+    : ConvexMesh(field, Mesh<Rational>{exact_vertices(field, mesh), mesh.faces, mesh.polygons}) {}
 
-void ConvexMesh::examine(const std::string& field) {
-  validate_closed(field, faces);
+void ConvexMesh::examine(const std::string& field, const Mesh<Rational>& mesh) {
+  validate_closed(field, mesh);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     planes.push_back(plane_through(vertices[faces[i].a], vertices[faces[i].b], vertices[faces[i].c]));
-    if (zero(planes.back().normal)) validation::refuse_area(field, i);
+    if (zero(planes.back().normal)) validation::refuse_area(field, mesh, i);
   }
   const auto off = std::find_if(vertices.begin(), vertices.end(),
                                 [this](const auto& vertex) { return sgn(planes[0].at(vertex)) != 0; });
@@ -105,7 +106,7 @@ void ConvexMesh::examine(const std::string& field) {
   if (sgn(planes[0].at(*off)) > 0) std::for_each(planes.begin(), planes.end(), turn);
   for (std::size_t i = 0; i < planes.size(); ++i) {
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-      if (sgn(planes[i].at(vertices[v])) > 0) validation::refuse_beyond(field, i, v);
+      if (sgn(planes[i].at(vertices[v])) > 0) validation::refuse_beyond(field, mesh, i, v);
     }
   }
 }

@@ -42,7 +42,7 @@ class ConvexMesh {
   Rational unit;
 
  private:
-  void examine(const std::string& field);
+  void examine(const std::string& field, const Mesh<Rational>& mesh);
 };
 
 }  // namespace touchstone::oracle

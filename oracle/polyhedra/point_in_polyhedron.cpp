@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "oracle/exact/closed_mesh.h"
+#include "oracle/exact/polygon_faces.h"
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/solid.h"
 #include "oracle/exact/whole_cloud.h"
@@ -14,8 +15,8 @@ namespace {
 template <class Number>
 Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) {
   validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
-  validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh);
-  validate_closed("mesh", mesh.faces);
+  validation::validate("mesh", mesh), validate_polygons("mesh", mesh), validation::validate_triangles("mesh", mesh);
+  validate_closed("mesh", mesh);
   std::vector<Point3<Number>> points = mesh.vertices;
   points.push_back(point);
   WholeCloud cloud(points);

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "oracle/exact/polygon_faces.h"
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/two_faces.h"
 #include "oracle/exact/whole_cloud.h"
@@ -33,30 +35,56 @@ std::set<Element> reached(const Element& first, const Neighbours& neighbours) {
   return seen;
 }
 
-struct Surface {
-  std::map<Index, std::vector<std::size_t>> at_vertex;
-  std::map<Edge, std::vector<std::size_t>> at_edge;
+/// The corners of a face in order, as it is named.
+using Corners = std::vector<Index>;
+
+/// A corner of a face, and what lies there.
+struct Corner {
+  std::size_t face;
+  Index before, vertex, after;
 };
 
-std::array<Edge, 3> edges_of(const Face& f) { return {Edge{f.a, f.b}, Edge{f.b, f.c}, Edge{f.c, f.a}}; }
+struct Surface {
+  template <class Number>
+  explicit Surface(const Mesh<Number>& mesh) {
+    for (std::size_t i = 0; i < named_faces(mesh); ++i) {
+      const Corners& corners = faces.emplace_back(corners_of_named(mesh, i));
+      const std::size_t count = corners.size();
+      for (std::size_t k = 0; k < count; ++k) {
+        const Corner corner{i, corners[(k + count - 1) % count], corners[k], corners[(k + 1) % count]};
+        at_vertex[corner.vertex].push_back(all.size());
+        at_edge[{corner.vertex, corner.after}].push_back(all.size());
+        all.push_back(corner);
+      }
+    }
+  }
+  /// Whether the corners, at one vertex, are ends of one edge.
+  bool share_an_edge(std::size_t one, std::size_t other) const {
+    const Corner &c = all[one], &d = all[other];
+    return c.before == d.before || c.before == d.after || c.after == d.before || c.after == d.after;
+  }
+  bool has_edge(std::size_t face, Index from, Index to) const {
+    const auto users = at_edge.find(Edge{from, to});
+    return users != at_edge.end() && std::any_of(users->second.begin(), users->second.end(),
+                                                 [&](std::size_t corner) { return all[corner].face == face; });
+  }
 
-bool runs(const Face& f, Index from, Index to) {
-  return (f.a == from && f.b == to) || (f.b == from && f.c == to) || (f.c == from && f.a == to);
-}
+  std::vector<Corners> faces;
+  std::vector<Corner> all;
+  std::map<Index, std::vector<std::size_t>> at_vertex;  // corners
+  std::map<Edge, std::vector<std::size_t>> at_edge;     // corners from which it is run along
+};
 
 /// The places of the faces of each component, in the order of their first ones.
-std::vector<std::set<std::size_t>> components(const std::vector<Face>& list, const Surface& surface) {
+std::vector<std::set<std::size_t>> components(const Surface& surface) {
   std::set<std::size_t> left;
-  for (std::size_t i = 0; i < list.size(); ++i) left.insert(i);
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) left.insert(i);
   std::vector<std::set<std::size_t>> found;
   while (!left.empty()) {
     found.push_back(reached(*left.begin(), [&](std::size_t face) {
       std::vector<std::size_t> others;
-      const Face& f = list[face];
-      for (const Index v : {f.a, f.b, f.c}) {
-        const auto& faces = surface.at_vertex.at(v);
-        others.insert(others.end(), faces.begin(), faces.end());
-      }
+      for (const Index v : surface.faces[face])
+        for (const std::size_t corner : surface.at_vertex.at(v)) others.push_back(surface.all[corner].face);
       return others;
     }));
     for (const std::size_t face : found.back()) left.erase(face);
@@ -64,18 +92,15 @@ std::vector<std::set<std::size_t>> components(const std::vector<Face>& list, con
   return found;
 }
 
-/// The faces at the vertex are neighbours of neighbours of one of them, by edges that end there.
-bool one_fan(const std::vector<Face>& list, const Surface& surface, Index vertex) {
-  const auto& faces = surface.at_vertex.at(vertex);
-  return reached(faces.front(), [&](std::size_t face) {
+/// The corners at the vertex are neighbours of neighbours of one of them, by edges that end there.
+bool one_fan(const Surface& surface, Index vertex) {
+  const auto& corners = surface.at_vertex.at(vertex);
+  return reached(corners.front(), [&](std::size_t corner) {
            std::vector<std::size_t> others;
-           for (const Edge& edge : edges_of(list[face])) {
-             if (!edge.contains(vertex)) continue;
-             const auto& there = surface.at_edge.at(edge);
-             others.insert(others.end(), there.begin(), there.end());
-           }
+           std::copy_if(corners.begin(), corners.end(), std::back_inserter(others),
+                        [&](std::size_t other) { return surface.share_an_edge(corner, other); });
            return others;
-         }).size() == faces.size();
+         }).size() == corners.size();
 }
 
 using Answer = PolyhedronComplexity<Rational>;
@@ -86,64 +111,111 @@ void note(std::optional<Witness>& first, const Witness& witness) {
 }
 
 /// What the indices tell.
-Answer counted(const std::vector<Face>& list, const Surface& surface) {
+Answer counted(const Surface& surface) {
   Answer found{};
-  for (const auto& [edge, faces] : surface.at_edge) {
+  for (const auto& [edge, users] : surface.at_edge) {
     const IndexPair ends{*edge.begin(), *edge.rbegin()};
-    const auto along = [&](Index from, Index to) {
-      return std::count_if(faces.begin(), faces.end(), [&](std::size_t i) { return runs(list[i], from, to); });
-    };
-    const auto forth = along(ends.i, ends.j), back = along(ends.j, ends.i);
-    if (faces.size() % 2 != 0) note(found.open_edge, ends);
+    const auto forth = std::count_if(users.begin(), users.end(),
+                                     [&](std::size_t corner) { return surface.all[corner].vertex == ends.i; });
+    const auto back = static_cast<std::ptrdiff_t>(users.size()) - forth;
+    if (users.size() % 2 != 0) note(found.open_edge, ends);
     if (forth - back > 1 || back - forth > 1) note(found.turned_edge, ends);
-    if (faces.size() > 2) note(found.crowded_edge, ends);
+    if (users.size() > 2) note(found.crowded_edge, ends);
   }
-  for (const auto& [vertex, faces] : surface.at_vertex) {
-    if (!one_fan(list, surface, vertex)) note(found.pinched_vertex, vertex);
+  for (const auto& [vertex, corners] : surface.at_vertex) {
+    if (!one_fan(surface, vertex)) note(found.pinched_vertex, vertex);
   }
   found.vertices = static_cast<Index>(surface.at_vertex.size()),
   found.edges = static_cast<Index>(surface.at_edge.size());
-  found.faces = static_cast<Index>(list.size());
+  found.faces = static_cast<Index>(surface.faces.size());
   found.euler = Rational(Rational(found.vertices) - Rational(found.edges) + Rational(found.faces));
   found.closed = !found.open_edge, found.oriented = !found.turned_edge, found.edge_manifold = !found.crowded_edge;
   found.vertex_manifold = found.edge_manifold && !found.pinched_vertex;
   return found;
 }
 
-/// The normals of planes between pairs of faces that need one, and the weights of the common point of those that meet.
+/// The triangles of each face as it is named.
+using Cuts = std::vector<std::vector<Index>>;
+
+template <class Number>
+Cuts cuts_of(const Mesh<Number>& mesh) {
+  Cuts cuts(named_faces(mesh));
+  const std::vector<Index> named = named_face_of_each(mesh);
+  for (Index i = 0; i < mesh.faces.size(); ++i) cuts[named[i]].push_back(i);
+  return cuts;
+}
+
+/// The normals of planes between pairs of triangles that need one; of the pair that meets the weights of a common point,
+/// and its places.
 struct Pairs {
-  std::vector<Rational> normals, weights;
+  std::vector<Rational> normals, weights, triangles;
 };
 
-/// All faces have areas.
-Pairs paired(const std::vector<Face>& list, const WholeCloud& cloud, Answer& found) {
+/// The middle of two vertices that both triangles name, where one of their faces has no edge between these.
+std::optional<std::array<std::array<Rational, 3>, 2>> shared_diagonal(const Surface& surface, std::size_t one,
+                                                                      const Face& f, std::size_t other, const Face& g) {
+  const std::array<Index, 3> of_f{f.a, f.b, f.c}, of_g{g.a, g.b, g.c};
+  const auto place = [&of_g](Index v) {
+    return static_cast<std::size_t>(std::find(of_g.begin(), of_g.end(), v) - of_g.begin());
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, in_g = place(of_f[k]), next_in_g = place(of_f[l]);
+    if (in_g == 3 || next_in_g == 3) continue;
+    if (surface.has_edge(one, of_f[k], of_f[l]) && surface.has_edge(other, of_f[k], of_f[l])) continue;
+    std::array<std::array<Rational, 3>, 2> weights;
+    weights[0][k] = weights[0][l] = weights[1][in_g] = weights[1][next_in_g] = Rational(1, 2);
+    return weights;
+  }
+  return std::nullopt;
+}
+
+/// All faces have areas. Whether a pair of triangles of two faces meets; if not, pairs may get a normal.
+bool meet(const std::vector<Face>& list, const WholeCloud& cloud, const Surface& surface, const IndexPair& faces,
+          const IndexPair& pair, Pairs& pairs) {
+  const Face &f = list[pair.i], &g = list[pair.j];
+  if (boxes_apart(cloud, f, g)) return false;
+  const TwoFaces two(cloud, f, g);
+  const auto diagonal = two.meet ? std::nullopt : shared_diagonal(surface, faces.i, f, faces.j, g);
+  if (two.meet || diagonal) {
+    const auto& [on_first, on_second] = diagonal.value_or(std::array{two.on_first, two.on_second});
+    pairs.weights.assign(on_first.begin(), on_first.end());
+    pairs.weights.insert(pairs.weights.end(), on_second.begin(), on_second.end());
+    pairs.triangles = {Rational(pair.i), Rational(pair.j)};
+    return true;
+  }
+  if (!plainly_apart(cloud, f, g)) {
+    for (const Integer& n : {two.normal.x, two.normal.y, two.normal.z}) pairs.normals.emplace_back(n);
+  }
+  return false;
+}
+
+Pairs paired(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud, const Surface& surface,
+             Answer& found) {
   Pairs pairs;
-  for (Index i = 0; i < list.size(); ++i) {
-    for (Index j = i + 1; j < list.size(); ++j) {
-      if (boxes_apart(cloud, list[i], list[j])) continue;
-      const TwoFaces two(cloud, list[i], list[j]);
-      if (two.meet) {
-        found.meeting_faces = IndexPair{i, j};
-        pairs.weights.assign(two.on_first.begin(), two.on_first.end());
-        pairs.weights.insert(pairs.weights.end(), two.on_second.begin(), two.on_second.end());
-        return pairs;
+  for (Index i = 0; i < cuts.size(); ++i) {
+    for (Index j = i + 1; j < cuts.size(); ++j) {
+      for (const Index s : cuts[i]) {
+        for (const Index t : cuts[j]) {
+          if (!meet(list, cloud, surface, {i, j}, {s, t}, pairs)) continue;
+          found.meeting_faces = IndexPair{i, j};
+          return pairs;
+        }
       }
-      if (plainly_apart(cloud, list[i], list[j])) continue;
-      for (const Integer& n : {two.normal.x, two.normal.y, two.normal.z}) pairs.normals.emplace_back(n);
     }
   }
   return pairs;
 }
 
-void look_for_flat_face(const std::vector<Face>& list, const WholeCloud& cloud, Answer& found) {
-  for (Index i = 0; i < list.size(); ++i)
-    if (zero(cloud.normal(list[i].a, list[i].b, list[i].c))) note(found.flat_face, i);
+void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud, Answer& found) {
+  for (Index i = 0; i < cuts.size(); ++i)
+    for (const Index t : cuts[i])
+      if (zero(cloud.normal(list[t].a, list[t].b, list[t].c))) note(found.flat_face, i);
 }
 
-void look_for_splitting_face(const std::vector<Face>& list, const Surface& surface, const WholeCloud& cloud,
-                             Answer& found) {
-  for (Index i = 0; i < list.size() && !found.splitting_face; ++i) {
-    const Face& f = list[i];
+void look_for_splitting_face(const std::vector<Face>& list, const Cuts& cuts, const Surface& surface,
+                             const WholeCloud& cloud, Answer& found) {
+  for (Index i = 0; i < cuts.size() && !found.splitting_face; ++i) {
+    const Face& f = list[cuts[i][0]];
     const SupportingPlane plane = cloud.plane(cloud.normal(f.a, f.b, f.c), f.a);
     std::map<int, Index> first;  // by the side
     for (const auto& [vertex, faces] : surface.at_vertex) first.emplace(sgn(cloud.height(plane, vertex)), vertex);
@@ -161,16 +233,19 @@ VolumeSign sign_of_volume(const std::vector<Face>& list, const WholeCloud& cloud
 
 /// Of a closed embedded mesh. Returns the directions of the rays, one after the other.
 template <class Number>
-std::vector<Rational> nest(const Mesh<Number>& mesh, const std::vector<std::set<std::size_t>>& components,
-                           const WholeCloud& cloud, Answer& found) {
+std::vector<Rational> nest(const Mesh<Number>& mesh, const Cuts& cuts,
+                           const std::vector<std::set<std::size_t>>& components, const WholeCloud& cloud,
+                           Answer& found) {
   std::vector<Rational> directions;
   found.nesting.emplace();
   for (Index i = 0; i < components.size(); ++i) {
-    Mesh<Number> outer{mesh.vertices, {}};
+    Mesh<Number> outer{mesh.vertices, {}, {}};
     std::set<Index> corners;
     for (const std::size_t face : components[i]) {
-      const Face& f = mesh.faces[face];
-      outer.faces.push_back(f), corners.insert({f.a, f.b, f.c});
+      for (const Index t : cuts[face]) {
+        const Face& f = mesh.faces[t];
+        outer.faces.push_back(f), corners.insert({f.a, f.b, f.c});
+      }
     }
     const auto in_box = [&](Index vertex) {
       for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z}) {
@@ -181,7 +256,7 @@ std::vector<Rational> nest(const Mesh<Number>& mesh, const std::vector<std::set<
       return true;
     };
     for (Index j = 0; j < components.size(); ++j) {
-      const Index inner = mesh.faces[*components[j].begin()].a;
+      const Index inner = mesh.faces[cuts[*components[j].begin()][0]].a;
       if (i == j || !in_box(inner)) continue;
       const Truth<Location> where = point_in_polyhedron(outer, mesh.vertices[inner]);
       if (where.answer == Location::inside) found.nesting->push_back({i, j});
@@ -194,32 +269,31 @@ std::vector<Rational> nest(const Mesh<Number>& mesh, const std::vector<std::set<
 
 template <class Number>
 Truth<Answer> truth_of(const Mesh<Number>& mesh) {
-  validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh);
-  Surface surface;
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const Face& f = mesh.faces[i];
-    for (const Index v : {f.a, f.b, f.c}) surface.at_vertex[v].push_back(i);
-    for (const Edge& edge : edges_of(f)) surface.at_edge[edge].push_back(i);
-  }
-  Answer found = counted(mesh.faces, surface);
-  const auto parts = components(mesh.faces, surface);
+  validation::validate("mesh", mesh), validate_polygons("mesh", mesh), validation::validate_triangles("mesh", mesh);
+  const Surface surface(mesh);
+  const Cuts cuts = cuts_of(mesh);
+  Answer found = counted(surface);
+  const auto parts = components(surface);
   found.components = static_cast<Index>(parts.size());
   const WholeCloud cloud(mesh.vertices);
   if (found.closed && found.oriented) found.volume = sign_of_volume(mesh.faces, cloud);
-  look_for_flat_face(mesh.faces, cloud, found);
+  look_for_flat_face(mesh.faces, cuts, cloud, found);
   Pairs pairs;
-  if (!found.flat_face) pairs = paired(mesh.faces, cloud, found);
+  if (!found.flat_face) pairs = paired(mesh.faces, cuts, cloud, surface, found);
   found.embedded = !found.flat_face && !found.meeting_faces;
   std::vector<Rational> directions;
   if (found.closed && found.embedded) {
-    look_for_splitting_face(mesh.faces, surface, cloud, found);
+    look_for_splitting_face(mesh.faces, cuts, surface, cloud, found);
     found.convex = !found.splitting_face;
-    directions = nest(mesh, parts, cloud, found);
+    directions = nest(mesh, cuts, parts, cloud, found);
   }
-  return {found, std::nullopt, [pairs = std::move(pairs), directions = std::move(directions)] {
-            return Certificate{
+  const bool polygons = !mesh.polygons.empty();
+  return {found, std::nullopt, [pairs = std::move(pairs), directions = std::move(directions), polygons] {
+            Certificate certificate{
                 "complexity",
                 {{"normals", pairs.normals}, {"common_point", pairs.weights}, {"directions", directions}}};
+            if (polygons) certificate.facts.emplace_back("triangles", pairs.triangles);
+            return certificate;
           }};
 }
 

@@ -11,6 +11,7 @@
 #include "oracle/exact/closed_mesh.h"
 #include "oracle/exact/common_dimension.h"
 #include "oracle/exact/plane_between.h"
+#include "oracle/exact/polygon_faces.h"
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/solid.h"
 #include "oracle/exact/space_partition.h"
@@ -26,8 +27,8 @@ using Answer = Truth<PolyhedronPolyhedron>;
 
 template <class Number>
 void validate_solid(const std::string& field, const Mesh<Number>& mesh) {
-  validation::validate(field, mesh), validation::validate_triangles(field, mesh);
-  validate_closed(field, mesh.faces);
+  validation::validate(field, mesh), validate_polygons(field, mesh), validation::validate_triangles(field, mesh);
+  validate_closed(field, mesh);
 }
 
 /// Both in integers, which count units.

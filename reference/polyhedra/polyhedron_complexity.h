@@ -17,8 +17,10 @@ namespace touchstone::reference {
 /// How many vertices, edges and faces a mesh has; whether it is a surface, and which; what it encloses.
 ///
 /// Deck p. 26: V vertices, E edges, F faces, and Euler's formula V - E + F = 2 of a polyhedron without holes. Of faces,
-/// every one of the list counts; an edge is a pair of vertices, in whichever order, that some face has; a vertex counts
-/// if some face names it. What a face names decides which vertex it is: vertices in one position are several.
+/// every one of the list counts; an edge is a pair of vertices, in whichever order, that follow each other in some face;
+/// a vertex counts if some face names it. What a face names decides which vertex it is: vertices in one position are
+/// several. A face that is named by a polygon is one face, however it is cut (geometry/polyhedra.h): its diagonals are no
+/// edges, and all places are those of the faces as named.
 ///
 /// euler: V - E + F, 2 a component less 2 a handle for surfaces without a rim. components: faces that share a vertex
 /// are of one. closed: every edge is in an even number of faces, so that parity tells inside from outside
@@ -27,8 +29,8 @@ namespace touchstone::reference {
 /// each a neighbour of the next by an edge at that vertex, are one fan or one ring; two sheets that meet in a vertex
 /// alone are none, which counting V - E + F does not see, nor does looking at edges.
 ///
-/// embedded: every face has an area, and no two faces have a point in common but those of the vertices that both name:
-/// nothing, a corner, or the edge between two corners. Faces of the same three vertices coincide. So a flat part cut
+/// embedded: every face has an area, and no two faces have a point in common but corners that both name and the edges
+/// that both have. Faces of the same three vertices coincide; an edge of one along a diagonal of the other is contact. So a flat part cut
 /// into triangles is embedded, a face folded back on its neighbour is not, nor is a corner that touches another face or
 /// stands in one position with a vertex of another number: vertices that a file repeats have to be merged first.
 /// convex: the mesh is closed and embedded, and no face's plane has vertices on both sides. Then the faces are the
@@ -63,8 +65,10 @@ PolyhedronComplexity<Real> polyhedron_complexity(const Mesh<Real>& mesh) {
   using Edge = std::pair<Index, Index>;
   std::map<Edge, Edge> edges;  // how many faces run along it each way
   std::map<Index, Index> parts;
-  for (const Face& f : mesh.faces) {
-    for (const auto& [from, to] : {std::pair{f.a, f.b}, {f.b, f.c}, {f.c, f.a}}) {
+  for (std::size_t i = 0; i < named_faces(mesh); ++i) {
+    const std::vector<Index> corners = corners_of_named(mesh, i);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Index from = corners[k], to = corners[(k + 1) % corners.size()];
       auto& [forth, back] = edges[std::minmax(from, to)];
       ++(from < to ? forth : back);
       parts.emplace(from, from);
@@ -91,14 +95,15 @@ PolyhedronComplexity<Real> polyhedron_complexity(const Mesh<Real>& mesh) {
     return std::nullopt;
   };
   const auto v = static_cast<Index>(parts.size()), e = static_cast<Index>(edges.size()),
-             f = static_cast<Index>(mesh.faces.size());
+             n = static_cast<Index>(named_faces(mesh)), f = static_cast<Index>(mesh.faces.size());
   PolyhedronComplexity<Real> found{};
-  found.vertices = v, found.edges = e, found.faces = f, found.components = static_cast<Index>(components.size());
-  found.euler = Real(static_cast<int>(v) - static_cast<int>(e) + static_cast<int>(f));
+  found.vertices = v, found.edges = e, found.faces = n, found.components = static_cast<Index>(components.size());
+  found.euler = Real(static_cast<int>(v) - static_cast<int>(e) + static_cast<int>(n));
   found.open_edge = first_edge([](Index forth, Index back) { return (forth + back) % 2 != 0; });
   found.turned_edge = first_edge([](Index forth, Index back) { return forth > back + 1 || back > forth + 1; });
   found.crowded_edge = first_edge([](Index forth, Index back) { return forth + back > 2; });
 
+  const std::vector<Index> named = named_face_of_each(mesh);
   const auto triangle = [&mesh](Index face) {
     const Face& corners = mesh.faces[face];
     return Triangle3<Real>{mesh.vertices[corners.a], mesh.vertices[corners.b], mesh.vertices[corners.c]};
@@ -106,17 +111,18 @@ PolyhedronComplexity<Real> polyhedron_complexity(const Mesh<Real>& mesh) {
   const auto normal = [](const Triangle3<Real>& t) { return cross(t.b - t.a, t.c - t.a); };
   for (Index i = 0; i < f && !found.flat_face; ++i) {
     const Vector3<Real> n = normal(triangle(i));
-    if (n.x == Real(0) && n.y == Real(0) && n.z == Real(0)) found.flat_face = i;
+    if (n.x == Real(0) && n.y == Real(0) && n.z == Real(0)) found.flat_face = named[i];
   }
   const auto apart = [&mesh](const Face& s, const Face& t) {
     const auto has = [&t](Index corner) { return corner == t.a || corner == t.b || corner == t.c; };
     return !has(s.a) && !has(s.b) && !has(s.c);
   };
-  for (Index i = 0; i < f && !found.flat_face && !found.meeting_faces; ++i) {
-    for (Index j = i + 1; j < f && !found.meeting_faces; ++j) {
-      if (!apart(mesh.faces[i], mesh.faces[j])) continue;
+  std::optional<IndexPair>& meeting = found.meeting_faces;
+  for (Index i = 0; i < f && !found.flat_face && !(meeting && meeting->i != named[i]); ++i) {
+    for (Index j = i + 1; j < f && !(meeting && meeting->j <= named[j]); ++j) {
+      if (named[i] == named[j] || !apart(mesh.faces[i], mesh.faces[j])) continue;
       if (triangle_triangle(triangle(i), triangle(j)) != TriangleTriangleRelation::none)
-        found.meeting_faces = IndexPair{i, j};
+        meeting = IndexPair{named[i], named[j]};
     }
   }
   const bool solid = !found.open_edge && !found.flat_face && !found.meeting_faces;
@@ -128,7 +134,7 @@ PolyhedronComplexity<Real> polyhedron_complexity(const Mesh<Real>& mesh) {
       if (side > Real(0) && !front) front = vertex;
       if (side < Real(0) && !back) back = vertex;
     }
-    if (front && back) found.splitting_face = SplittingFace{i, std::min(*front, *back), std::max(*front, *back)};
+    if (front && back) found.splitting_face = SplittingFace{named[i], std::min(*front, *back), std::max(*front, *back)};
   }
   if (!found.open_edge && !found.turned_edge) {
     Real sum(0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/closed_mesh.h"
+#include "robust/kernel/polygon_faces.h"
 
 namespace touchstone::robust::kernel {
 namespace {
@@ -45,14 +46,15 @@ std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
 }  // namespace
 
 void validate_closed(const std::string& field, const Meshd& mesh) {
-  validation::validate_indices(field, mesh), validation::validate_triangles(field, mesh);
+  validation::validate_indices(field, mesh), validate_polygons(field, mesh);
+  validation::validate_triangles(field, mesh);
   const auto odd = edges_of_odd_number(mesh);
   if (odd.empty()) return;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto ring = ring_of(mesh.faces[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       if (std::binary_search(odd.begin(), odd.end(), edge(ring[k], ring[k + 1])))
-        validation::refuse_odd_edge(field, i, ring[k], ring[k + 1]);
+        validation::refuse_odd_edge(field, mesh, i, ring[k], ring[k + 1]);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/face_side.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/polygon_faces.h"
 
 namespace touchstone::robust::kernel {
 namespace {
@@ -33,7 +34,7 @@ void validate_closed(const std::string& field, const Meshd& mesh) {
     const auto ring = ring_of(mesh.faces[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       if (!once(ring[k], ring[k + 1]) || !once(ring[k + 1], ring[k]))
-        validation::refuse_edge(field, i, ring[k], ring[k + 1]);
+        validation::refuse_edge(field, mesh, i, ring[k], ring[k + 1]);
     }
   }
 }
@@ -49,14 +50,15 @@ bool has_area(const Meshd& mesh, const Face& face) {
 
 void validate_areas(const std::string& field, const Meshd& mesh) {
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    if (!has_area(mesh, mesh.faces[i])) validation::refuse_area(field, i);
+    if (!has_area(mesh, mesh.faces[i])) validation::refuse_area(field, mesh, i);
   }
 }
 
 }  // namespace
 
 int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) {
-  validation::validate(field, mesh), validation::validate_triangles(field, mesh), validate_closed(field, mesh);
+  validation::validate(field, mesh), validate_polygons(field, mesh);
+  validation::validate_triangles(field, mesh), validate_closed(field, mesh);
   int outside = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const Face& face = mesh.faces[i];
@@ -68,7 +70,7 @@ int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) 
       if (side == 0) continue;
       off = true;
       if (outside == 0) outside = -side;
-      if (side == outside) validate_areas(field, mesh), validation::refuse_beyond(field, i, v);
+      if (side == outside) validate_areas(field, mesh), validation::refuse_beyond(field, mesh, i, v);
     }
     // Without area no vertex is off, and if face 0 has one, so is a vertex, and with it one for every face that has an
     // area.

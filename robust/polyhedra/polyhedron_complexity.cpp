@@ -5,6 +5,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/polygon_faces.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/structures/connected_mesh.h"
 #include "robust/structures/embedded_mesh.h"
@@ -63,7 +64,8 @@ std::vector<IndexPair> nesting(const Meshd& mesh, const std::vector<Index>& comp
 }  // namespace
 
 PolyhedronComplexity<double> polyhedron_complexity(const Meshd& mesh) {
-  validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh);
+  validation::validate("mesh", mesh), kernel::validate_polygons("mesh", mesh);
+  validation::validate_triangles("mesh", mesh);
   const structures::ConnectedMesh connected(mesh);
   PolyhedronComplexity<double> found = connected.found;
   if (found.closed && found.oriented) found.volume = structures::sign_of_volume(mesh);

@@ -2,6 +2,7 @@
 #include "robust/structures/connected_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <numeric>
@@ -27,7 +28,7 @@ class Joined {
   std::vector<std::size_t> up_;
 };
 
-/// A side of a face: corner k to the next, k = 3 * face + 0, 1 or 2.
+/// A side of a face: a corner to the next, all corners of all faces being numbered one after another.
 struct EdgeOfFace {
   Index low, high;
   std::size_t corner;
@@ -35,16 +36,33 @@ struct EdgeOfFace {
   bool same_edge(const EdgeOfFace& other) const { return low == other.low && high == other.high; }
 };
 
-std::size_t next(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+/// The corners of all faces as they are named, and of each the one that follows in its face.
+struct Corners {
+  explicit Corners(const Meshd& mesh) {
+    for (std::size_t i = 0; i < named_faces(mesh); ++i) {
+      if (mesh.polygons.empty()) add(std::array{mesh.faces[i].a, mesh.faces[i].b, mesh.faces[i].c});
+      else add(mesh.polygons[i]);
+    }
+  }
+  template <class Face>
+  void add(const Face& corners) {
+    const std::size_t first = vertex.size();
+    vertex.insert(vertex.end(), corners.begin(), corners.end());
+    for (std::size_t k = first + 1; k < vertex.size(); ++k) next.push_back(k);
+    next.push_back(first);
+  }
+  std::vector<Index> vertex;
+  std::vector<std::size_t> next;
+};
 
 }  // namespace
 
 ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
-  std::vector<Index> corners;
-  for (const Face& f : mesh.faces) corners.insert(corners.end(), {f.a, f.b, f.c});
+  const Corners all(mesh);
+  const std::vector<Index>& corners = all.vertex;
   std::vector<EdgeOfFace> sides;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Index from = corners[k], to = corners[next(k)];
+    const Index from = corners[k], to = corners[all.next[k]];
     sides.push_back({std::min(from, to), std::max(from, to), k, from < to});
   }
   std::sort(sides.begin(), sides.end(), [](const EdgeOfFace& s, const EdgeOfFace& t) {
@@ -53,7 +71,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
   Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex, joined by the edges there
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last = std::find_if(first, sides.end(), [first](const EdgeOfFace& s) { return !s.same_edge(*first); });
-    const auto count = last - first, along = std::count_if(first, last, [](const EdgeOfFace& s) { return s.along; });
+    const auto count = last - first, along = std::count_if(first, last, [](const EdgeOfFace&s) { return s.along; });
     const auto note = [first](std::optional<IndexPair>& witness, bool holds) {
       if (!holds && !witness) witness = IndexPair{first->low, first->high};
     };
@@ -62,7 +80,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
     note(found.turned_edge, std::abs(2 * along - count) <= 1);
     note(found.crowded_edge, count <= 2);
     parts.join(first->low, first->high);
-    const auto at = [](const EdgeOfFace& s, bool low) { return s.along == low ? s.corner : next(s.corner); };
+    const auto at = [&all](const EdgeOfFace& s, bool low) { return s.along == low ? s.corner : all.next[s.corner]; };
     for (auto side = first + 1; side != last; ++side) {
       fans.join(at(*first, true), at(*side, true)), fans.join(at(*first, false), at(*side, false));
     }
@@ -82,7 +100,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
     if (!of_part) of_part = found.components++;
     component.push_back(*of_part);
   }
-  found.faces = static_cast<Index>(mesh.faces.size());
+  found.faces = static_cast<Index>(named_faces(mesh));
   found.euler = static_cast<double>(std::int64_t{found.vertices} - found.edges + found.faces);
   found.closed = !found.open_edge, found.oriented = !found.turned_edge, found.edge_manifold = !found.crowded_edge;
   found.vertex_manifold = found.edge_manifold && !found.pinched_vertex;

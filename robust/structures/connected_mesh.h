@@ -15,7 +15,7 @@ struct ConnectedMesh {
   explicit ConnectedMesh(const Meshd& mesh);
 
   PolyhedronComplexity<double> found{};  ///< the answer, as far as indices tell it
-  std::vector<Index> component;          ///< of each face; numbered in the order of their first faces
+  std::vector<Index> component;          ///< of each triangle; numbered in the order of their first ones
 };
 
 }  // namespace touchstone::robust::structures

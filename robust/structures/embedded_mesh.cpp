@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "robust/kernel/face_side.h"
@@ -95,11 +96,45 @@ bool meet(const Meshd& mesh, const Face& f, const Face& g) {
   return kernel::common_dimension(triangle_of(mesh, f), triangle_of(mesh, g)) >= common;
 }
 
+/// Which sides of the triangles of a cut are edges of their polygons; the others are diagonals.
+class EdgesOfPolygons {
+ public:
+  EdgesOfPolygons(const Meshd& mesh, const std::vector<Index>& named) : mesh_(mesh), named_(named) {
+    for (Index i = 0; i < mesh.polygons.size(); ++i) {
+      const std::vector<Index>& corners = mesh.polygons[i];
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        edges_.push_back(edge(i, corners[k], corners[(k + 1) % corners.size()]));
+    }
+    std::sort(edges_.begin(), edges_.end());
+  }
+  /// Whether both triangles name two vertices between which one of the two polygons has no edge: it runs through the
+  /// inside of that polygon.
+  bool share_a_diagonal(Index i, Index j) const {
+    if (mesh_.polygons.empty()) return false;
+    const Face &f = mesh_.faces[i], &g = mesh_.faces[j];
+    const auto has = [&g](Index v) { return v == g.a || v == g.b || v == g.c; };
+    for (const auto& [from, to] : {std::pair{f.a, f.b}, {f.b, f.c}, {f.c, f.a}})
+      if (has(from) && has(to) && !(is_edge(named_[i], from, to) && is_edge(named_[j], from, to))) return true;
+    return false;
+  }
+
+ private:
+  using Edge = std::array<Index, 3>;
+  static Edge edge(Index polygon, Index from, Index to) { return {polygon, std::min(from, to), std::max(from, to)}; }
+  bool is_edge(Index polygon, Index from, Index to) const {
+    return std::binary_search(edges_.begin(), edges_.end(), edge(polygon, from, to));
+  }
+
+  const Meshd& mesh_;
+  const std::vector<Index>& named_;
+  std::vector<Edge> edges_;
+};
+
 }  // namespace
 
 std::optional<Index> first_flat_face(const Meshd& mesh) {
   for (Index i = 0; i < mesh.faces.size(); ++i)
-    if (flat(triangle_of(mesh, mesh.faces[i]))) return i;
+    if (flat(triangle_of(mesh, mesh.faces[i]))) return named_face_of_each(mesh)[i];
   return std::nullopt;
 }
 
@@ -107,9 +142,15 @@ std::optional<IndexPair> first_meeting_faces(const Meshd& mesh) {
   std::vector<Aabb3d> boxes;
   boxes.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) boxes.push_back(box_of(triangle_of(mesh, face)));
-  for (const auto& [i, j] : swept_pairs(boxes))
-    if (meet(mesh, mesh.faces[i], mesh.faces[j])) return IndexPair{i, j};
-  return std::nullopt;
+  const std::vector<Index> named = named_face_of_each(mesh);
+  const EdgesOfPolygons edges(mesh, named);
+  std::optional<IndexPair> first;
+  for (const auto& [i, j] : swept_pairs(boxes)) {
+    if (first && named[i] != first->i) break;
+    if (named[i] == named[j] || (first && named[j] >= first->j)) continue;
+    if (meet(mesh, mesh.faces[i], mesh.faces[j]) || edges.share_a_diagonal(i, j)) first = IndexPair{named[i], named[j]};
+  }
+  return first;
 }
 
 }  // namespace touchstone::robust::structures

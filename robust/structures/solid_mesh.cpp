@@ -57,7 +57,7 @@ std::optional<SplittingFace> first_splitting_face(const Meshd& mesh) {
       if (!used[v]) continue;
       const int side = plane.of(mesh.vertices[v]).answer;
       if (side == 0) continue;
-      if (off && side != side_of_off) return SplittingFace{i, *off, v};
+      if (off && side != side_of_off) return SplittingFace{named_face_of_each(mesh)[i], *off, v};
       if (!off) off = v, side_of_off = side;
     }
   }

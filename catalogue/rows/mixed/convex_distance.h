@@ -7,6 +7,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/families/list_draws.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
@@ -219,7 +220,13 @@ struct convex_distance {
            return c.below(2) == 1 ? Question{b, a} : Question{a, b};
          },
          /*unscaled=*/true},
-    };
+        {"polygons",
+         [](DrawStream& c) -> Question {
+           const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
+           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
+           return {asked, shifted(b, 12.0 * lattice_normal(c, 4))};
+         },
+         /*unscaled=*/true}};
   }
 
   static void repair(Question& question) {

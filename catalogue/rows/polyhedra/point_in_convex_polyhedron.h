@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/polygon_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -119,6 +120,14 @@ struct point_in_convex_polyhedron {
            const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
            const int x = ulps(), y = ulps(), z = ulps();
            return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
+         },
+         /*unscaled=*/true},
+        {"polygons",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = convex_solid_of_polygons(c);
+           const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
+           const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : recut(mesh, c);
+           return {asked, p};
          },
          /*unscaled=*/true},
     };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
@@ -180,6 +181,14 @@ struct point_in_polyhedron {
            const double x = 5 * static_cast<double>(c.below(3)) - 3, y = 5 * static_cast<double>(c.below(3)) - 2;
            const double z = 2 - static_cast<double>(c.below(2));
            return {relisted(reported::parry_171(), c), {x, y, z}};
+         },
+         /*unscaled=*/true},
+        {"polygons",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = solid_of_polygons(c);
+           const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
+           const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : recut(mesh, c);
+           return {asked, p};
          },
          /*unscaled=*/true},
     };

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/contact_mesh_draws.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
@@ -101,6 +102,27 @@ struct polyhedron_complexity {
                const auto [a, b] = reported::vcad_6();
                const bool kept = c.below(2) == 0;
                return {relisted(kept ? reported::vcad_6_kept() : together(a, b), c)};
+             },
+             /*unscaled=*/true},
+            {"polygons",
+             [](DrawStream& c) -> Question {
+               const bool convex = c.below(3) == 2;
+               Meshd mesh = convex ? convex_solid_of_polygons(c) : solid_of_polygons(c);
+               switch (c.below(6)) {
+                 case 3: return {with_fin(mesh, c)};
+                 case 4: return {together(mesh, solid_of_polygons(c))};
+                 case 5: return {with_broken_polygons(mesh, c)};
+                 default: return {recut(mesh, c)};
+               }
+             },
+             /*unscaled=*/true},
+            {"polygons_with_a_rim",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = c.below(2) == 0 ? flat_part(c) : lattice_solid(c);
+               Meshd part{mesh.vertices, mesh.faces, {}};
+               for (std::uint64_t left = c.below(4); left > 0 && part.faces.size() > 8; --left)
+                 part.faces.erase(part.faces.begin() + static_cast<std::ptrdiff_t>(c.below(part.faces.size())));
+               return {with_polygons(part, c)};
              },
              /*unscaled=*/true},
             {"convex_at_a_vertex", [](DrawStream& c) -> Question { return {convex_at_a_vertex(c)}; },

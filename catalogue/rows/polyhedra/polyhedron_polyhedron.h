@@ -6,6 +6,7 @@
 
 #include "catalogue/families/cube_surface.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/families/space_draws.h"
@@ -178,7 +179,13 @@ struct polyhedron_polyhedron {
            return c.below(2) == 0 ? Question{a, b} : Question{b, a};
          },
          /*unscaled=*/true},
-    };
+        {"polygons",
+         [](DrawStream& c) -> Question {
+           const Meshd a = solid_of_polygons(c), b = convex_solid_of_polygons(c);
+           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
+           return {asked, moved(b, c, 12, 3)};
+         },
+         /*unscaled=*/true}};
   }
 
   static void repair(Question& question) { make_solid(std::get<0>(question)), make_solid(std::get<1>(question)); }

@@ -7,6 +7,7 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/lattice_hull.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
@@ -143,7 +144,14 @@ struct swept_convex_polyhedra {
            return {box(0, x, y, z), box(x + gap, u, v, w), {velocity.x, velocity.y, velocity.z}};
          },
          /*unscaled=*/true},
-    };
+        {"polygons",
+         [](DrawStream& c) -> Question {
+           const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
+           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
+           const Vector3d apart = 12.0 * lattice_normal(c, 2);
+           return {asked, shifted(b, apart), 12.0 * lattice_normal(c, 2)};
+         },
+         /*unscaled=*/true}};
   }
 
   static void repair(Question& question) {

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/structures/polygon_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "geometry/validation.h"
+#include "robust/kernel/polygon_faces.h"
+
+namespace touchstone::robust {
+
+Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons) {
+  Meshd mesh{std::move(vertices), {}, std::move(polygons)};
+  validation::validate_numbers("mesh", mesh), validation::validate_corners("mesh", mesh);
+  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
+    const std::vector<Index>& corners = mesh.polygons[i];
+    if (corners.size() == 3) {
+      mesh.faces.push_back({corners[0], corners[1], corners[2]});
+      continue;
+    }
+    const auto cut = kernel::cut_polygon(mesh.vertices, corners);
+    if (const auto* defect = std::get_if<kernel::PolygonDefect>(&cut)) {
+      if (*defect == kernel::PolygonDefect::askew) validation::refuse_askew("mesh", i);
+      validation::refuse_ring("mesh", i);
+    }
+    const auto& triangles = std::get<std::vector<Face>>(cut);
+    mesh.faces.insert(mesh.faces.end(), triangles.begin(), triangles.end());
+  }
+  const auto triangle = [](const std::vector<Index>& corners) { return corners.size() == 3; };
+  if (std::all_of(mesh.polygons.begin(), mesh.polygons.end(), triangle)) mesh.polygons.clear();
+  return mesh;
+}
+
+double thickness(const std::vector<Point3d>& vertices, const std::vector<Index>& corners) {
+  const Point3d& origin = vertices[corners[0]];
+  Vector3d normal{0, 0, 0};
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    normal = normal + cross(vertices[corners[k]] - origin, vertices[corners[(k + 1) % corners.size()]] - origin);
+  const double length = std::hypot(normal.x, normal.y, normal.z);
+  if (length == 0) return 0;
+  double least = 0, most = 0;
+  for (const Index v : corners) {
+    const double height = dot(normal, vertices[v] - origin) / length;
+    least = std::min(least, height), most = std::max(most, height);
+  }
+  return most - least;
+}
+
+}  // namespace touchstone::robust

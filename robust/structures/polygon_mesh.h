@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/invalid_input.h"
+#include "geometry/polyhedra.h"
+
+namespace touchstone::robust {
+
+/// A mesh named by polygons of three or more corners each, with a valid cut of each into triangles (the contract stands
+/// above Mesh in geometry/polyhedra.h). Where all have three corners, they are the faces, and `polygons` stays empty.
+///
+/// Throws InvalidInput: a coordinate that is not finite ("mesh.vertices[i][c]", "finite number"), fewer than three
+/// corners ("mesh.faces[i]"), a corner that is no vertex ("mesh.faces[i][k]", "index of a vertex"), corners not in one
+/// plane ("mesh.faces[i]", "planar"), a polygon that encloses no area or crosses or touches itself ("mesh.faces[i]",
+/// "a polygon that encloses one area and does not cross itself"). Exact for all finite doubles.
+Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons);
+
+/// The distance of two planes that hold all corners between them and are perpendicular to the polygon's normal (Newell's);
+/// of a quadrilateral that of the lines of its diagonals. In double arithmetic, for messages and tolerances; NaN or
+/// infinity beyond its range, 0 where the normal is.
+double thickness(const std::vector<Point3d>& vertices, const std::vector<Index>& corners);
+
+}  // namespace touchstone::robust
