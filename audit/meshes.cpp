@@ -32,7 +32,7 @@ bool ends_with(std::string_view name, std::string_view ending) {
   return true;
 }
 
-using Reader = Meshd (*)(const std::string&, std::string_view);
+using Reader = MeshFile (*)(const std::string&, std::string_view);
 
 Reader reader_of(const std::string& name) {
   constexpr std::array<std::pair<const char*, Reader>, 4> readers{
@@ -61,13 +61,27 @@ std::string content(const std::string& path) {
   return bytes;
 }
 
+Meshd in_fans(MeshFile file) {
+  Meshd mesh{std::move(file.vertices), {}};
+  for (const std::vector<Index>& corners : file.faces) {
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) mesh.faces.push_back({corners[0], corners[k], corners[k + 1]});
+  }
+  return mesh;
+}
+
 }  // namespace
 
-Meshd read_mesh(const std::string& path) {
+MeshFile read_mesh_file(const std::string& path) {
   const Reader reader = reader_of(path);
   return reader(printable(path), content(path));
 }
 
-Meshd parse_mesh(const std::string& name, std::string_view bytes) { return reader_of(name)(printable(name), bytes); }
+MeshFile parse_mesh_file(const std::string& name, std::string_view bytes) {
+  return reader_of(name)(printable(name), bytes);
+}
+
+Meshd read_mesh(const std::string& path) { return in_fans(read_mesh_file(path)); }
+
+Meshd parse_mesh(const std::string& name, std::string_view bytes) { return in_fans(parse_mesh_file(name, bytes)); }
 
 }  // namespace touchstone::audit

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "audit/uses.h"
 #include "geometry/polyhedra.h"
@@ -14,11 +15,25 @@ namespace touchstone::audit {
 /// Larger files are refused: 256 MiB are some millions of triangles.
 inline constexpr std::size_t most_bytes_of_a_mesh = std::size_t{256} << 20;
 
+/// A mesh file as it is read: positions, faces of any number of corners, and where in the file each stands.
+struct MeshFile {
+  std::string name;    ///< of the file, on one line
+  std::string format;  ///< "OBJ", "STL (binary)", ...
+  std::vector<Point3d> vertices;
+  /// The corners of each face, at least 3, as indices of vertices from 0. Nothing is cut.
+  std::vector<std::vector<Index>> faces;
+  /// The lines, counted from 1, on which each vertex and each face stands; empty where the file is binary.
+  std::vector<std::size_t> vertex_lines, face_lines;
+  /// The number that the format gives to the first vertex and the first face: 1 in OBJ, 0 elsewhere.
+  std::size_t first_number = 0;
+  /// What a user should know of the reading: corners that were merged, what was passed over, one sentence each.
+  std::vector<std::string> notes;
+};
+
 /// The mesh in a file, whose ending tells the format, in capitals or not: .obj (Wavefront), .ply (ascii, binary of
 /// either byte order), .off, .stl (ascii or binary).
 ///
-/// A number in text becomes the double nearest to it, whatever type the file declares. Faces of more than three corners
-/// are cut into a fan from their first corner. STL has no vertices but only corners: those with equal coordinates
+/// A number in text becomes the double nearest to it, whatever type the file declares. STL has no vertices but only corners: those with equal coordinates
 /// become one vertex, in order of appearance. Normals, colours, materials, groups and other elements are passed over,
 /// lines and points too; a line of OBJ that begins with another word is refused, curved surfaces with it. A text may
 /// begin with the byte order mark of UTF-8. All vertices are finite and all indices those of vertices; nothing else is
@@ -27,9 +42,13 @@ inline constexpr std::size_t most_bytes_of_a_mesh = std::size_t{256} << 20;
 /// Throws InvalidInput, the field being the file and where in it ("cube.obj:12", for binary "cube.stl: byte 84"), where
 /// the file cannot be read, is no regular file (a device, a pipe), is too large, breaks a rule of its format or ends
 /// too early. No count in a file is taken on trust: memory is in proportion to the file's size.
-Meshd read_mesh(const std::string& path);
+MeshFile read_mesh_file(const std::string& path);
 
 /// The same of the bytes of a file of that name.
+MeshFile parse_mesh_file(const std::string& name, std::string_view bytes);
+
+/// Triangles alone: faces of more than three corners are cut into a fan from their first corner.
+Meshd read_mesh(const std::string& path);
 Meshd parse_mesh(const std::string& name, std::string_view bytes);
 
 }  // namespace touchstone::audit

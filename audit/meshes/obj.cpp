@@ -21,7 +21,7 @@ bool passed_over(std::string_view keyword) {
 /// The corners of all faces, which may name vertices that come later in the file.
 struct Faces {
   std::vector<long long> corners;  ///< from 0
-  std::vector<std::size_t> first, line;
+  std::vector<std::size_t> first;
 };
 
 /// "i", "i/t", "i//n" or "i/t/n": i counts from 1, or backwards from -1, the last vertex so far.
@@ -34,9 +34,10 @@ long long corner(const Text& text, std::string_view word, std::size_t vertices) 
 
 }  // namespace
 
-Meshd read_obj(const std::string& name, std::string_view bytes) {
+MeshFile read_obj(const std::string& name, std::string_view bytes) {
   Text text(name, bytes);
-  Meshd mesh;
+  MeshFile mesh;
+  mesh.name = name, mesh.format = "OBJ", mesh.first_number = 1;
   Faces faces;
   while (text.next_words('#')) {
     const std::size_t line = text.number();
@@ -54,24 +55,24 @@ Meshd read_obj(const std::string& name, std::string_view bytes) {
     if (keyword == "v") {
       if (words.size() < 3) text.refuse("three coordinates");
       const double x = text.number(words[0]), y = text.number(words[1]), z = text.number(words[2]);
-      mesh.vertices.push_back({x, y, z});
+      mesh.vertices.push_back({x, y, z}), mesh.vertex_lines.push_back(line);
     } else if (keyword == "f") {
       if (words.size() < 3) text.refuse("at least 3 corners");
-      faces.first.push_back(faces.corners.size()), faces.line.push_back(line);
+      faces.first.push_back(faces.corners.size()), mesh.face_lines.push_back(line);
       for (const std::string_view word : words) faces.corners.push_back(corner(text, word, mesh.vertices.size()));
     } else if (!passed_over(keyword)) {
       text.refuse(line, "v, f or another keyword of polygons in OBJ, got " + catalogue::excerpt(keyword, 20));
     }
   }
   faces.first.push_back(faces.corners.size());
-  for (std::size_t i = 0; i < faces.line.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.face_lines.size(); ++i) {
     std::vector<Index> corners;
     for (std::size_t k = faces.first[i]; k < faces.first[i + 1]; ++k) {
       if (faces.corners[k] >= static_cast<long long>(mesh.vertices.size()))
-        text.refuse(faces.line[i], "index of a vertex");
+        text.refuse(mesh.face_lines[i], "index of a vertex");
       corners.push_back(static_cast<Index>(faces.corners[k]));
     }
-    add_fan(mesh, corners);
+    mesh.faces.push_back(std::move(corners));
   }
   return mesh;
 }

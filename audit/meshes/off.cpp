@@ -30,7 +30,7 @@ std::vector<Index> corners_of(const Text& text, std::size_t vertices) {
 
 }  // namespace
 
-Meshd read_off(const std::string& name, std::string_view bytes) {
+MeshFile read_off(const std::string& name, std::string_view bytes) {
   Text text(name, bytes);
   if (!text.next_words('#') || !supported(text.words()[0])) text.refuse("OFF in the first line");
   std::size_t skipped = 1;
@@ -42,14 +42,15 @@ Meshd read_off(const std::string& name, std::string_view bytes) {
   if (text.words().size() < skipped + 2) text.refuse("counts of vertices and faces");
   const std::array<long long, 2> counts{text.whole(text.words()[skipped]), text.whole(text.words()[skipped + 1])};
   if (counts[0] < 0 || counts[1] < 0) text.refuse("counts of vertices and faces");
-  Meshd mesh;
+  MeshFile mesh;
+  mesh.name = name, mesh.format = "OFF";
   for (long long i = 0; i < counts[0]; ++i) {
     if (!text.next_words('#')) text.refuse("as many vertices as it says: the file ends too early");
-    mesh.vertices.push_back(text.position(0));
+    mesh.vertices.push_back(text.position(0)), mesh.vertex_lines.push_back(text.number());
   }
   for (long long i = 0; i < counts[1]; ++i) {
     if (!text.next_words('#')) text.refuse("as many faces as it says: the file ends too early");
-    add_fan(mesh, corners_of(text, mesh.vertices.size()));
+    mesh.faces.push_back(corners_of(text, mesh.vertices.size())), mesh.face_lines.push_back(text.number());
   }
   if (text.next_words('#')) text.refuse("nothing behind the last face");
   return mesh;

@@ -28,6 +28,11 @@ struct Element {
 
 enum class Format { ascii, little, big };
 
+const char* spelled(Format format) {
+  if (format == Format::ascii) return "ascii";
+  return format == Format::little ? "binary, little-endian" : "binary, big-endian";
+}
+
 struct Header {
   Format format = Format::ascii;
   std::vector<Element> elements;
@@ -97,6 +102,8 @@ class Values {
   virtual double number(Type type) = 0;
   virtual long long whole(Type type) = 0;
   virtual void skip(Type type) = 0;
+  /// To the row of an element; the line on which it begins, where there are lines.
+  virtual std::optional<std::size_t> begin_row() = 0;
   virtual bool done() = 0;
   [[noreturn]] virtual void refuse(const std::string& rule) = 0;
 };
@@ -107,6 +114,10 @@ class TextValues : public Values {
   double number(Type) override { return text_.number(text_.word()); }
   long long whole(Type) override { return text_.whole(text_.word()); }
   void skip(Type) override { text_.word(); }
+  std::optional<std::size_t> begin_row() override {
+    text_.more_words();
+    return text_.number();
+  }
   bool done() override { return !text_.more_words(); }
   [[noreturn]] void refuse(const std::string& rule) override { text_.refuse(rule); }
 
@@ -136,6 +147,7 @@ class BinaryValues : public Values {
     constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
     bytes_.skip(sizes[static_cast<std::size_t>(type)]);
   }
+  std::optional<std::size_t> begin_row() override { return std::nullopt; }
   bool done() override { return bytes_.done(); }
   [[noreturn]] void refuse(const std::string& rule) override { bytes_.refuse(rule); }
 
@@ -167,10 +179,11 @@ void skip(Values& values, const Property& property) {
   for (long long k = 0; k < count; ++k) values.skip(property.type);
 }
 
-void read_vertices(const Text& text, Values& values, const Element& element, Meshd& mesh) {
+void read_vertices(const Text& text, Values& values, const Element& element, MeshFile& mesh) {
   const std::array<std::size_t, 3> places{place_of(text, element, {"x"}, false), place_of(text, element, {"y"}, false),
                                           place_of(text, element, {"z"}, false)};
   for (long long row = 0; row < element.count; ++row) {
+    if (const auto line = values.begin_row()) mesh.vertex_lines.push_back(*line);
     std::array<double, 3> position{};
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const auto axis = std::find(places.begin(), places.end(), i);
@@ -181,10 +194,10 @@ void read_vertices(const Text& text, Values& values, const Element& element, Mes
   }
 }
 
-void read_faces(const Text& text, Values& values, const Element& element, Meshd& mesh) {
+void read_faces(const Text& text, Values& values, const Element& element, MeshFile& mesh) {
   const std::size_t place = place_of(text, element, {"vertex_indices", "vertex_index"}, true);
-  std::vector<Index> corners;
   for (long long row = 0; row < element.count; ++row) {
+    if (const auto line = values.begin_row()) mesh.face_lines.push_back(*line);
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const Property& property = element.properties[i];
       if (i != place) {
@@ -193,19 +206,20 @@ void read_faces(const Text& text, Values& values, const Element& element, Meshd&
       }
       const long long count = count_of(values, *property.count);
       if (count < 3) values.refuse("at least 3 corners");
-      corners.clear();
+      std::vector<Index> corners;
       for (long long k = 0; k < count; ++k) {
         const long long index = values.whole(property.type);
         if (index < 0 || index >= static_cast<long long>(mesh.vertices.size())) values.refuse("index of a vertex");
         corners.push_back(static_cast<Index>(index));
       }
-      add_fan(mesh, corners);
+      mesh.faces.push_back(std::move(corners));
     }
   }
 }
 
-Meshd read_body(const Text& text, const Header& header, Values& values) {
-  Meshd mesh;
+MeshFile read_body(const Text& text, const Header& header, Values& values) {
+  MeshFile mesh;
+  mesh.name = text.name(), mesh.format = "PLY (" + std::string(spelled(header.format)) + ")";
   bool vertices = false;
   for (const Element& element : header.elements) {
     // Every row takes a byte or a word at least, so that no count outlasts the file.
@@ -229,7 +243,7 @@ Meshd read_body(const Text& text, const Header& header, Values& values) {
 
 }  // namespace
 
-Meshd read_ply(const std::string& name, std::string_view bytes) {
+MeshFile read_ply(const std::string& name, std::string_view bytes) {
   Text text(name, bytes);
   const Header header = read_header(text);
   if (header.format == Format::ascii) {

@@ -127,8 +127,4 @@ Point3d Text::position(std::size_t skipped) const {
   return {x, y, z};
 }
 
-void add_fan(Meshd& mesh, const std::vector<Index>& corners) {
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k) mesh.faces.push_back({corners[0], corners[k], corners[k + 1]});
-}
-
 }  // namespace touchstone::audit::meshes

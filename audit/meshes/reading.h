@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "audit/uses.h"
-#include "geometry/polyhedra.h"
+#include "audit/meshes.h"
 
 /// What the readers of mesh files share.
 namespace touchstone::audit::meshes {
@@ -58,12 +57,9 @@ class Text {
 /// none.
 std::optional<double> nearest_double(std::string_view text);
 
-/// Appends a fan from the first corner.
-void add_fan(Meshd& mesh, const std::vector<Index>& corners);
-
-Meshd read_obj(const std::string& name, std::string_view bytes);
-Meshd read_off(const std::string& name, std::string_view bytes);
-Meshd read_ply(const std::string& name, std::string_view bytes);
-Meshd read_stl(const std::string& name, std::string_view bytes);
+MeshFile read_obj(const std::string& name, std::string_view bytes);
+MeshFile read_off(const std::string& name, std::string_view bytes);
+MeshFile read_ply(const std::string& name, std::string_view bytes);
+MeshFile read_stl(const std::string& name, std::string_view bytes);
 
 }  // namespace touchstone::audit::meshes

@@ -20,20 +20,31 @@ class Merged {
     const auto [place, fresh] =
         places_.try_emplace({key(p.x), key(p.y), key(p.z)}, static_cast<Index>(mesh.vertices.size()));
     if (fresh) mesh.vertices.push_back(p);
+    else ++repeated_;
     return place->second;
   }
 
-  Meshd mesh;
+  MeshFile done() {
+    if (repeated_ > 0)
+      mesh.notes.push_back(std::to_string(mesh.vertices.size() + repeated_) + " corners have " +
+                           std::to_string(mesh.vertices.size()) +
+                           " different positions: those with equal positions are one vertex");
+    return std::move(mesh);
+  }
+
+  MeshFile mesh;
 
  private:
+  std::size_t repeated_ = 0;
   std::map<std::array<std::uint64_t, 3>, Index> places_;
 };
 
-Meshd read_binary(const std::string& name, std::string_view all) {
+MeshFile read_binary(const std::string& name, std::string_view all) {
   Bytes bytes(name, all, std::endian::little);
   bytes.skip(header - 4);
   const auto count = bytes.number<std::uint32_t>();
   Merged merged;
+  merged.mesh.name = name, merged.mesh.format = "STL (binary)";
   for (std::uint32_t i = 0; i < count; ++i) {
     bytes.skip(12);  // the normal
     std::vector<Index> corners;
@@ -42,10 +53,10 @@ Meshd read_binary(const std::string& name, std::string_view all) {
       corners.push_back(merged.add({x, y, z}));
     }
     bytes.skip(2);
-    add_fan(merged.mesh, corners);
+    merged.mesh.faces.push_back(std::move(corners));
   }
   if (!bytes.done()) bytes.refuse("nothing behind the last triangle");
-  return std::move(merged.mesh);
+  return merged.done();
 }
 
 std::string lower(std::string_view word) {
@@ -57,10 +68,13 @@ std::string lower(std::string_view word) {
 }
 
 /// solid NAME, (facet normal N, outer loop, vertex P and so on, endloop, endfacet) again and again, endsolid NAME.
-Meshd read_text(const std::string& name, std::string_view all) {
+MeshFile read_text(const std::string& name, std::string_view all) {
   Text text(name, all);
   Merged merged;
+  MeshFile& mesh = merged.mesh;
+  mesh.name = name, mesh.format = "STL (ascii)";
   std::vector<Index> loop;
+  std::size_t facet = 0;      // the line on which the last one begins
   std::string open = "file";  // what stands open
   const auto expect_open = [&](const char* wanted) {
     if (open != wanted) text.refuse("in the order solid, facet, outer loop, vertex, endloop, endfacet, endsolid");
@@ -68,25 +82,27 @@ Meshd read_text(const std::string& name, std::string_view all) {
   while (text.next_words('\0')) {
     const std::string keyword = lower(text.words()[0]);
     if (keyword == "solid") expect_open("file"), open = "solid";
-    else if (keyword == "facet") expect_open("solid"), open = "facet";
+    else if (keyword == "facet") expect_open("solid"), open = "facet", facet = text.number();
     else if (keyword == "outer") expect_open("facet"), open = "loop", loop.clear();
-    else if (keyword == "vertex") expect_open("loop"), loop.push_back(merged.add(text.position(1)));
-    else if (keyword == "endloop") {
+    else if (keyword == "vertex") {
+      expect_open("loop"), loop.push_back(merged.add(text.position(1)));
+      if (mesh.vertex_lines.size() < mesh.vertices.size()) mesh.vertex_lines.push_back(text.number());
+    } else if (keyword == "endloop") {
       expect_open("loop"), open = "looped";
       if (loop.size() < 3) text.refuse("at least 3 corners");
-      add_fan(merged.mesh, loop);
+      mesh.faces.push_back(std::move(loop)), mesh.face_lines.push_back(facet);
     } else if (keyword == "endfacet") expect_open("looped"), open = "solid";
     else if (keyword == "endsolid") expect_open("solid"), open = "file";
     else text.refuse("solid, facet, outer loop, vertex, endloop, endfacet or endsolid");
   }
   if (open != "file") text.refuse("endsolid: the file ends too early");
-  return std::move(merged.mesh);
+  return merged.done();
 }
 
 }  // namespace
 
 /// Binary files may begin with "solid" as well: their length tells.
-Meshd read_stl(const std::string& name, std::string_view bytes) {
+MeshFile read_stl(const std::string& name, std::string_view bytes) {
   if (bytes.size() >= header) {
     Bytes count(name, bytes, std::endian::little);
     count.skip(header - 4);
