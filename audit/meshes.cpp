@@ -10,6 +10,7 @@
 #include "audit/meshes/reading.h"
 #include "catalogue/codec/expected.h"
 #include "geometry/invalid_input.h"
+#include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::audit {
 namespace {
@@ -61,13 +62,7 @@ std::string content(const std::string& path) {
   return bytes;
 }
 
-Meshd in_fans(MeshFile file) {
-  Meshd mesh{std::move(file.vertices), {}};
-  for (const std::vector<Index>& corners : file.faces) {
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) mesh.faces.push_back({corners[0], corners[k], corners[k + 1]});
-  }
-  return mesh;
-}
+Meshd cut(MeshFile file) { return robust::polygon_mesh(std::move(file.vertices), std::move(file.faces)); }
 
 }  // namespace
 
@@ -80,8 +75,8 @@ MeshFile parse_mesh_file(const std::string& name, std::string_view bytes) {
   return reader_of(name)(printable(name), bytes);
 }
 
-Meshd read_mesh(const std::string& path) { return in_fans(read_mesh_file(path)); }
+Meshd read_mesh(const std::string& path) { return cut(read_mesh_file(path)); }
 
-Meshd parse_mesh(const std::string& name, std::string_view bytes) { return in_fans(parse_mesh_file(name, bytes)); }
+Meshd parse_mesh(const std::string& name, std::string_view bytes) { return cut(parse_mesh_file(name, bytes)); }
 
 }  // namespace touchstone::audit

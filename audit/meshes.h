@@ -47,7 +47,7 @@ MeshFile read_mesh_file(const std::string& path);
 /// The same of the bytes of a file of that name.
 MeshFile parse_mesh_file(const std::string& name, std::string_view bytes);
 
-/// Triangles alone: faces of more than three corners are cut into a fan from their first corner.
+/// Faces of more than three corners are polygons with their cut (robust/structures/polygon_mesh.h), or refused.
 Meshd read_mesh(const std::string& path);
 Meshd parse_mesh(const std::string& name, std::string_view bytes);
 

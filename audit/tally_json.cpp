@@ -231,6 +231,7 @@ Declaration read_declaration(const Place& place) {
       static_cast<Declaration::Boundary>(place.at("boundary").one_of({"closed", "open", "unspecified"}));
   declared.tolerance = place.at("tolerance").number();
   if (place.value.contains("skew_boxes")) declared.skew_boxes = place.at("skew_boxes").flag();
+  if (place.value.contains("polygons")) declared.polygons = place.at("polygons").flag();
   if (place.value.contains("pairs"))
     declared.pairs = static_cast<Declaration::Pairs>(place.at("pairs").one_of({"conservative", "exact"}));
   return declared;
@@ -245,6 +246,7 @@ std::string tally_json(const Tally& tally) {
                  {"boundary", boundary_word(declared.boundary)},
                  {"tolerance", written(declared.tolerance)}};
   if (declared.skew_boxes) engine["skew_boxes"] = true;
+  if (declared.polygons) engine["polygons"] = true;
   if (declared.pairs != Declaration::Pairs::conservative) engine["pairs"] = pairs_word(declared.pairs);
   if (!tally.repeat.options.empty() || tally.repeat.program != Repeat{}.program) {
     engine["program"] = tally.repeat.program;

@@ -16,6 +16,7 @@
 ///     static constexpr double tolerance = 0;                           // left out: 0
 ///     static constexpr auto pairs = touchstone::Pairs::exact;          // left out: conservative
 ///     static constexpr bool skew_boxes = true;                         // left out: boxes at right angles alone
+///     static constexpr bool polygons = true;                           // left out: meshes of triangles alone
 ///     bool segment_segment(const touchstone::Segment2d& a, const touchstone::Segment2d& b) { ... }
 ///   };
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
@@ -114,6 +115,7 @@ Declaration declaration_of() {
   if constexpr (requires { Engine::tolerance; }) declaration.tolerance = Engine::tolerance;
   if constexpr (requires { Engine::pairs; }) declaration.pairs = Engine::pairs;
   if constexpr (requires { Engine::skew_boxes; }) declaration.skew_boxes = Engine::skew_boxes;
+  if constexpr (requires { Engine::polygons; }) declaration.polygons = Engine::polygons;
   return declaration;
 }
 

@@ -33,8 +33,8 @@ bool is_asked(const Operation& operation) { return !operation.metadata().is_impl
 
 /// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
-  static const std::vector<const char*> fields{"engine",    "ops",   "number",    "boundary",
-                                               "tolerance", "pairs", "skew_boxes"};
+  static const std::vector<const char*> fields{"engine",    "ops",   "number",     "boundary",
+                                               "tolerance", "pairs", "skew_boxes", "polygons"};
   std::vector<std::string> remarks, known;
   for (const auto& [key, value] : hello.items()) {
     if (std::find(fields.begin(), fields.end(), key) == fields.end())
@@ -111,11 +111,13 @@ Hello read_hello(const std::string& line) {
   }
   if (json.contains("pairs"))
     hello.declaration.pairs = static_cast<Declaration::Pairs>(word_index(json["pairs"], "pairs", pairs_words));
-  if (json.contains("skew_boxes")) {
-    if (!json["skew_boxes"].is_boolean())
-      throw InvalidInput("skew_boxes", expected("true or false", json["skew_boxes"]));
-    hello.declaration.skew_boxes = json["skew_boxes"].get<bool>();
-  }
+  const auto read_ability = [&json](const char* name, bool& ability) {
+    if (!json.contains(name)) return;
+    if (!json[name].is_boolean()) throw InvalidInput(name, expected("true or false", json[name]));
+    ability = json[name].get<bool>();
+  };
+  read_ability("skew_boxes", hello.declaration.skew_boxes);
+  read_ability("polygons", hello.declaration.polygons);
   hello.remarks = remarks_on(json);
   return hello;
 }
@@ -129,6 +131,7 @@ std::string written_hello(const Hello& hello) {
   line["tolerance"] = written(hello.declaration.tolerance);
   if (hello.declaration.pairs != Declaration::Pairs::conservative) line["pairs"] = pairs_word(hello.declaration.pairs);
   if (hello.declaration.skew_boxes) line["skew_boxes"] = true;
+  if (hello.declaration.polygons) line["polygons"] = true;
   return one_line(line) + "\n";
 }
 

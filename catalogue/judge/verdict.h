@@ -66,6 +66,7 @@ struct Declaration {
   enum class Pairs { conservative, exact };
   Pairs pairs = Pairs::conservative;
   bool skew_boxes = false;  ///< takes oriented boxes that are not at right angles
+  bool polygons = false;    ///< takes faces of more than three corners
 };
 
 }  // namespace touchstone::catalogue

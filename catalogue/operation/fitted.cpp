@@ -26,6 +26,22 @@ bool dependent(const Axes& axes) {
   };
   return sgn(dot(exact(axes.u), cross(exact(axes.v), exact(axes.w)))) == 0;
 }
+/// The polygons of meshes are forgotten: their triangles are the faces.
+Question triangulated(const Operation& operation, const Question& question) {
+  Question result = question;
+  const Word* const words = question.words.data();
+  std::size_t shorter = 0;
+  for_each_value<Meshd>(operation, question, [&](const Meshd& mesh, const Cursor<double>& first) {
+    if (mesh.polygons.empty()) return;
+    const Meshd triangles{mesh.vertices, mesh.faces, {}};
+    const std::vector<Word> before = packed(mesh).words, after = packed(triangles).words;
+    const auto at = result.words.begin() + (first.word - words) - static_cast<std::ptrdiff_t>(shorter);
+    std::copy(after.begin(), after.end(), at);
+    result.words.erase(at + static_cast<std::ptrdiff_t>(after.size()), at + static_cast<std::ptrdiff_t>(before.size()));
+    shorter += before.size() - after.size();
+  });
+  return result;
+}
 bool is_finite(const Vector3d& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
@@ -46,7 +62,7 @@ HalfAxes<double> at_right_angles(const Axes& half_axes) {
 }
 
 Question fitted(const Operation& operation, const Question& question, const Declaration& declaration) {
-  Question result = question;
+  Question result = declaration.polygons ? question : triangulated(operation, question);
   if (!declaration.skew_boxes) {
     for_each_value<Axes>(operation, question, [&](const Axes& axes, const Cursor<double>& first) {
       const EncodedValue<double> turned = packed(at_right_angles(axes));

@@ -9,6 +9,7 @@
 #include "catalogue/families/hard_case.h"
 #include "catalogue/families/plane_draws.h"
 #include "catalogue/numbers/ulps.h"
+#include "catalogue/operation/own_cut.h"
 #include "catalogue/operation/row_functions.h"
 #include "catalogue/shape/encoded_value.h"
 #include "oracle/truth.h"
@@ -110,7 +111,7 @@ auto ask_reference(const Question& q) {
 }
 template <class Row, class Question>
 auto ask_robust(const Question& q) {
-  return applied([](const auto&... value) { return Row::robust(value...); }, q);
+  return applied([]<class... Part>(const Part&... part) { return Row::robust(OwnCut<Part>(part)()...); }, q);
 }
 template <class Row, class Question>
 auto ask_oracle(const Question& q) {

@@ -25,8 +25,10 @@ let judge (claim : (string * Json.t) list) =
   let name = Source.word (get "op") in
   let kind = Source.word (Source.member ("certificate", Source.object_of certificate) "kind") in
   let not_proved = Not_proved (name ^ " " ^ kind) in
+  let is_cut = function _, Json.Object members -> List.mem_assoc "cut" members | _ -> false in
   match Hashtbl.find_opt by_name name with
   | None -> not_proved
+  | Some _ when List.exists is_cut (Source.object_of input) -> Not_proved (name ^ " with faces of more than three corners")
   | Some operation ->
       let inputs = Source.members operation.inputs (Shapes.completed operation input) in
       let word =
