@@ -12,7 +12,7 @@ namespace touchstone::catalogue {
 /// of its corners. Without triangles to unite the mesh stays as it is.
 Meshd with_polygons(const Meshd& mesh, DrawStream& draws);
 
-/// The same polygons cut another way, by ears from another corner on.
+/// The same polygons, which are valid, cut another way: by ears from another corner on.
 Meshd recut(Meshd mesh, DrawStream& draws);
 
 /// Two triangles more, back to back, on two corners of a polygon and a vertex outside: along one of its diagonals, or of
