@@ -13,7 +13,7 @@ namespace touchstone {
 using Index = std::uint32_t;
 
 /// A closed ring of at least three vertices in the plane, in either direction; the last is joined to the first. Fewer
-/// are refused.
+/// are refused. A last position that repeats the first is no vertex: operations drop it, once (geometry/validation.h).
 template <class Real>
 struct Polygon2 {
   std::vector<Point2<Real>> vertices;

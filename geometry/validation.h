@@ -37,6 +37,18 @@ inline bool negative(double value) { return std::bit_cast<std::int64_t>(value) <
 inline bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (zero(a) && zero(b));
 }
+/// Of numbers that are no doubles.
+template <class Real>
+bool same(const Real& a, const Real& b) {
+  return a == b;
+}
+template <class Point>
+bool same_position(const Point& p, const Point& q) {
+  if constexpr (requires { p.z; }) {
+    if (!same(p.z, q.z)) return false;
+  }
+  return same(p.x, q.x) && same(p.y, q.y);
+}
 
 inline void validate_numbers(const std::string& field, double value) {
   if (!finite(value)) throw InvalidInput(field, "finite number");
@@ -207,10 +219,35 @@ void validate(const std::string& field, const std::vector<Shape>& shapes) {
   for (std::size_t i = 0; i < shapes.size(); ++i) validate(field + "[" + std::to_string(i) + "]", shapes[i]);
 }
 
+/// Whether the last position of a ring repeats the first, as GeoJSON, WKT and editors write rings. Such a position is
+/// no vertex: it is dropped, once, so that every other keeps its index. -0.0 equals 0.0.
+template <class Point>
+bool closed(const std::vector<Point>& ring) {
+  return ring.size() > 1 && same_position(ring.front(), ring.back());
+}
+template <class Point>
+bool fewer_than_three(const std::vector<Point>& ring) {
+  return ring.size() < 3 || (ring.size() == 3 && closed(ring));
+}
+
+/// A polygon without the position that closes it; it has to outlive this.
+template <class Polygon>
+class OpenRing {
+ public:
+  explicit OpenRing(const Polygon& given) : given_(given) {
+    if (closed(given.vertices)) dropped_ = {{given.vertices.begin(), given.vertices.end() - 1}};
+  }
+  const Polygon& operator*() const { return dropped_.vertices.empty() ? given_ : dropped_; }
+
+ private:
+  const Polygon& given_;
+  Polygon dropped_;
+};
+
 template <class Point>
 void validate_ring(const std::string& field, const std::vector<Point>& vertices) {
   validate_points_numbers(field, vertices);
-  if (vertices.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+  if (fewer_than_three(vertices)) throw InvalidInput(field, "at least 3 vertices");
 }
 /// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first
 /// elsewhere than in a vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one
@@ -219,9 +256,12 @@ struct RingDefect {
   std::size_t first, second;
 };
 
-[[noreturn]] inline void refuse(const std::string& field, const RingDefect& defect) {
+/// Of a ring of so many vertices.
+[[noreturn]] inline void refuse(const std::string& field, const RingDefect& defect, std::size_t vertices) {
   const std::string vertex = field + "[" + std::to_string(defect.first) + "]";
-  if (defect.first == defect.second) throw InvalidInput(vertex, "different from the next vertex");
+  const std::string next = std::to_string((defect.first + 1) % vertices);
+  if (defect.first == defect.second)
+    throw InvalidInput(vertex, "different from vertex " + next + ": drop one of the two");
   throw InvalidInput(vertex, "simple: its edge must not meet edge " + std::to_string(defect.second));
 }
 

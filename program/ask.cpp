@@ -5,6 +5,7 @@
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/explained.h"
 #include "program/commands.h"
+#include "program/geometries.h"
 #include "program/program.h"
 #include "program/regression_test.h"
 #include "report/wording.h"
@@ -34,6 +35,14 @@ Json meshes_of(const AskCommand& command) {
   return meshes;
 }
 
+Json input_in(const std::string& text, const AskCommand& command, const Operation& operation, const Json& meshes) {
+  if (command.wkt) return input_of(operation, geometries_of_wkt(text), meshes);
+  if (command.geojson) return input_of(operation, geometries_of_geojson(text), meshes);
+  Json input = parse_line(text);
+  if (!meshes.empty() && input.is_object()) input.update(meshes);
+  return input;
+}
+
 }  // namespace
 
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
@@ -52,10 +61,9 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
     err << place(file, number) << refused.what() << '\n';
     refused_any = true;
   };
-  const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
+  const auto answer = [&](std::uint64_t number, const std::string& text) {
     try {
-      Json input = parse_line(text);
-      if (!meshes.empty() && input.is_object()) input.update(meshes);
+      const Json input = input_in(text, command, operation, meshes);
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);
@@ -74,7 +82,8 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
     } catch (const InvalidInput& refused) {
       refuse(number, refused);
     }
-  });
+  };
+  const std::uint64_t lines = command.geojson ? each_json_text(file, answer) : each_line(file, answer);
   notes.tell(err);
   if (lines == 0) {
     err << place(file, 1) << "line: one JSON object, found an empty file\n";

@@ -45,7 +45,8 @@ struct AskCommand {
   std::string as;      ///< one of test_frameworks: regression tests instead of JSON lines; empty: JSON
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = usual_timeout;
-  std::vector<std::string> meshes;  ///< "field=FILE": a mesh field of every line, from a file
+  std::vector<std::string> meshes;    ///< "field=FILE": a mesh field of every line, from a file
+  bool wkt = false, geojson = false;  ///< the input is that instead of JSON
 };
 
 struct ExhaustCommand {

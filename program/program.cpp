@@ -127,6 +127,12 @@ void add_ask(CLI::App& program, Action& action) {
                    "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF or STL file; lines may be {}")
       ->allow_extra_args(false)
       ->default_str("");
+  auto* wkt = command->add_flag("--wkt", options->wkt,
+                                "A line is WKT: a geometry for each field, in their order, separated by semicolons");
+  command
+      ->add_flag("--geojson", options->geojson,
+                 "The input is GeoJSON, each text of one line or more: a geometry for each field, in their order")
+      ->excludes(wkt);
   command->callback([=, &action] { action = [=] { return ask_command(*options, std::cout, std::cerr); }; });
 }
 

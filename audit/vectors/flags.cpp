@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/vectors/flags.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchstone::audit {
@@ -9,7 +10,29 @@ Verdict verdict_on_decision(const Judgement& judgement) {
   return judgement.verdict == Verdict::rounding && judgement.number ? Verdict::inexact : judgement.verdict;
 }
 
-std::vector<std::string> flags_of(const Question& question, const Examination& examination) {
+namespace {
+
+bool has_closed_ring(const Operation& operation, const Question& question) {
+  struct {
+    void number(const Shape&, const Cursor<double>&) {}
+    void word(const Shape&, const Cursor<double>&) {}
+  } pass;
+  Cursor<double> at(question);
+  for (const auto& [name, shape] : operation.question_shape().parts) {
+    const double* first = at.number;
+    const bool plane = shape->name == "Polygon2<double>", space = shape->name == "Polygon3<double>";
+    if (operation.question_shape().kind != Shape::Kind::record) return false;  // no polygon is among alternatives
+    walk_encoded(*shape, at, pass);
+    const std::ptrdiff_t axes = plane ? 2 : 3;
+    if ((plane || space) && at.number - first > axes && std::equal(first, first + axes, at.number - axes)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> flags_of(const Operation& operation, const Question& question,
+                                  const Examination& examination) {
   std::vector<std::string> flags;
   if (examination.touch()) flags.emplace_back("touch");
   if (examination.margin() && sgn(*examination.margin()) == 0) flags.emplace_back("degenerate");
@@ -27,6 +50,7 @@ std::vector<std::string> flags_of(const Question& question, const Examination& e
       break;
     }
   }
+  if (has_closed_ring(operation, question)) flags.emplace_back("closed_ring");
   return flags;
 }
 

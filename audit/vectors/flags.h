@@ -17,7 +17,7 @@ struct Flag {
   const char* effect;
 };
 
-inline constexpr std::array<Flag, 7> vector_flags{{
+inline constexpr std::array<Flag, 8> vector_flags{{
     {"touch", "The shapes meet in a boundary point only.",
      "An implementation for open sets answers otherwise; that is a convention, not an error."},
     {"degenerate", "The margin is 0: the least change of the input can change the answer.",
@@ -30,6 +30,8 @@ inline constexpr std::array<Flag, 7> vector_flags{{
      "A failure points at cancellation."},
     {"extreme", "A number is subnormal or beyond 2^500 in size.",
      "A failure points at overflow, underflow or flush-to-zero."},
+    {"closed_ring", "The last position of a polygon repeats the first, which is not a vertex more.",
+     "A failure points at an edge of length zero."},
     {"refused", "The input is outside the contract; field and rule are given.",
      "An implementation may do what it documents."},
 }};
@@ -37,6 +39,6 @@ inline constexpr std::array<Flag, 7> vector_flags{{
 /// As flags tell it: a number that rounding spoils, however much, is `inexact`.
 Verdict verdict_on_decision(const Judgement& judgement);
 
-std::vector<std::string> flags_of(const Question& question, const Examination& examination);
+std::vector<std::string> flags_of(const Operation& operation, const Question& question, const Examination& examination);
 
 }  // namespace touchstone::audit

@@ -48,7 +48,7 @@ Json vector_line(const std::string& family, const Examined& examined) {
     line["rounded"] = examination.rounded_truth();
     if (examination.margin()) line["margin"] = written(*examination.margin());
     line["certificate"] = certificate_json(examination.certificate());
-    line["flags"] = flags_of(question, examination);
+    line["flags"] = flags_of(operation, question, examination);
     const Json as_typed = truth_of_decimals(operation, input);
     if (!as_typed.is_null() && as_typed != line["truth"] && family.starts_with("typed")) line["as_typed"] = as_typed;
   } catch (const InvalidInput& refused) {

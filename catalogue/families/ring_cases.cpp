@@ -172,6 +172,11 @@ Polygon2d flat_vertices(DrawStream& c) {
   return with_flat_vertices(ring, c);
 }
 
+Rings closed_ring(DrawStream& c) {
+  const Polygon2d ring = c.below(2) == 0 ? simple_ring(c) : flat_vertices(c);
+  return {closed(turned(ring, c), c)};
+}
+
 /// Flat but for rounding, in many places.
 Polygon2d computed(DrawStream& c) {
   Polygon2d ring = c.below(2) == 0 ? lattice_boundary(c) : c.below(2) == 0 ? strip(c) : flat_vertices(c);
@@ -197,7 +202,8 @@ std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases() {
           {"growing_chains", growing_chains},
           {"split_chain", split_chain},
           {"defective", turned_ring<defective>},
-          {"computed", turned_ring<computed>}};
+          {"computed", turned_ring<computed>},
+          {"closed_ring", closed_ring}};
 }
 
 }  // namespace touchstone::catalogue

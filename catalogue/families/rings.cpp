@@ -171,6 +171,17 @@ Polygon2d with_spike(Polygon2d ring, DrawStream& draws) {
   return ring;
 }
 
+Polygon2d closed(Polygon2d ring, DrawStream& draws) {
+  const std::uint64_t kind = draws.below(10);
+  if (kind == 9) ring.vertices.resize(2);
+  const bool from_zero = kind >= 5 && kind < 8;
+  if (from_zero) ring = moved(ring, {-ring[0].x, -ring[0].y});
+  const Point2d first = ring[0];
+  ring.vertices.push_back(from_zero ? Point2d{-0.0, draws.below(2) == 1 ? -0.0 : 0.0} : first);
+  if (kind == 8) ring.vertices.push_back(first);
+  return ring;
+}
+
 Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws) {
   const std::size_t i = draws.below(ring.size());
   return ring[i] + static_cast<double>(draws.below(9)) / 8 * (ring.next(i) - ring[i]);

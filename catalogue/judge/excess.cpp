@@ -7,6 +7,8 @@
 #include <initializer_list>
 #include <set>
 
+#include "geometry/validation.h"
+
 namespace touchstone::catalogue {
 namespace {
 
@@ -141,7 +143,7 @@ Excess excess_of_hull(const std::vector<Point2d>& points, const ConvexHull2& hul
 }
 
 Excess excess_of_pieces(const Polygon2d& polygon, const std::vector<std::vector<Index>>& pieces) {
-  const std::vector<Place> ring = places(polygon.vertices);
+  const std::vector<Place> ring = places((*validation::OpenRing(polygon)).vertices);
   const Real size = size_of(ring);
   const auto turn = [&](Index a, Index b, Index c) { return cross(ring[b] - ring[a], ring[c] - ring[a]).z; };
   const auto area = [&](const Indices& piece) {

@@ -107,9 +107,16 @@ def circle(value, what):
     return center, radius
 
 
+def open_ring(ring, what):
+    """The ring without a last position that repeats the first: it is dropped once."""
+    opened = ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
+    expect(len(opened) >= 3, what + ": at least 3 vertices")
+    return opened
+
+
 def polygon(value, what):
-    expect(isinstance(value, list) and len(value) >= 3, what + ": at least 3 vertices")
-    return [point(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)]
+    expect(isinstance(value, list), what + ": a list of vertices")
+    return open_ring([point(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)], what)
 
 
 EXACT = re.compile(r"(-?[0-9]+)(?:/([0-9]+))?")

@@ -61,7 +61,7 @@ def defect(ring):
 def expect_no_edge_of_length_zero(ring, what):
     for i in range(len(ring)):
         a, b = edge(ring, i)
-        expect(a != b, f"{what}[{i}]: different from the next vertex")
+        expect(a != b, f"{what}[{i}]: different from vertex {(i + 1) % len(ring)}: drop one of the two")
 
 
 def expect_simple(ring, what):

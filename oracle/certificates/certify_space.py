@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How certify.py reads shapes of space, and boxes of the plane, as check_space.cpp does."""
 
-from certify_reading import exact_value, expect, number, only
+from certify_reading import exact_value, expect, number, only, open_ring
 
 
 def list_of_three(value, what):
@@ -26,8 +26,8 @@ def plane(value, what):
 
 
 def polygon_in_space(value, what):
-    expect(isinstance(value, list) and len(value) >= 3, what + ": at least 3 vertices")
-    return [point_in_space(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)]
+    expect(isinstance(value, list), what + ": a list of vertices")
+    return open_ring([point_in_space(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)], what)
 
 
 def ball(value, what):

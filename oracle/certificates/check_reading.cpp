@@ -150,10 +150,10 @@ Circle circle(const json& value, const std::string& what) {
 }
 
 std::vector<Pair> polygon(const json& value, const std::string& what) {
-  expect(value.is_array() && value.size() >= 3, what + ": at least 3 vertices");
+  expect(value.is_array(), what + ": a list of vertices");
   std::vector<Pair> ring;
-  for (const json& vertex : value) ring.push_back(point(vertex, what + "[" + std::to_string(ring.size()) + "]"));
-  return ring;
+  for (const json& vertex : value) ring.push_back(point(vertex, numbered(what, ring.size())));
+  return open_ring(std::move(ring), what);
 }
 
 void expect_not_too_long(const std::string& exact, const std::string& what) {

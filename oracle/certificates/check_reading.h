@@ -72,6 +72,14 @@ Ray ray(const json& value, const std::string& what);
 Circle circle(const json& value, const std::string& what);
 std::vector<Pair> polygon(const json& value, const std::string& what);
 
+/// A ring without a last position that repeats the first: it is dropped once.
+template <class Position>
+std::vector<Position> open_ring(std::vector<Position> ring, const std::string& what) {
+  if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+  expect(ring.size() >= 3, what + ": at least 3 vertices");
+  return ring;
+}
+
 /// Exact values of the truth and of the certificate. What doubles make of each other in any operation has far fewer
 /// digits; a limit keeps one line from taking minutes.
 void expect_not_too_long(const std::string& exact, const std::string& what);

@@ -55,7 +55,8 @@ std::optional<std::pair<std::size_t, std::size_t>> defect(const Ring& ring) {
 void expect_no_edge_of_length_zero(const Ring& ring, const std::string& what) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Ends e = edge(ring, i);
-    expect(!(e.a == e.b), what + "[" + std::to_string(i) + "]: different from the next vertex");
+    const std::string next = std::to_string((i + 1) % ring.size());
+    expect(!(e.a == e.b), numbered(what, i) + ": different from vertex " + next + ": drop one of the two");
   }
 }
 

@@ -61,11 +61,10 @@ std::vector<Triple> points_in_space(const json& value, const std::string& what) 
 }
 
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what) {
-  expect(value.is_array() && value.size() >= 3, what + ": at least 3 vertices");
+  expect(value.is_array(), what + ": a list of vertices");
   std::vector<Triple> vertices;
-  for (const json& vertex : value)
-    vertices.push_back(point_in_space(vertex, what + "[" + std::to_string(vertices.size()) + "]"));
-  return vertices;
+  for (const json& vertex : value) vertices.push_back(point_in_space(vertex, numbered(what, vertices.size())));
+  return open_ring(std::move(vertices), what);
 }
 
 Ball ball(const json& value, const std::string& what) {

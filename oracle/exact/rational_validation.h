@@ -88,10 +88,10 @@ void validate_points(const std::string& field, const std::vector<Point>& points)
   if (points.empty()) throw InvalidInput(field, "at least 1 point");
 }
 inline void validate(const std::string& field, const Polygon2<oracle::Rational>& polygon) {
-  if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+  if (fewer_than_three(polygon.vertices)) throw InvalidInput(field, "at least 3 vertices");
 }
 inline void validate(const std::string& field, const Polygon3<oracle::Rational>& polygon) {
-  if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+  if (fewer_than_three(polygon.vertices)) throw InvalidInput(field, "at least 3 vertices");
 }
 inline void validate(const std::string& field, const Mesh<oracle::Rational>& mesh) { validate_indices(field, mesh); }
 

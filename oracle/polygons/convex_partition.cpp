@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/validation.h"
+
 namespace touchstone::oracle {
 namespace {
 
@@ -72,7 +74,7 @@ Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
 
 std::string convex_partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {
-  if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1)
+  if (pieces.size() > 2 * reflex_vertices(WholeRing(*validation::OpenRing(polygon))) + 1)
     return "more than 2 r + 1 pieces for r reflex vertices";
   return partition_defect(polygon, pieces);
 }

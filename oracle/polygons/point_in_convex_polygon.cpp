@@ -24,11 +24,11 @@ struct Whole {
 /// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
 void validate_convex(const WholeRing& ring) {
   const auto defect = ring_defect(ring);
-  if (defect && defect->first == defect->second) validation::refuse("polygon", *defect);
+  if (defect && defect->first == defect->second) validation::refuse("polygon", *defect, ring.size());
   bool turns = false;
   for (Index i = 0; i < ring.size(); ++i) turns = turns || ring.turn_at(i) != 0;  // neighbours differ
   if (!turns) validation::refuse_flat("polygon");
-  if (defect) validation::refuse("polygon", *defect);
+  if (defect) validation::refuse("polygon", *defect, ring.size());
   const int winding = sgn(ring.area());
   for (Index i = 0; i < ring.size(); ++i) {
     if (ring.turn_at(i) * winding < 0) validation::refuse_reflex("polygon", i);
@@ -39,8 +39,8 @@ template <class Number>
 Whole validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
       validation::validate("polygon", polygon), validation::validate("point", point);
-  validate_convex(WholeRing(polygon));
-  Polygon2<Number> all = polygon;
+  Polygon2<Number> all = *validation::OpenRing(polygon);
+  validate_convex(WholeRing(all));
   all.vertices.push_back(point);
   WholeRing whole(all);
   const Point2<Integer> p = whole.ring.vertices.back();

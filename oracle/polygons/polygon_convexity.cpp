@@ -156,8 +156,10 @@ Certificate common_line(const Point2<Integer>& p, const Point2<Integer>& q, cons
 }
 
 template <class Number>
-Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
-  validation::validate("polygon", polygon);
+Truth<PolygonConvexity> truth(const Polygon2<Number>& given) {
+  validation::validate("polygon", given);
+  const validation::OpenRing open(given);
+  const Polygon2<Number>& polygon = *open;
   const WholeRing r(polygon);
   if (const auto i = repeated_neighbour(r))
     return {degenerate, Rational(0), [i = *i] {

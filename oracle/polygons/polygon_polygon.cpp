@@ -26,15 +26,17 @@ struct Rings {
 };
 
 template <class Number>
-void validate(const char* field, const Polygon2<Number>& ring) {
-  validation::validate(field, ring);
-  if (const auto defect = ring_defect(WholeRing(ring))) validation::refuse(field, *defect);
+void validate_simple(const char* field, const Polygon2<Number>& ring) {
+  if (const auto defect = ring_defect(WholeRing(ring))) validation::refuse(field, *defect, ring.size());
 }
 
 template <class Number>
-Rings validated(const Polygon2<Number>& a, const Polygon2<Number>& b) {
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
-  validate("a", a), validate("b", b);
+Rings validated(const Polygon2<Number>& given_a, const Polygon2<Number>& given_b) {
+  validation::validate_numbers("a", given_a), validation::validate_numbers("b", given_b);
+  const validation::OpenRing open_a(given_a), open_b(given_b);
+  const Polygon2<Number>&a = *open_a, &b = *open_b;
+  validation::validate("a", given_a), validate_simple("a", a);
+  validation::validate("b", given_b), validate_simple("b", b);
   Polygon2<Number> both = a;
   both.vertices.insert(both.vertices.end(), b.vertices.begin(), b.vertices.end());
   const WholeRing whole(both);

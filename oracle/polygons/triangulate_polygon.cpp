@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "geometry/validation.h"
+
 namespace touchstone::oracle {
 namespace {
 
@@ -29,7 +31,7 @@ std::string triangulate_polygon_defect(const Polygon2d& polygon, const IndexList
   }
   // A vertex in the middle of a side takes half a turn away from the angles of the corners, and so one triangle from
   // the count.
-  if (triangles.size() + 2 != polygon.size()) return "not n - 2 triangles";
+  if (triangles.size() + 2 != (*validation::OpenRing(polygon)).size()) return "not n - 2 triangles";
   return partition_defect(polygon, triangles);
 }
 

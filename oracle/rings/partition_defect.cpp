@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "geometry/validation.h"
 #include "oracle/rings/triangulation.h"
 
 /// The definition, part by part: every piece a convex ring of vertices of the polygon, their interiors apart, their
@@ -90,7 +91,7 @@ std::string edges_defect(const WholeRing& ring, const IndexLists& pieces, bool c
 }  // namespace
 
 std::string partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {
-  const WholeRing ring(polygon);
+  const WholeRing ring(*validation::OpenRing(polygon));
   const std::string indices = indices_defect(ring, pieces);
   if (!indices.empty()) return indices;
   Integer area;

@@ -15,8 +15,8 @@ namespace {
 template <class Number>
 WholeRing validated(const Polygon2<Number>& polygon) {
   validation::validate("polygon", polygon);
-  WholeRing ring(polygon);
-  if (const auto defect = ring_defect(ring)) validation::refuse("polygon", *defect);
+  WholeRing ring(*validation::OpenRing(polygon));
+  if (const auto defect = ring_defect(ring)) validation::refuse("polygon", *defect, ring.size());
   return ring;
 }
 

@@ -17,7 +17,7 @@ namespace touchstone::reference {
 /// (collinear or coincident vertices; a figure of eight whose two parts cancel); then there are no numbers. A
 /// coordinate of `normal` may be infinite, beyond the range of doubles, or 0 below it: `unit` is right all the same.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so are fewer than three vertices ("polygon",
-/// "at least 3 vertices").
+/// "at least 3 vertices"). A last position that repeats the first changes nothing, and is no vertex of the three.
 ///
 /// The slide looks at three vertices. For a triangle that is Newell's sum. For every other ring the length is another
 /// one, so the formula leaves `normal` out and answers `unit` alone; and the direction, or whether there is one, is

@@ -13,8 +13,9 @@ namespace touchstone::reference {
 /// vertex. robust answers the nearest doubles, which is 0 for an angle below 2^-1075 and the double nearest to 2 pi for
 /// one that is nearly that. Refused by robust and oracle: NaN or infinity (polygon[i][k], "finite number"); fewer than
 /// 3 vertices (polygon, "at least 3 vertices"); a polygon that is not simple (polygon[i], with the rules of
-/// geometry/validation.h: a vertex that is the same as the next, or an edge that meets another elsewhere than in the
-/// vertex that neighbours share). So a polygon on one line is refused too.
+/// geometry/validation.h: a vertex that is the same as the next, "different from vertex i: drop one of the two", or an
+/// edge that meets another elsewhere than in the vertex that neighbours share). So a polygon on one line is refused
+/// too. A last position that repeats the first is no vertex and has no angle: it is dropped, once.
 ///
 /// Which side is the inside the slide does not say: the angles on the left of the ring add up to (n - 2) pi if it is
 /// that side, to (n + 2) pi if it is the other.
@@ -35,7 +36,7 @@ std::vector<Real> interior_angles(const Polygon2<Real>& polygon) {
   using std::acos;
   std::vector<Real> angles = angles_on_the_left(polygon);
   const Real pi = acos(Real(-1));
-  if (sum_of(angles) > Real(Real(static_cast<int>(polygon.size())) * pi)) {
+  if (sum_of(angles) > Real(Real(static_cast<int>(angles.size())) * pi)) {
     for (Real& angle : angles) angle = Real(Real(2) * pi - angle);
   }
   return angles;

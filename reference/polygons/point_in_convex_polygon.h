@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
+#include "geometry/validation.h"
 
 namespace touchstone::reference {
 
@@ -12,9 +13,10 @@ namespace touchstone::reference {
 /// differ. polygon, point: any unit of length, the same for both. Either direction; flat vertices are valid.
 /// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: fewer than 3
 /// vertices (polygon, "at least 3 vertices"), NaN or infinity in either field ("finite number"), a vertex that is the
-/// next one too (polygon[i], "different from the next vertex"), all vertices on one line (polygon, "convex: vertices on
-/// one line have no inside"), an edge that meets another (polygon[i], "simple: ..."), a vertex where the ring turns
-/// against its direction (polygon[i], "convex: ...").
+/// next one too (polygon[i], "different from vertex k: drop one of the two"), all vertices on one line (polygon,
+/// "convex: vertices on one line have no inside"), an edge that meets another (polygon[i], "simple: ..."), a vertex
+/// where the ring turns against its direction (polygon[i], "convex: ..."). A last position that repeats the first is no
+/// vertex: it is dropped, once, before these rules.
 ///
 /// In exact arithmetic the formula is always right: the sum of all E is twice the area, so that some E has the sign of
 /// the inside, and where none has the other sign, the point is in the intersection of the closed half-planes of the
@@ -24,7 +26,9 @@ namespace touchstone::reference {
 /// R the two products of an E as computed, it is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073 unless something
 /// overflows (reference/lines/orientation.h). Where every |E| exceeds that, the double version is right.
 template <class Real>
-Location point_in_convex_polygon(const Polygon2<Real>& polygon, const Point2<Real>& point) {
+Location point_in_convex_polygon(const Polygon2<Real>& given, const Point2<Real>& point) {
+  const validation::OpenRing open(given);
+  const Polygon2<Real>& polygon = *open;
   bool left = false, right = false, on = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2<Real>&a = polygon[i], &b = polygon.next(i);

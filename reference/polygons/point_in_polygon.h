@@ -12,8 +12,10 @@ namespace touchstone::reference {
 /// is passed once or not at all and an edge along the ray does not count; a point on an edge is `boundary`. polygon,
 /// point: any unit of length, the same for both. Any closed ring in either direction, even-odd: it may cross itself,
 /// touch itself, have repeated vertices, flat ones and spikes, or lie on one line. The union of its edges is its
-/// boundary. Degenerate: an edge of length 0 is a point of the boundary; a ring on one line has no inside. Fewer than 3
-/// vertices ("at least 3 vertices"), NaN or infinity ("finite number"): refused by robust and oracle with the field.
+/// boundary. Degenerate: an edge of length 0 is a point of the boundary; a ring on one line has no inside. A last
+/// position that repeats the first is no vertex: it changes nothing, but three positions with it are two vertices.
+/// Fewer than 3 vertices ("at least 3 vertices"), NaN or infinity ("finite number"): refused by robust and oracle with
+/// the field.
 ///
 /// Margin: the least squared distance of the point from an edge. Rounding (binary64, to nearest, u = 2^-53):
 /// comparisons do not round, so only the place X = ax + T (bx - ax), T = (y - ay) / (by - ay), of an edge that counts

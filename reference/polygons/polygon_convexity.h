@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
+#include "geometry/validation.h"
 
 namespace touchstone::reference {
 
@@ -16,7 +17,7 @@ namespace touchstone::reference {
 /// line. `concave`: the rest. strict: convex, and no three neighbours on a line. orientation: `ccw` where the inside
 /// lies left of the edges (y up), else `cw`; `not_simple` and `degenerate` have `none` and are not strict. NaN or
 /// infinity: refused by robust and oracle (polygon[i][k], "finite number"); so are fewer than 3 vertices (polygon, "at
-/// least 3 vertices").
+/// least 3 vertices"). A last position that repeats the first is no vertex: it is dropped, once, before all this.
 ///
 /// The slide knows of convex and concave alone. What else is answered here follows from the same signs where it can: a
 /// convex ring is ccw if vertices lie left of its edges, and strict if none lies on their lines. For a concave one,
@@ -32,7 +33,9 @@ namespace touchstone::reference {
 /// n - 2 after it; beyond that the orientation of a concave ring is right, and that of a convex one always is where its
 /// class is.
 template <class Real>
-PolygonConvexity polygon_convexity(const Polygon2<Real>& polygon) {
+PolygonConvexity polygon_convexity(const Polygon2<Real>& given) {
+  const validation::OpenRing open(given);
+  const Polygon2<Real>& polygon = *open;
   const std::size_t n = polygon.size();
   bool convex = true, strict = true, ccw = false, cw = false;
   for (std::size_t i = 0; i < n; ++i) {

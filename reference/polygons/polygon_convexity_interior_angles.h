@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/answers.h"
+#include "geometry/validation.h"
 
 namespace touchstone::reference {
 
@@ -14,7 +15,9 @@ namespace touchstone::reference {
 /// and the angle is what is left of 2 pi. The product of the lengths is written as one root, so that flat and right
 /// angles are exact wherever arithmetic is. pi is acos(-1).
 template <class Real>
-std::vector<Real> angles_on_the_left(const Polygon2<Real>& polygon) {
+std::vector<Real> angles_on_the_left(const Polygon2<Real>& given) {
+  const validation::OpenRing open(given);
+  const Polygon2<Real>& polygon = *open;
   using std::acos, std::sqrt;
   const Real pi = acos(Real(-1));
   std::vector<Real> angles;
@@ -55,8 +58,8 @@ Real sum_of(const std::vector<Real>& angles) {
 template <class Real>
 PolygonConvexity polygon_convexity_interior_angles(const Polygon2<Real>& polygon) {
   using std::acos;
-  const Real pi = acos(Real(-1)), n = Real(static_cast<int>(polygon.size()));
   const std::vector<Real> angles = angles_on_the_left(polygon);
+  const Real pi = acos(Real(-1)), n = Real(static_cast<int>(angles.size()));
   bool smaller = false, flat = false, larger = false;
   for (const Real& angle : angles) {
     smaller = smaller || angle < pi;

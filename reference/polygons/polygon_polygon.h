@@ -15,8 +15,9 @@ namespace touchstone::reference {
 /// valid. `overlapping`: a common interior point (one inside the other and coincident polygons included); `touching`:
 /// common points, all of them on both boundaries; `disjoint`: none. Refused by robust and oracle, a before b: fewer
 /// than 3 vertices ("a", "at least 3 vertices"); NaN or infinity (field, "finite number"); an edge of length zero or
-/// edges that meet elsewhere than neighbours do in their vertex (the vertex, "different from the next vertex", "simple:
-/// ..."; geometry/validation.h).
+/// edges that meet elsewhere than neighbours do in their vertex (the vertex, "different from vertex i: drop one of the
+/// two", "simple: ..."; geometry/validation.h). A last position that repeats the first is no vertex: it is dropped,
+/// once.
 ///
 /// Where every vertex of both lies outside the other or on its boundary and no edges cross in their interiors, the
 /// slide's tests cannot see an overlap: coincident polygons, a diamond inscribed in a square, a bar with its ends on

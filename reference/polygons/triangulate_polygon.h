@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "geometry/answers.h"
+#include "geometry/validation.h"
 
 namespace touchstone::reference {
 
@@ -28,8 +29,10 @@ namespace touchstone::reference {
 /// (3) They hang together by their diagonals as a tree. One with a single neighbour has two edges of the ring as sides,
 ///     and no vertex in it but its corners: its middle corner is an ear. There are two of these, their middle corners
 ///     no neighbours.
-/// Refused: NaN or infinity (field, "finite number"), fewer than three vertices (field, "at least 3 vertices"), a ring
-/// that is not simple (the first vertex of the offending edge, and the rule).
+/// A last position that repeats the first is no vertex; it is dropped, once, and all indices are those of the ring as
+/// given. Refused: NaN or infinity (field, "finite number"), fewer than three vertices (field, "at least 3 vertices"),
+/// a ring that is not simple (the first vertex of the offending edge, and the rule; of a position twice in a row
+/// "different from vertex i: drop one of the two").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): each computed E is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073, L
 /// and R its two products as computed (see orientation), and the area's sum of n terms by (n + 1) u / (1 - (n + 1) u) S
@@ -38,7 +41,9 @@ namespace touchstone::reference {
 /// ear and stop with fewer triangles, or cut off what is none. In exact arithmetic the formula is always right, because
 /// an ear always exists.
 template <class Real>
-std::vector<std::vector<Index>> triangulate_polygon(const Polygon2<Real>& polygon) {
+std::vector<std::vector<Index>> triangulate_polygon(const Polygon2<Real>& given) {
+  const validation::OpenRing open(given);
+  const Polygon2<Real>& polygon = *open;
   std::vector<Index> left(polygon.size());
   std::iota(left.begin(), left.end(), Index{0});
   Real area = Real(0);

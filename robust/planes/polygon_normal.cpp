@@ -25,7 +25,7 @@ struct Numbers {
 [[gnu::always_inline]] inline std::optional<Numbers> enclosed_numbers(const Polygon3d& polygon) {
   using namespace kernel;
   const std::size_t n = polygon.size();
-  if (n < 3 || n > 1 << 12 || !rounds_to_nearest()) return std::nullopt;
+  if (validation::fewer_than_three(polygon.vertices) || n > 1 << 12 || !rounds_to_nearest()) return std::nullopt;
   const Point3d& hub = polygon[0];
   const auto xy = [](const Point3d& p) { return Two(p.x, p.y); };
   Window window(xy(hub));

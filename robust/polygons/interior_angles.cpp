@@ -40,9 +40,11 @@ double exact_angle(const Point2d& p, const Point2d& from, const Point2d& to) {
 
 }  // namespace
 
-std::vector<double> interior_angles(const Polygon2d& polygon) {
-  validation::validate("polygon", polygon);
-  if (const auto defect = ring_defect(polygon)) validation::refuse("polygon", *defect);
+std::vector<double> interior_angles(const Polygon2d& given) {
+  validation::validate("polygon", given);
+  const validation::OpenRing open(given);
+  const Polygon2d& polygon = *open;
+  if (const auto defect = ring_defect(polygon)) validation::refuse("polygon", *defect, polygon.size());
   const bool ccw = counter_clockwise(polygon), to_nearest = kernel::rounds_to_nearest();
   std::vector<double> angles;
   angles.reserve(polygon.size());

@@ -10,13 +10,13 @@ namespace touchstone::robust {
 namespace {
 
 /// The side of the inside, for a polygon that is convex; others are refused.
-Side validate_convex(const Polygon2d& polygon, Stage& latest) {
-  const PolygonConvexity found = stages::polygon_convexity::ask(polygon).noting(latest);
+Side validate_convex(const Polygon2d& given, const Polygon2d& polygon, Stage& latest) {
+  const PolygonConvexity found = stages::polygon_convexity::ask(given).noting(latest);
   const Side inner = found.orientation == Winding::ccw ? Side::left : Side::right;
   if (found.polygon_class == PolygonClass::convex) return inner;
   const auto defect = ring_defect(polygon);
   if (defect && (defect->first == defect->second || found.polygon_class == PolygonClass::not_simple))
-    validation::refuse("polygon", *defect);
+    validation::refuse("polygon", *defect, polygon.size());
   if (found.polygon_class == PolygonClass::degenerate) validation::refuse_flat("polygon");
   for (std::size_t i = 0;; ++i) {
     const Side turn = orientation(polygon.previous(i), polygon[i], polygon.next(i));
@@ -26,11 +26,13 @@ Side validate_convex(const Polygon2d& polygon, Stage& latest) {
 
 }  // namespace
 
-Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& polygon, const Point2d& point) {
-  validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
-      validation::validate("polygon", polygon);
+Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& given, const Point2d& point) {
+  validation::validate_numbers("polygon", given), validation::validate_numbers("point", point),
+      validation::validate("polygon", given);
+  const validation::OpenRing open(given);
+  const Polygon2d& polygon = *open;
   Stage latest = Stage::filter;
-  const Side inner = validate_convex(polygon, latest);
+  const Side inner = validate_convex(given, polygon, latest);
   bool on = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Side side = orientation::ask(polygon[i], polygon.next(i), point).noting(latest);

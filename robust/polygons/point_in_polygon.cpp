@@ -203,11 +203,12 @@ Location edge_by_edge(const Part& part, const Point2d& p) {
 
 Part whole(const Polygon2d& polygon) {
   const Point2d* begin = polygon.vertices.data();
-  return {&polygon.vertices.back(), begin, begin + polygon.size(), true};
+  const Point2d* end = begin + polygon.size() - validation::closed(polygon.vertices);
+  return {end - 1, begin, end, true};
 }
 
 void validate(const Polygon2d& polygon, const Point2d& point) {
-  bool valid = polygon.size() >= 3 && kernel::valid(point);
+  bool valid = !validation::fewer_than_three(polygon.vertices) && kernel::valid(point);
   for (const Point2d& vertex : polygon.vertices) valid &= kernel::valid(vertex);
   if (!valid)
     validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
@@ -217,7 +218,7 @@ void validate(const Polygon2d& polygon, const Point2d& point) {
 /// Validation, then the stages for one part after another: one hard edge does not make all of them hard.
 Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
   constexpr std::ptrdiff_t edges_of_a_part = 16;
-  if (polygon.size() < 3) validate(polygon, point);
+  if (validation::fewer_than_three(polygon.vertices)) validate(polygon, point);
   const Part ring = whole(polygon);
   Stage latest = Stage::lattice;
   const bool one_part = ring.last - ring.first <= edges_of_a_part;
@@ -251,7 +252,7 @@ Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
 }  // namespace
 
 Perhaps<Location> stages::point_in_polygon::filter(const Polygon2d& polygon, const Point2d& point) {
-  if (polygon.size() < 3) return std::nullopt;
+  if (validation::fewer_than_three(polygon.vertices)) return std::nullopt;
   return by_filter(whole(polygon), point);
 }
 

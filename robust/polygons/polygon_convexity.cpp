@@ -35,13 +35,15 @@ Walk walk(const Polygon2d& ring) {
 
 bool repeated_neighbours(const Polygon2d& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (validation::same(ring[i].x, ring.next(i).x) && validation::same(ring[i].y, ring.next(i).y)) return true;
+    if (validation::same_position(ring[i], ring.next(i))) return true;
   }
   return false;
 }
 
-PolygonConvexity convexity(const Polygon2d& polygon, Stage& latest) {
-  validation::validate("polygon", polygon);
+PolygonConvexity convexity(const Polygon2d& given, Stage& latest) {
+  validation::validate("polygon", given);
+  const validation::OpenRing open(given);
+  const Polygon2d& polygon = *open;
   const PolygonConvexity degenerate{PolygonClass::degenerate, false, Winding::none};
   const PolygonConvexity not_simple{PolygonClass::not_simple, false, Winding::none};
   if (repeated_neighbours(polygon)) return degenerate;

@@ -131,18 +131,19 @@ class Meeting {
   Polygon2d a_, b_;
 };
 
-void validate(const char* field, const Polygon2d& polygon) {
-  validation::validate(field, polygon);
-  if (const auto defect = ring_defect(polygon)) validation::refuse(field, *defect);
+void validate_simple(const char* field, const Polygon2d& polygon) {
+  if (const auto defect = ring_defect(polygon)) validation::refuse(field, *defect, polygon.size());
 }
 
 }  // namespace
 
 Decided<Contact> stages::polygon_polygon::ask(const Polygon2d& a, const Polygon2d& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
-  validate("a", a), validate("b", b);
+  const validation::OpenRing open_a(a), open_b(b);
+  validation::validate("a", a), validate_simple("a", *open_a);
+  validation::validate("b", b), validate_simple("b", *open_b);
   const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
-  return Meeting(a, b).decided();
+  return Meeting(*open_a, *open_b).decided();
 }
 
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return stages::polygon_polygon::ask(a, b).answer; }

@@ -8,13 +8,15 @@
 
 namespace touchstone::robust {
 
-Decided<std::vector<std::vector<Index>>> stages::triangulate_polygon::ask(const Polygon2d& polygon) {
-  validation::validate("polygon", polygon);
+Decided<std::vector<std::vector<Index>>> stages::triangulate_polygon::ask(const Polygon2d& given) {
+  validation::validate("polygon", given);
+  const validation::OpenRing open(given);
+  const Polygon2d& polygon = *open;
   {
     const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
     if (auto triangles = triangulated_by_sweep(polygon)) return *std::move(triangles);
   }
-  validation::refuse("polygon", ring_defect(polygon).value());
+  validation::refuse("polygon", ring_defect(polygon).value(), polygon.size());
 }
 
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon) {

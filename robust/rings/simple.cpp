@@ -101,8 +101,7 @@ class Pairs {
 
 std::optional<validation::RingDefect> ring_defect(const Polygon2d& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (validation::same(ring[i].x, ring.next(i).x) && validation::same(ring[i].y, ring.next(i).y))
-      return validation::RingDefect{i, i};
+    if (validation::same_position(ring[i], ring.next(i))) return validation::RingDefect{i, i};
   }
   const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
   if (simple_by_sweep(ring)) return std::nullopt;

@@ -132,6 +132,11 @@ struct polygon_normal {
            const double n = 1 + static_cast<double>(c.below(8)), m = small_integer(c);
            return {{{{0, 0, 0}, {std::ldexp(n, up), 0, 0}, {0, std::ldexp(n, up), std::ldexp(m, -down)}}}};
          }},
+        {"closed_ring",
+         [](DrawStream& c) -> Question {
+           const auto [p, a, b] = frame(c);
+           return {lifted(closed(turned(simple_ring(c), c), c), p, a, b)};
+         }},
         {"many_vertices",
          [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);

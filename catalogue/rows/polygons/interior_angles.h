@@ -97,6 +97,7 @@ struct interior_angles {
            return turned(ring, c);
          }},
         {"flat_runs", [](DrawStream& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); }},
+        {"closed_ring", [](DrawStream& c) -> Question { return closed(turned(simple_ring(c), c), c); }},
     };
   }
 

@@ -107,6 +107,11 @@ struct point_in_convex_polygon {
                along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
            return question;
          }},
+        {"closed_ring",
+         [](DrawStream& c) -> Question {
+           const Polygon2d ring = closed(turned(convex_ring(c), c), c);
+           return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
+         }},
         {"many_edges",
          [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(long_convex_ring(c), c);

@@ -203,6 +203,11 @@ struct point_in_polygon {
            ring.vertices.pop_back();
            return {turned(ring, c), p};
          }},
+        {"closed_ring",
+         [](DrawStream& c) -> Question {
+           const Polygon2d ring = closed(turned(simple_ring(c), c), c);
+           return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+         }},
     };
   }
 

@@ -112,6 +112,11 @@ struct polygon_convexity {
            compute(ring.vertices, c);
            return turned(ring, c);
          }},
+        {"closed_ring",
+         [](DrawStream& c) -> Question {
+           const Polygon2d ring = c.below(2) == 0 ? convex_ring(c) : simple_ring(c);
+           return closed(turned(ring, c), c);
+         }},
     };
   }
 

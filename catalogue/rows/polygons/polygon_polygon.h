@@ -139,6 +139,12 @@ struct polygon_polygon {
            a.vertices.resize(a.size() - 3);
            return {a, b};
          }},
+        {"closed_ring",
+         [](DrawStream& c) -> Question {
+           const std::uint64_t which = c.below(3);
+           const Polygon2d a = simple_ring(c), b = with_vertex_at(simple_ring(c), on_an_edge(a, c), c);
+           return {which == 0 ? a : closed(a, c), which == 1 ? b : closed(b, c)};
+         }},
     };
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/planes/polygon_normal.h"
 
+#include "proptests/closed_rings.h"
 #include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
@@ -40,6 +41,7 @@ void degenerate(const Polygon3d& polygon, const std::string& by_reference = "agr
 
 LAW("polygon_normal: it does not depend on which vertex is the first") {
   auto ring = std::get<0>(asked);
+  if (ring.size() == 3 && repeats(ring)) return true;
   const auto answer = ask(asked);
   for (int i = 0; i < 3; ++i) {
     std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
@@ -157,9 +159,16 @@ TEST_CASE("polygon_normal: rounding hides an area") {
   gives({{{0, 0, 0}, {0x1p27 + 1, 0x1p27, 0}, {0x1p28 + 1, 0x1p28 - 1, 0}}}, {0, 0, -1}, {0, 0, -1}, "rounding");
 }
 
+TEST_CASE("polygon_normal: a last position that repeats the first changes nothing") {
+  gives({{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}, {0, 0, 5}}}, {0, 0, 2}, {0, 0, 1});
+  gives({{{0, 0, 0}, {2, -1, 0}, {2, 0, -1}, {0, -0.0, 0}}}, {1, 2, 2}, {1.0 / 3, 2.0 / 3, 2.0 / 3});
+  degenerate({{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {0, 0, 0}}});
+}
+
 TEST_CASE("polygon_normal: of two broken rules the first is named") {
   refused<Row>({{{{0, not_a_number, 0}}}}, "polygon[0][1]", "finite number");
   refused<Row>({{{{0, 0, 0}}}}, "polygon", "at least 3 vertices");
+  refused<Row>({{{{0, 0, 0}, {1, 0, 0}, {0, 0, -0.0}}}}, "polygon", "at least 3 vertices");
 }
 
 CONTRACT("polygon_normal: the formula in double keeps its contract for the first three vertices", ring) {

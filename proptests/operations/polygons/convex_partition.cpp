@@ -9,7 +9,8 @@ namespace {
 using Row = rows::convex_partition;
 
 /// How many vertices of a lattice ring are reflex.
-std::size_t reflex(const Polygon2d& ring) {
+std::size_t reflex(const Polygon2d& given) {
+  const Polygon2d ring = opened(given);
   Int128 area = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) area += lattice_turn({0, 0}, ring[i], ring.next(i));
   std::size_t count = 0;
@@ -42,6 +43,12 @@ TEST_CASE("convex_partition: rings with one partition that leaves no diagonal to
   only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}}},
                    {{0, 1, 2, 3, 4, 5}});  // flat vertices stay in their piece
   only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}}, {{0, 1, 2, 3, 4}});
+}
+
+TEST_CASE("convex_partition: a last position that repeats the first is no vertex") {
+  only_answer<Row>({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}, {{0, 1, 2, 3}});
+  only_answer<Row>({{{0, 0}, {1, 0}, {0, 1}, {-0.0, 0}}}, {{0, 1, 2}});
+  only_answer<Row>({{{2, 4}, {4, 0}, {2, 1}, {0, 0}, {2, 4}}}, {{0, 2, 1}, {0, 3, 2}});  // a dart, clockwise
 }
 
 TEST_CASE("convex_partition: huge, subnormal, and where the formula's products leave the range") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polygons/interior_angles.h"
 
+#include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"
 #include "proptests/rounded_answers.h"
 
@@ -35,7 +36,7 @@ bool same(const std::vector<Rational>& a, const std::vector<Rational>& b) {
 
 LAW("interior_angles: the list from another vertex on, and the other way round, has the same angles") {
   auto angles = ask(asked);
-  Polygon2d ring = std::get<0>(asked);
+  Polygon2d ring = opened(std::get<0>(asked));
   std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
   std::rotate(angles.begin(), angles.begin() + 1, angles.end());
   if (!same(ask(Row::Question{ring}), angles)) return false;
@@ -96,6 +97,12 @@ TEST_CASE("interior_angles: p. 6's angles worked by hand") {
         {pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2, pi / 2});
 }
 
+TEST_CASE("interior_angles: a last position that repeats the first has no angle") {
+  gives({Polygon2d{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}}, {pi / 2, pi / 2, pi / 2, pi / 2});
+  gives({Polygon2d{{{0, 0}, {1, 0}, {0, 1}, {-0.0, -0.0}}}}, {pi / 2, pi / 4, pi / 4});
+  refused<Row>({Polygon2d{{{0, 0}, {4, 0}, {0, 0}}}}, "polygon", "at least 3 vertices");
+}
+
 TEST_CASE("interior_angles: what acos loses near 0 and pi") {
   // atan x = x - x^3 / 3 + ...: 2^-60, and pi / 2 less that. Its cosine rounds to 1.
   gives({Polygon2d{{{0, 0}, {1, 0}, {1, 0x1p-60}}}}, {0x1p-60, pi / 2, pi / 2}, "rounding");
@@ -112,7 +119,10 @@ TEST_CASE("interior_angles: what acos loses near 0 and pi") {
 
 TEST_CASE("interior_angles: polygons that are not simple are refused, naming the vertex and the edge") {
   refused<Row>({Polygon2d{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}}, "polygon[0]", "simple: its edge must not meet edge 2");
-  refused<Row>({Polygon2d{{{0, 0}, {4, 0}, {4, 0}, {0, 4}}}}, "polygon[1]", "different from the next vertex");
+  refused<Row>({Polygon2d{{{0, 0}, {4, 0}, {4, 0}, {0, 4}}}}, "polygon[1]",
+               "different from vertex 2: drop one of the two");
+  refused<Row>({Polygon2d{{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {0, 0}}}}, "polygon[3]",
+               "different from vertex 0: drop one of the two");
   refused<Row>({Polygon2d{{{0, 0}, {1, 1}, {2, 2}}}}, "polygon[0]", "simple: its edge must not meet edge 2");
 }
 
@@ -120,7 +130,8 @@ TEST_CASE("interior_angles: the formula in double stays within the bound of its 
   std::uint64_t promised = 0;
   contract<Row>(
       "the forward error bound holds",
-      [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& ring) {
+      [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& given) {
+        const Polygon2d ring = opened(given);
         std::vector<double> sines;
         for (std::size_t i = 0; i < ring.size(); ++i) {
           const auto corner = moderate_corner(ring, i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polygons/point_in_convex_polygon.h"
 
+#include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
@@ -14,7 +15,8 @@ using Row = rows::point_in_convex_polygon;
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
 /// Whether every E of the slide is certain by the bound of the contract.
-bool certain(const Polygon2d& ring, const Point2d& p) {
+bool certain(const Polygon2d& given, const Point2d& p) {
+  const Polygon2d ring = opened(given);
   const Rational u = unit();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point2d &a = ring[i], &b = ring.next(i);
@@ -35,7 +37,7 @@ const Polygon2d kite{{{0, -4}, {3, 0}, {0, 2}, {-3, 0}}};
 
 LAW("point_in_convex_polygon: it does not matter where the ring starts, nor in which direction it goes", ring, p) {
   const Location location = ask(asked);
-  Polygon2d other = ring;
+  Polygon2d other = opened(ring);
   std::reverse(other.vertices.begin(), other.vertices.end());
   if (ask(Row::Question{other, p}) != location) return false;
   std::rotate(other.vertices.begin(), other.vertices.begin() + 1, other.vertices.end());
@@ -60,7 +62,7 @@ TEST_CASE("point_in_convex_polygon: refused exactly where the polygon is not con
   const auto complaint = [](const Question& question) -> std::string {
     const auto asked = typed<Row>(question);
     const auto& [ring, p] = asked;
-    if (ring.size() < 3) return "";
+    if (validation::fewer_than_three(ring.vertices)) return "";
     const bool convex = robust::polygon_convexity(ring).polygon_class == PolygonClass::convex;
     try {
       catalogue::ask_robust<Row>(asked);
@@ -96,6 +98,17 @@ TEST_CASE("point_in_convex_polygon: p. 16's side tests worked by hand") {
   example<Row>({flat, {-1, 0}}, outside);
 }
 
+TEST_CASE("point_in_convex_polygon: a last position that repeats the first is dropped, once") {
+  const Polygon2d ring = closed(square);
+  example<Row>({ring, {1, 3}}, inside);
+  example<Row>({ring, {0, 0}}, boundary);
+  example<Row>({ring, {0, 2}}, boundary);
+  example<Row>({ring, {5, 0}}, outside);
+  example<Row>({{{{0, 0}, {4, 0}, {0, 4}, {-0.0, 0}}}, {1, 1}}, inside);
+  refused<Row>({{{{0, 0}, {4, 0}, {0, 0}}}, {1, 0}}, "polygon", "at least 3 vertices");
+  refused<Row>({{{{0, 0}, {1, 1}, {2, 2}, {0, 0}}}, {1, 1}}, "polygon", "convex: vertices on one line have no inside");
+}
+
 TEST_CASE("point_in_convex_polygon: rounding, huge, subnormal and negative zero") {
   // 0.1 as a double is 3602879701896397 / 2^55: (1, 0.1) lies 2^-54 left of the edge from (10, 1) to (0, 0).
   example<Row>({{{{0, 0}, {10, 1}, {0, 1}}}, {1, 0.1}}, inside, "rounding");
@@ -106,13 +119,16 @@ TEST_CASE("point_in_convex_polygon: rounding, huge, subnormal and negative zero"
 }
 
 TEST_CASE("point_in_convex_polygon: what is not convex is refused by its first vertex that is at defect") {
-  const std::string repeated = "different from the next vertex", flat = "convex: vertices on one line have no inside",
+  const std::string flat = "convex: vertices on one line have no inside",
                     reflex = "convex: the ring must not turn against its direction";
   refused<Row>({{{{0, 0}, {1, 1}, {2, 2}}}, {0, 0}}, "polygon", flat);
   refused<Row>({{{{0, 0}, {3, 3}, {1, 1}, {2, 2}}}, {0, 0}}, "polygon", flat);
-  refused<Row>({{{{0, 0}, {4, 0}, {4, 0}, {0, 4}}}, {0, 0}}, "polygon[1]", repeated);
-  refused<Row>({{{{0, 0}, {4, 0}, {0, 4}, {0, 0}}}, {0, 0}}, "polygon[3]", repeated);
-  refused<Row>({{{{0, 0}, {2, 2}, {1, 1}, {1, 1}}}, {0, 0}}, "polygon[2]", repeated);
+  refused<Row>({{{{0, 0}, {4, 0}, {4, 0}, {0, 4}}}, {0, 0}}, "polygon[1]",
+               "different from vertex 2: drop one of the two");
+  refused<Row>({{{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {0, 0}}}, {0, 0}}, "polygon[3]",
+               "different from vertex 0: drop one of the two");
+  refused<Row>({{{{0, 0}, {2, 2}, {1, 1}, {1, 1}}}, {0, 0}}, "polygon[2]",
+               "different from vertex 3: drop one of the two");
   refused<Row>({{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}, {0, 0}}, "polygon[2]", reflex);
   refused<Row>({{{{0, 4}, {1, 1}, {4, 0}, {0, 0}}}, {0, 0}}, "polygon[1]", reflex);
   refused<Row>({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, {0, 0}}, "polygon[0]", "simple: its edge must not meet edge 2");

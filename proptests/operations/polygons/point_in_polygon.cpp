@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polygons/point_in_polygon.h"
 
+#include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
@@ -55,6 +56,7 @@ const Polygon2d pentagram{{{0, 6}, {4, -5}, {-6, 2}, {6, 2}, {-4, -5}}};
 }  // namespace
 
 LAW("point_in_polygon: it does not matter where the ring starts, nor in which direction it goes", ring, p) {
+  if (ring.size() == 3 && repeats(ring)) return true;
   const Location location = ask(asked);
   Polygon2d other = ring;
   std::reverse(other.vertices.begin(), other.vertices.end());
@@ -91,7 +93,7 @@ LAW("point_in_polygon: a repeated vertex changes nothing, a spike only where it 
 
 LAW("point_in_polygon: cut along a diagonal, a point is inside exactly one part or none", ring, p) {
   const std::size_t n = ring.size(), k = n / 2;
-  if (n < 4 || on(p, ring[0], ring[k])) return true;
+  if (n < 4 || ring[0] == ring[k] || on(p, ring[0], ring[k])) return true;
   const Location whole = ask(asked), one = ask(Row::Question{part(ring, 0, k), p}),
                  other = ask(Row::Question{part(ring, k, 0), p});
   if (one == boundary || other == boundary) return whole == boundary;
@@ -99,6 +101,7 @@ LAW("point_in_polygon: cut along a diagonal, a point is inside exactly one part 
 }
 
 ROBUST_LAW("point_in_polygon: inside a triangle a point is on one side of all three edges", ring, p) {
+  if (ring[0] == ring[2]) return true;
   const Polygon2d triangle{{ring[0], ring[1], ring[2]}};
   const Side first = robust::orientation(ring[0], ring[1], p);
   const bool all = first != Side::on && robust::orientation(ring[1], ring[2], p) == first &&
@@ -198,10 +201,28 @@ TEST_CASE("point_in_polygon: huge, subnormal and negative zero") {
   example<Row>({{{{-1, -0.0}, {1, 0.0}, {0.0, 2}}}, {0, -tiny}}, outside);
 }
 
+TEST_CASE("point_in_polygon: a last position that repeats the first is no vertex more") {
+  for (const Polygon2d& ring : {closed(square), closed(closed(square))}) {
+    example<Row>({ring, {1, 3}}, inside);
+    example<Row>({ring, {0, 0}}, boundary);
+    example<Row>({ring, {0, 2}}, boundary);
+    example<Row>({ring, {-1, 0}}, outside);  // level with the vertex
+  }
+  example<Row>({{{{0, 0}, {4, 0}, {0, 4}, {0, -0.0}}}, {1, 1}}, inside);
+  example<Row>({{{{0, 0}, {2, 2}, {1, 1}, {0, 0}}}, {1.5, 1.5}}, boundary);
+  // Long ones, and so far away that no lattice holds them.
+  Polygon2d saw{{{0, -1e300}}};
+  for (int i = 0; i < 40; ++i) saw.vertices.push_back({40.0 - i, 1.0 + i % 2});
+  example<Row>({closed(saw), {20, 0.5}}, inside);
+  example<Row>({closed(saw), {20, 3}}, outside);
+}
+
 TEST_CASE("point_in_polygon: of two broken rules the first is named") {
   refused<Row>({{{{infinity, 0}, {1, 0}}}, {0, 0}}, "polygon[0][0]", "finite number");
   refused<Row>({{{{0, 0}, {1, 0}}}, {0, not_a_number}}, "point[1]", "finite number");
   refused<Row>({{{{0, 0}, {1, 0}}}, {0, 0}}, "polygon", "at least 3 vertices");
+  refused<Row>({{{{0, 0}, {1, 0}, {-0.0, 0}}}, {0, 0}}, "polygon", "at least 3 vertices");
+  refused<Row>({{{{0, 0}, {1, 0}, {0, 0}}}, {0, infinity}}, "point[1]", "finite number");
   refused<Row>({{{{0, -infinity}, {1, 0}, {0, 1}}}, {not_a_number, 9}}, "polygon[0][1]", "finite number");
 }
 

@@ -6,6 +6,7 @@
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/explained.h"
 #include "catalogue/rows/polygons/polygon_convexity_interior_angles.h"
+#include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"
 #include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
@@ -40,7 +41,8 @@ void both(const Polygon2d& polygon, const PolygonConvexity& expected, const std:
 
 LAW("polygon_convexity: the ring from another vertex on is the same, the other way round it turns over") {
   const PolygonConvexity answer = ask(asked);
-  Polygon2d ring = std::get<0>(asked);
+  Polygon2d ring = opened(std::get<0>(asked));
+  if (repeats(ring)) return true;
   std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
   if (!equal(ask(Row::Question{ring}), answer)) return false;
   std::reverse(ring.vertices.begin(), ring.vertices.end());
@@ -69,8 +71,9 @@ LAW("polygon_convexity: a vertex in the middle of an edge takes strictness away 
   return equal(ask(Row::Question{ring}), answer);
 }
 
-LAW("polygon_convexity: any three corners of a strictly convex ring, in order, go the same way round", ring) {
+LAW("polygon_convexity: any three corners of a strictly convex ring, in order, go the same way round", given) {
   const PolygonConvexity answer = ask(asked);
+  const Polygon2d ring = opened(given);
   if (!answer.strict) return answer.polygon_class == PolygonClass::convex || !answer.strict;
   for (std::size_t i = 2; i < ring.size(); ++i) {
     if (!equal(ask(Row::Question{Polygon2d{{ring[0], ring[i - 1], ring[i]}}}), answer)) return false;
@@ -80,7 +83,7 @@ LAW("polygon_convexity: any three corners of a strictly convex ring, in order, g
 
 ROBUST_LAW("polygon_convexity: convex and concave rings are those that the search for edges that meet finds simple") {
   const PolygonConvexity answer = ask(asked);
-  const bool simple = !robust::ring_defect(std::get<0>(asked));
+  const bool simple = !robust::ring_defect(opened(std::get<0>(asked)));
   const bool proper = answer.polygon_class == PolygonClass::convex || answer.polygon_class == PolygonClass::concave;
   return simple == proper && (answer.orientation == Winding::none) == !proper &&
          (!answer.strict || answer.polygon_class == PolygonClass::convex);
@@ -100,6 +103,25 @@ TEST_CASE("polygon_convexity: p. 5's line test and p. 6's angles worked by hand"
   both({{{0, 4}, {1, 1}, {4, 0}, {0, 0}}}, concave_cw);
   // An L: five right angles and one of 3 pi/2 are 4 pi.
   both({{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}}, concave_ccw);
+}
+
+LAW("polygon_convexity: the first vertex once more at the end changes nothing", ring) {
+  const Polygon2d vertices = opened(ring);
+  return repeats(vertices) || equal(ask(Row::Question{closed(vertices)}), ask(Row::Question{vertices}));
+}
+
+TEST_CASE("polygon_convexity: a last position that repeats the first is dropped, once") {
+  both({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}, convex_ccw);
+  both({{{0, 4}, {4, 4}, {4, 0}, {0, 0}, {0, 4}}}, convex_cw);
+  both({{{0, 0}, {1, 0}, {0, 1}, {-0.0, 0}}}, convex_ccw);
+  both({{{0, 0}, {4, 0}, {1, 1}, {0, 4}, {0, 0}}}, concave_ccw);
+  both({{{0, 0}, {4, 4}, {4, 0}, {0, 4}, {0, 0}}}, not_simple, "algorithm");
+  both({{{0, 0}, {1, 1}, {3, 3}, {0, 0}}}, degenerate, "algorithm", "algorithm");
+  both({{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {0, 0}}}, degenerate, "algorithm", "algorithm");
+  both({{{1, 1}, {1, 1}, {1, 1}, {1, 1}}}, degenerate, "algorithm", "algorithm");
+  refused<Row>({Polygon2d{{{0, 0}, {4, 0}, {0, 0}}}}, "polygon", "at least 3 vertices");
+  refused<Row>({Polygon2d{{{1, 1}, {1, 1}, {1, 1}}}}, "polygon", "at least 3 vertices");
+  refused<Row>({Polygon2d{{{0, 0}, {4, not_a_number}, {0, 0}}}}, "polygon[1][1]", "finite number");
 }
 
 TEST_CASE("polygon_convexity: what neither method of the deck sees") {
@@ -133,7 +155,7 @@ TEST_CASE("polygon_convexity: what neither method of the deck sees") {
   // Degenerate ones: all sides are 0, or the edge without length has no side; its angle is 0 / 0.
   both({{{0, 0}, {1, 1}, {3, 3}, {2, 2}}}, degenerate, "algorithm", "algorithm");
   both({{{0, 0}, {0, 0}, {4, 0}, {0, 4}}}, degenerate, "algorithm", "algorithm");
-  both({{{1, 1}, {1, 1}, {1, 1}}}, degenerate, "algorithm", "algorithm");
+  both({{{1, 1}, {1, 1}, {2, 1}, {2, 1}}}, degenerate, "algorithm", "algorithm");
 }
 
 TEST_CASE("polygon_convexity: rounding bends flat vertices and straightens bent ones") {
@@ -165,7 +187,8 @@ TEST_CASE("polygon_convexity: the line test is right in exact arithmetic for eve
       operation, "the line test is right in exact arithmetic for simple rings",
       [](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
-        if (std::get<0>(asked).size() < 3 || robust::ring_defect(std::get<0>(asked))) return "";
+        const Polygon2d& ring = std::get<0>(asked);
+        if (validation::fewer_than_three(ring.vertices) || robust::ring_defect(opened(ring))) return "";
         const auto formula = catalogue::ask_reference<Row>(catalogue::converted<catalogue::Exact>(
             asked, [](double number) { return catalogue::Exact(exact(number)); }));
         return equal(formula, catalogue::ask_oracle<Row>(asked).answer)
@@ -177,7 +200,8 @@ TEST_CASE("polygon_convexity: the line test is right in exact arithmetic for eve
 
 TEST_CASE("polygon_convexity: both formulas in double are right beyond the margins of their contracts") {
   contract<Row>("the forward error bound of the line test", [](const auto& truth, const PolygonConvexity& answer,
-                                                               const Polygon2d& ring) {
+                                                               const Polygon2d& given) {
+    const Polygon2d ring = opened(given);
     if (truth.answer.orientation == Winding::none) return true;  // not simple
     const Rational u = unit();
     bool sides_certain = true;
@@ -209,7 +233,8 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
   std::uint64_t promised = 0;
   contract<ByAngles>(
       "the margin of the interior angles",
-      [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
+      [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& given) {
+        const Polygon2d ring = opened(given);
         if (truth.answer.orientation == Winding::none) return true;
         for (std::size_t i = 0; i < ring.size(); ++i) {
           const auto corner = moderate_corner(ring, i);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "proptests/closed_rings.h"
 #include "proptests/laws.h"
 
 namespace touchstone::proptests::polygon_polygon_tests {
@@ -16,7 +17,8 @@ Polygon2d reversed(Polygon2d ring) {
   std::reverse(ring.vertices.begin(), ring.vertices.end());
   return ring;
 }
-Polygon2d rotated(Polygon2d ring) {
+Polygon2d rotated(const Polygon2d& given) {
+  Polygon2d ring = opened(given);
   std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
   return ring;
 }
@@ -70,6 +72,20 @@ TEST_CASE("polygon_polygon: an overlap that no vertex and no crossing shows") {
   example<Row>({square, {{{0, 0}, {2, 1}, {1, 2}}}}, Contact::overlapping);  // nested, sharing a vertex
   // A band through two opposite vertices.
   example<Row>({square, {{{-1, -1}, {5, 5}, {6, 5}, {0, -1}}}}, Contact::overlapping);
+}
+
+TEST_CASE("polygon_polygon: a last position that repeats the first is dropped, once") {
+  const Polygon2d triangle{{{1, 1}, {9, 1}, {9, 9}}}, beside{{{4, 2}, {6, 1}, {6, 3}}}, apart{{{5, 0}, {9, 0}, {9, 9}}};
+  for (const Polygon2d& a : {square, closed(square)}) {
+    example<Row>({a, closed(triangle)}, Contact::overlapping);
+    example<Row>({closed(triangle), a}, Contact::overlapping);
+    example<Row>({a, closed(beside)}, Contact::touching);
+    example<Row>({a, closed(apart)}, Contact::disjoint);
+  }
+  example<Row>({{{{0, -0.0}, {4, 0}, {4, 4}, {0, 4}, {-0.0, 0}}}, beside}, Contact::touching);
+  refused<Row>({closed(closed(square)), {{{0, 0}, {1, 1}, {0, 0}}}}, "a[4]",
+               "different from vertex 0: drop one of the two");
+  refused<Row>({closed(square), {{{0, 0}, {1, 1}, {0, 0}}}}, "b", "at least 3 vertices");
 }
 
 TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {

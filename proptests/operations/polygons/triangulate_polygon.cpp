@@ -15,7 +15,7 @@ TEST_CASE("triangulate_polygon: triangles fit, from any vertex, either way round
 }
 
 LAW("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
-  const std::size_t n = std::get<0>(asked).size();
+  const std::size_t n = opened(std::get<0>(asked)).size();
   std::set<Index> corners;
   const IndexLists triangles = ask(asked);
   for (const auto& triangle : triangles) {
@@ -32,6 +32,12 @@ TEST_CASE("triangulate_polygon: rings with one triangulation, worked by hand") {
   only_answer<Row>({{{2, 4}, {4, 0}, {2, 1}, {0, 0}}}, {{0, 2, 1}, {0, 3, 2}});  // clockwise
   only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {0, 2}}}, {{0, 1, 3}, {1, 2, 3}});  // a flat vertex
   only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}});
+}
+
+TEST_CASE("triangulate_polygon: a last position that repeats the first is no vertex") {
+  only_answer<Row>({{{0, 0}, {1, 0}, {0, 1}, {0, 0}}}, {{0, 1, 2}});
+  only_answer<Row>({{{0, 0}, {2, 1}, {4, 0}, {2, 4}, {-0.0, 0}}}, {{0, 1, 3}, {1, 2, 3}});
+  CHECK(robust::triangulate_polygon({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}).size() == 2);
 }
 
 TEST_CASE("triangulate_polygon: huge, subnormal, and where the formula's products leave the range") {

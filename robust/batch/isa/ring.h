@@ -13,7 +13,8 @@ inline void locate(const Polygon2d& polygon, const Points2& points, std::size_t 
   static_assert(sizeof(Point2d) == 2 * sizeof(double));
   const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
   run(Which{&Filters::point_in_ring, &Filters::close_point_in_ring},
-      Shared{&polygon.vertices.data()->x, polygon.size()}, at_most, decide, decide, count, answers, points);
+      Shared{&polygon.vertices.data()->x, polygon.size() - validation::closed(polygon.vertices)}, at_most, decide,
+      decide, count, answers, points);
 }
 
 }  // namespace touchstone::robust::batch::isa
