@@ -12,6 +12,12 @@ WITHOUT = {
 }
 
 
+def vertices(positions):
+    """A last position that repeats the first is none, once."""
+    ring = [point(p) for p in positions]
+    return ring[:-1] if ring[0] == ring[-1] else ring
+
+
 def turn(ring, i):
     """To which side the ring turns at vertex i: > 0 is left."""
     a, b, c = ring[i - 1], ring[i], ring[(i + 1) % len(ring)]
@@ -31,7 +37,7 @@ def crosses_itself(ring):
 
 
 def truth_polygon_convexity(q):
-    ring = [point(p) for p in q["polygon"]]
+    ring = vertices(q["polygon"])
     turns = [turn(ring, i) for i in range(len(ring))]
     flat = all(cross(minus(p, ring[0]), minus(r, ring[0])) == 0 for p in ring for r in ring)
     degenerate = flat or any(p == ring[i - 1] for i, p in enumerate(ring))
@@ -86,7 +92,7 @@ def overlap(s, t):
 
 def truth_polygon_polygon(given):
     """The triangles of one clipped to those of the other; without a common area only a vertex on an edge can touch."""
-    a, b = ([point(p) for p in given[name]] for name in "ab")
+    a, b = (vertices(given[name]) for name in "ab")
     margin = min(squared_distance(v, p, minus(q, p), Fraction(1))
                  for one, other in ((a, b), (b, a)) for v in one for p, q in zip(other, other[1:] + other[:1]))
     if any(overlap(s, t) for s in triangles(a) for t in triangles(b)):

@@ -188,6 +188,7 @@ def test_strides_and_rows_that_are_refused():
     assert refusal(touchstone.ray_aabb, (numpy.zeros(2), numpy.zeros(2)), numpy.zeros((4, 2, 3)))[0] == "rays.origin"
     assert refusal(touchstone.point_in_polygon, numpy.zeros((3, 3)), numpy.zeros((4, 2)))[0] == "polygon"
     assert refusal(touchstone.point_in_polygon, numpy.zeros((2, 2)), numpy.zeros((4, 2)))[0] == "polygon"
+    assert refusal(touchstone.point_in_polygon, [(0, 0), (1, 0), (0, -0.0)], numpy.zeros((4, 2)))[0] == "polygon"
     assert refusal(touchstone.point_in_polyhedron, (numpy.zeros((3, 3)), [[0, 1, -1]]), numpy.zeros(3))[0] == "mesh.faces"
     assert refusal(touchstone.point_in_polyhedron, numpy.zeros((3, 3)), numpy.zeros(3))[0] == "mesh"
 
