@@ -54,8 +54,10 @@ def expect_no_overlap(a, b, cuts):
 
 def check_polygon_polygon(claim):
     claim.inputs("a", "b")
-    a, b = polygon(claim.input["a"], "a"), polygon(claim.input["b"], "b")
-    expect_simple(a, "a"), expect_simple(b, "b")
+    a = polygon(claim.input["a"], "a")
+    expect_simple(a, "a")
+    b = polygon(claim.input["b"], "b")
+    expect_simple(b, "b")
     claim.answers("contact")
     contact = claim.word("contact")
     if contact == "overlapping":

@@ -87,8 +87,10 @@ void expect_no_overlap(const Ring& a, const Ring& b, const std::vector<Rational>
 
 void check_polygon_polygon(const Claim& claim) {
   claim.inputs({"a", "b"});
-  const Ring a = polygon(claim.input["a"], "a"), b = polygon(claim.input["b"], "b");
-  expect_simple(a, "a"), expect_simple(b, "b");
+  const Ring a = polygon(claim.input["a"], "a");
+  expect_simple(a, "a");
+  const Ring b = polygon(claim.input["b"], "b");
+  expect_simple(b, "b");
   claim.answers({"contact"});
   const std::string contact = claim.word("contact");
   if (contact == "overlapping") {
