@@ -6,6 +6,7 @@
 #include "catalogue/operation/explained.h"
 #include "program/commands.h"
 #include "program/geometries.h"
+#include "program/out_of_memory.h"
 #include "program/program.h"
 #include "program/regression_test.h"
 #include "report/wording.h"
@@ -46,6 +47,7 @@ Json input_in(const std::string& text, const AskCommand& command, const Operatio
 }  // namespace
 
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
+  have_gmp_throw();
   const Operation& operation = operation_named(command.operation);
   EngineNotes notes;
   const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);
@@ -72,7 +74,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
         out << tests.next(*examination, said);
         return;
       }
-      Json line = explained(*examination);
+      Json line = command.truth ? truth_alone(*examination) : explained(*examination);
       if (engine) line["engine"] = said;
       if (command.as_typed) {
         line["as_typed"] = Json::object();
@@ -81,6 +83,8 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       out << one_line(line) << '\n';
     } catch (const InvalidInput& refused) {
       refuse(number, refused);
+    } catch (const std::bad_alloc&) {
+      refuse(number, InvalidInput("line", "answered in the memory there is"));
     }
   };
   const std::uint64_t lines = command.geojson ? each_json_text(file, answer) : each_line(file, answer);

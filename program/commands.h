@@ -42,6 +42,7 @@ struct AuditCommand {
 struct AskCommand {
   std::string operation, file = "-";
   bool as_typed = false;
+  bool truth = false;  ///< nothing but the truth and its margin
   std::string as;      ///< one of test_frameworks: regression tests instead of JSON lines; empty: JSON
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = usual_timeout;

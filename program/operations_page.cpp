@@ -23,6 +23,9 @@ closed sets, degenerate inputs, errors - is its contract, the comment at its nam
   `A | B` stands for one of these words, "index" for a place in a list, counted from 0.
 - **Words**: the enumerators of the answer. Where "plain" names a word, `true` and `false` are answers as well, and
   `false` means that word.
+- **Time** grows like this with n, the elements of all lists of a question in general position (vertices and faces of
+  meshes are elements): of `robust`, of the oracle's truth and margin, of all that `ask` prints but the textbook
+  formula, and of that formula. Where nothing is said, a question has no lists.
 )";
 
 /// Words of an answer that mean "no common point".
@@ -50,6 +53,14 @@ std::string spaced(const Json& json) {
   return text;
 }
 
+/// "`robust` n log n, oracle n^2, `ask` n^2, formula n^2"; empty where there are no lists.
+std::string time_in_words(const Operation& operation) {
+  if (elements_of_lists(operation.question_shape(), operation.zeros(1)) == 0) return "";
+  const Time& time = operation.metadata().time;
+  return "`robust` " + name_of(time.robust) + ", oracle " + name_of(time.oracle) + ", `ask` " + name_of(time.ask) +
+         ", formula " + name_of(time.reference);
+}
+
 void print_operation(const Operation& operation, std::ostream& out) {
   out << "\n### `" << operation.name() << "`\n\n"
       << operation.metadata().question << " ([contract](../reference/" << operation.metadata().chapter << '/'
@@ -64,6 +75,8 @@ void print_operation(const Operation& operation, std::ostream& out) {
   const Json described = operation.question_description();
   for (const Json& input : described.is_array() ? described : Json::array({described})) out << spaced(input) << '\n';
   out << "-> " << spaced(operation.answer_description()) << "\n```\n";
+  const std::string time = time_in_words(operation);
+  if (!time.empty()) out << "\nTime: " << time << ".\n";
   std::vector<std::string> plain;
   plain_words(operation.answer_shape(), plain);
   if (operation.words().empty()) return;

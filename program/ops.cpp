@@ -51,6 +51,15 @@ void print_table(std::ostream& out) {
   print(lines, out);
 }
 
+Json json_of(const Time& time) {
+  Json json = Json::object();
+  json["robust"] = name_of(time.robust);
+  json["oracle"] = name_of(time.oracle);
+  json["ask"] = name_of(time.ask);
+  json["reference"] = name_of(time.reference);
+  return json;
+}
+
 void print_json(std::ostream& out) {
   Json list = Json::array();
   for (const Operation* operation : all_operations()) {
@@ -66,6 +75,7 @@ void print_json(std::ostream& out) {
     entry["words"] = operation->words();
     entry["kind"] = kind_name(metadata.kind);
     entry["cost"] = metadata.cost;
+    entry["time"] = json_of(metadata.time);
     entry["question"] = metadata.question;
     entry["answer"] = operation->answer_description();
     entry["families"] = operation->families();

@@ -115,11 +115,14 @@ void add_ask(CLI::App& program, Action& action) {
   command->add_option("file", options->file, "JSON lines; - is standard input");
   auto* as_typed =
       command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
+  auto* truth = command->add_flag("--truth", options->truth,
+                                  "The truth and its margin alone: no certificate, no robust, no reference");
   command
       ->add_option("--as", options->as,
                    "Print regression tests of your own code instead: catch2, gtest, pytest or jest")
       ->check(CLI::IsMember(std::vector<std::string>(test_frameworks.begin(), test_frameworks.end())))
       ->excludes(as_typed)
+      ->excludes(truth)
       ->default_str("");
   add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
   command

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/operation/explained.h"
 
+#include "catalogue/operation/judgement.h"
 #include "catalogue/operation/operation.h"
 #include "oracle/certificates/check.h"
 
@@ -41,6 +42,35 @@ Json verdict_json(const Judgement& judgement, Json answer) {
   return result;
 }
 
+namespace {
+
+/// A formula of more steps is not evaluated by `ask`, and the cause of an error is not sought where that takes more: it
+/// evaluates the formula again in exact arithmetic, where a step takes a hundred times as long or more. In steps, so
+/// that the same question gets the same bytes.
+constexpr std::uint64_t most_steps = std::uint64_t{1} << 24, most_exact_steps = std::uint64_t{1} << 16;
+
+/// What the textbook formula answers, and the verdict on it, as far as the steps allow.
+Json reference_json(const Examination& examination) {
+  const std::uint64_t n = elements_of_lists(*examination.row().question, examination.question());
+  const Growth growth = examination.operation().metadata().time.reference;
+  const std::uint64_t steps = steps_of(growth, n);
+  const std::string in_words =
+      std::to_string(steps) + " steps (" + name_of(growth) + ", n = " + std::to_string(n) + ")";
+  Json result = Json::object();
+  if (steps > most_steps) {
+    result["not_evaluated"] = in_words;
+  } else if (steps > most_exact_steps && formula_errs(examination)) {
+    result["answer"] = examination.reference();
+    result["verdict"] = "wrong";
+    result["cause_not_evaluated"] = in_words;
+  } else {
+    result = verdict_json(examination.judge_reference(), examination.reference());
+  }
+  return result;
+}
+
+}  // namespace
+
 Json truth_of_decimals(const Operation& operation, const Json& printed) {
   try {
     return operation.truth_as_typed(parse_line(one_line(printed)));
@@ -49,22 +79,28 @@ Json truth_of_decimals(const Operation& operation, const Json& printed) {
   }
 }
 
-Json explained(const Examination& examination) {
+Json truth_alone(const Examination& examination) {
   const Operation& operation = examination.operation();
   Json line = Json::object();
   line["op"] = operation.name();
   line["input"] = operation.print(examination.question());
   line["truth"] = examination.truth();
   if (examination.margin()) line["margin"] = written(*examination.margin());
+  return line;
+}
+
+Json explained(const Examination& examination) {
+  const Operation& operation = examination.operation();
+  Json line = truth_alone(examination);
   line["certificate"] = certificate_json(examination.certificate());
   line["robust"] = verdict_json(examination.judge_robust(), examination.robust());
-  line["reference"] = verdict_json(examination.judge_reference(), examination.reference());
+  line["reference"] = reference_json(examination);
   for (const Operation* other : all_operations()) {
     if (operation.name() != other->metadata().implementation_of) continue;
     const Examination by_other(*other, examination);
     const bool longer = other->name().starts_with(operation.name() + "_");
     line["reference_" + (longer ? other->name().substr(operation.name().size() + 1) : other->name())] =
-        verdict_json(by_other.judge_reference(), by_other.reference());
+        reference_json(by_other);
   }
   return line;
 }

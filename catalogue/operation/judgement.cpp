@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <set>
 #include <span>
 #include <utility>
@@ -266,6 +267,12 @@ bool is_right_exactly(const Examination& question) {
                        row.metadata->formula_answers_less ? Reading::less : Reading::complete);
 }
 
+bool formula_errs(const Examination& question) {
+  Judgement ignored;
+  const Comparison found = compared_formula(question, false, ignored);
+  return !found.decision || (found.finite && found.ulps > question.row().metadata->ulps);
+}
+
 Judgement judgement_of_formula(const Examination& question, bool binary32) {
   const RowFunctions& row = question.row();
   Judgement judgement;
@@ -312,6 +319,8 @@ Judgement judgement_of_robust(const Examination& question, std::size_t environme
       }
     }
     return judgement;
+  } catch (const std::bad_alloc&) {
+    throw;  // no answer of robust
   } catch (const std::exception& thrown) {
     return {Verdict::invalid, 0, thrown.what()};
   }

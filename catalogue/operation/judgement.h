@@ -12,6 +12,8 @@ Judgement judgement_of_formula(const Examination& question, bool binary32);
 Judgement judgement_of_robust(const Examination& question, std::size_t environment);
 Judgement judgement_of_engine(const Examination& question, const Json& answer, const Declaration& declaration);
 
+/// Whether the formula in double is wrong, or less exact than it promises; the cause is not sought.
+bool formula_errs(const Examination& question);
 /// Whether the formula run in exact arithmetic is right.
 bool is_right_exactly(const Examination& question);
 /// Where a checker sees numbers, what it says turns on every rounding.

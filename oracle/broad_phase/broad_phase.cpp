@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/broad_phase/broad_phase.h"
 
-#include <map>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "geometry/validation_of_commands.h"
@@ -13,51 +14,112 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The truth of one query.
-struct Asked {
-  QueryReply reply;
-  std::optional<Rational> margin;
-  std::function<Certificate()> certificate;
-};
+/// The bodies that are there, and a tree of them, which is made anew once more commands have changed bodies since than
+/// half of it. Bodies of a single leaf need no tree.
+class World {
+ public:
+  void insert(Aabb3<Rational> box) { bodies_.emplace(next_++, std::move(box)), change(); }
+  void move(Index body, Aabb3<Rational> box) { bodies_.at(body) = std::move(box), change(); }
+  void remove(Index body) { bodies_.erase(body), change(); }
 
-/// The bodies that are there, by their indices.
-template <class Number>
-struct World {
-  std::map<Index, Aabb3<Number>> bodies{};
-  Index next = 0;
-  std::vector<Asked> asked{};
-
-  void operator()(const Insert<Number>& command) { bodies.emplace(next++, command.box); }
-  void operator()(const Move<Number>& command) { bodies.at(command.body) = command.box; }
-  void operator()(const Remove& command) { bodies.erase(command.body); }
-  void operator()(const Ask&) {
-    std::vector<Aabb3<Number>> boxes;
-    for (const auto& [name, box] : bodies) boxes.push_back(box);
-    auto [pairs, margin, certificate] = all_pairs(boxes);
-    const std::vector<Index> name = names();
-    for (IndexPair& pair : pairs) pair = {name[pair.i], name[pair.j]};
-    asked.push_back({PairsReply{std::move(pairs)}, std::move(margin), std::move(certificate)});
+  const Bodies& bodies() const { return bodies_; }
+  bool of_one_leaf() const { return bodies_.size() <= BodyTree::largest_leaf; }
+  const BodyTree& tree() {
+    if (of_one_leaf()) return leaf_.emplace(bodies_);
+    if (!tree_ || 2 * changes_ > tree_->order().size()) {
+      tree_.emplace(bodies_), ++trees_;
+      changes_ = 0;
+    } else if (is_changed_) {
+      tree_->refit(bodies_);
+    }
+    is_changed_ = false;
+    return *tree_;
   }
-  void operator()(const InBox<Number>& query) { each<BodiesReply>(exact(query.box)); }
-  void operator()(const AtPoint<Number>& query) {
-    each<BodiesReply>(Aabb3<Rational>{exact(query.point), exact(query.point)});
-  }
-  void operator()(const AlongRay<Number>& query) { each<RayReply>(exact(query.ray)); }
+  /// How many trees of more than a leaf there have been.
+  std::size_t trees() const { return trees_; }
 
  private:
-  std::vector<Index> names() const {
-    std::vector<Index> names;
-    for (const auto& [name, box] : bodies) names.push_back(name);
-    return names;
+  void change() { ++changes_, is_changed_ = true; }
+
+  Bodies bodies_;
+  Index next_ = 0;
+  std::optional<BodyTree> leaf_, tree_;
+  std::size_t changes_ = 0, trees_ = 0;
+  bool is_changed_ = false;
+};
+
+/// Carries out commands. Queries are put to `asked`: pairs(world), and met(world, query, empty reply).
+template <class Number, class Asked>
+struct CarryOut {
+  World& world;
+  Asked& asked;
+
+  void operator()(const Insert<Number>& command) const { world.insert(exact(command.box)); }
+  void operator()(const Move<Number>& command) const { world.move(command.body, exact(command.box)); }
+  void operator()(const Remove& command) const { world.remove(command.body); }
+  void operator()(const Ask&) const { asked.pairs(world); }
+  void operator()(const InBox<Number>& query) const { asked.met(world, exact(query.box), BodiesReply{}); }
+  void operator()(const AtPoint<Number>& query) const {
+    asked.met(world, Aabb3<Rational>{exact(query.point), exact(query.point)}, BodiesReply{});
   }
-  template <class OneReply, class Query>
-  void each(const Query& query) {
-    std::vector<Aabb3<Rational>> boxes;
-    for (const auto& [name, box] : bodies) boxes.push_back(exact(box));
-    auto [met, margin, certificate] = met_by(query, boxes);
-    const std::vector<Index> name = names();
-    for (Index& body : met) body = name[body];
-    asked.push_back({OneReply{std::move(met)}, std::move(margin), std::move(certificate)});
+  void operator()(const AlongRay<Number>& query) const { asked.met(world, exact(query.ray), RayReply{}); }
+};
+
+template <class Number, class Asked>
+Asked carried_out(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands) {
+  World world;
+  Asked asked;
+  const CarryOut<Number, Asked> carry_out{world, asked};
+  for (const Aabb3<Number>& box : boxes) carry_out(Insert<Number>{box});
+  for (const Command<Number>& command : commands) std::visit(carry_out, command);
+  return asked;
+}
+
+Truth<std::vector<IndexPair>> pairs_of(const World& world) {
+  std::vector<Aabb3<Rational>> boxes;
+  for (const auto& [body, box] : world.bodies()) boxes.push_back(box);
+  return all_pairs(boxes);
+}
+
+struct Answers {
+  Replies replies;
+  std::optional<Rational> margin;
+
+  void pairs(const World& world) {
+    std::vector<Index> body;
+    for (const auto& [index, box] : world.bodies()) body.push_back(index);
+    auto [pairs, least, certificate] = pairs_of(world);
+    for (IndexPair& pair : pairs) pair = {body[pair.i], body[pair.j]};
+    if (least && (!margin || *least < *margin)) margin = std::move(least);
+    replies.push_back(PairsReply{std::move(pairs)});
+  }
+  template <class Query, class Reply>
+  void met(World& world, const Query& query, const Reply&) {
+    replies.push_back(Reply{met_by(query, world.tree(), world.bodies(), margin)});
+  }
+};
+
+struct Proofs {
+  std::vector<Certificate> replies, trees;
+
+  void pairs(const World& world) { replies.push_back(pairs_of(world).certificate()); }
+  template <class Query, class Reply>
+  void met(World& world, const Query& query, const Reply&) {
+    const BodyTree& tree = world.tree();
+    Certificate reply{"by_tree", {}, {{"each", proofs_of(query, tree, world.bodies())}}};
+    if (world.of_one_leaf()) {
+      reply.kind = std::is_same_v<Reply, RayReply> ? "each_along" : "each_body";
+    } else {
+      if (trees.size() < world.trees()) trees.push_back(tree.certificate());
+      reply.facts = {{"tree", {Rational(static_cast<unsigned long>(trees.size() - 1))}}};
+    }
+    replies.push_back(std::move(reply));
+  }
+
+  Certificate certificate() && {
+    Certificate all{"replies", {}, {{"replies", std::move(replies)}}};
+    if (!trees.empty()) all.parts.emplace_back("trees", std::move(trees));
+    return all;
   }
 };
 
@@ -66,22 +128,9 @@ Truth<Replies> truth(const std::vector<Aabb3<Number>>& boxes, const std::vector<
   validation::validate_program(
       boxes, commands, [](const std::string& field, const auto& shape) { validation::validate_numbers(field, shape); },
       [](const std::string& field, const auto& shape) { validation::validate(field, shape); });
-  World<Number> world;
-  for (const Aabb3<Number>& box : boxes) world(Insert<Number>{box});
-  for (const Command<Number>& command : commands) std::visit([&](const auto& one) { world(one); }, command);
-  Truth<Replies> found;
-  std::vector<std::function<Certificate()>> proofs;
-  for (auto& [reply, margin, certificate] : world.asked) {
-    found.answer.push_back(std::move(reply));
-    if (margin && (!found.margin || *margin < *found.margin)) found.margin = std::move(margin);
-    proofs.push_back(std::move(certificate));
-  }
-  found.certificate = [proofs = std::move(proofs)] {
-    std::vector<Certificate> each;
-    for (const auto& proof : proofs) each.push_back(proof());
-    return Certificate{"replies", {}, {{"replies", std::move(each)}}};
-  };
-  return found;
+  Answers found = carried_out<Number, Answers>(boxes, commands);
+  return {std::move(found.replies), std::move(found.margin),
+          [boxes, commands] { return carried_out<Number, Proofs>(boxes, commands).certificate(); }};
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which solids of a list meet, as in check_broad_phase.cpp, where the proof is written down."""
 
+from certify_body_tree import BodyTrees, axis, met_bodies, place, ray_in_space
 from certify_pair_tree import expect_pair_tree
 from certify_reading import WRONG_KIND, Claim, expect, only
-from certify_space import ball, box_holds, box_in_space, dot, exact_triple, point_in_space, triple
+from certify_space import ball, box_holds, box_in_space, dot, exact_triple, point_in_space
 
 
 class Ball:
@@ -37,17 +38,6 @@ def solids(claim):
     values = claim.input[field]
     expect(isinstance(values, list), field + ": a list")
     return [(Box if boxes else Ball)(value, f"{field}[{i}]") for i, value in enumerate(values)]
-
-
-def axis(claim):
-    which = claim.single("axis")
-    expect(which in (0, 1, 2), "certificate: not an axis")
-    return int(which)
-
-
-def place(index, size):
-    expect(index.denominator == 1 and 0 <= index < size, "certificate: not an index")
-    return int(index)
 
 
 def proof_of(claim, written):
@@ -133,14 +123,6 @@ def body(bodies, index, what):
     return index
 
 
-def ray_in_space(value, what):
-    only(value, what, ["origin", "direction"])
-    origin = point_in_space(value["origin"], what + ".origin")
-    direction = point_in_space(value["direction"], what + ".direction")
-    expect(direction != (0, 0, 0), what + ".direction: nonzero direction")
-    return origin, direction
-
-
 def query(command, what):
     if "in_box" in command:
         only(command, what, ["in_box"]), box_in_space(command["in_box"], what + ".in_box")
@@ -154,18 +136,16 @@ def query(command, what):
 
 
 def carry_out(command, bodies, count, what):
-    """How many bodies there have been after the command."""
+    """How many bodies there have been after the command. bodies: what is written and both ends, by index."""
     expect(isinstance(command, dict), what + ": a command")
     if "insert" in command:
         only(command, what, ["insert"])
-        box_in_space(command["insert"], what + ".insert")
-        bodies[count] = command["insert"]
+        bodies[count] = command["insert"], box_in_space(command["insert"], what + ".insert")
         return count + 1
     if "move" in command:
         only(command, what, ["move", "box"])
         index = body(bodies, command["move"], what + ".move")
-        box_in_space(command["box"], what + ".box")
-        bodies[index] = command["box"]
+        bodies[index] = command["box"], box_in_space(command["box"], what + ".box")
     elif "remove" in command:
         only(command, what, ["remove"])
         del bodies[body(bodies, command["remove"], what + ".remove")]
@@ -175,18 +155,19 @@ def carry_out(command, bodies, count, what):
 
 
 def worlds(claim):
-    """Each query, and the bodies that are there."""
+    """Each query, the bodies that are there, how many there have been, and the command's place."""
     expect(isinstance(claim.input["boxes"], list), "boxes: a list")
-    bodies, count = {}, 0
+    bodies, count, changes = {}, 0, 0
     for box in claim.input["boxes"]:
-        box_in_space(box, f"boxes[{count}]")
-        bodies[count] = box
+        bodies[count] = box, box_in_space(box, f"boxes[{count}]")
         count += 1
     expect(isinstance(claim.input["commands"], list), "commands: a list")
     for i, command in enumerate(claim.input["commands"]):
         count = carry_out(command, bodies, count, f"commands[{i}]")
-        if not {"insert", "move", "remove"} & set(command):
-            yield command, dict(bodies)
+        if {"insert", "move", "remove"} & set(command):
+            changes += 1
+        else:
+            yield command, bodies, count, changes
 
 
 def check_pairs(bodies, reply, certificate):
@@ -198,91 +179,35 @@ def check_pairs(bodies, reply, certificate):
     for pair in reply["pairs"]:
         expect(isinstance(pair, list) and len(pair) == 2, "truth.pairs: a list of two in each place")
         pairs.append([places[body(bodies, index, "truth.pairs")] for index in pair])
-    boxes = [bodies[index] for index in sorted(bodies)]
+    boxes = [bodies[index][0] for index in sorted(bodies)]
     check_all_pairs(Claim({"input": {"boxes": boxes}, "truth": {"pairs": pairs}, "certificate": certificate}))
 
 
-def meets_box(proof, low, high, body_low, body_high):
-    """Whether a body meets a box, as the proof says."""
-    if proof.kind() == "common_point":
-        proof.facts("point")
-        p = triple(proof, "point")
-        expect(box_holds(low, high, p) and box_holds(body_low, body_high, p), "certificate: a point is not in both")
-        return True
-    proof.expect_kind("gap"), proof.facts("axis")
-    along = axis(proof)
-    gap = high[along] < body_low[along] or body_high[along] < low[along]
-    expect(gap, "certificate: a body is not apart")
-    return False
-
-
-def first_on_ray(proof, origin, direction, low, high):
-    """The first t at which a ray is in a body, as the proof says; None: never."""
-    if proof.kind() == "apart":
-        proof.facts("below", "above")
-        below, above = proof.list("below"), proof.list("above")
-        expect(len(below) == 3 and len(above) == 3, "certificate: a weight for each face")
-        expect(all(weight >= 0 for weight in below + above), "certificate: a weight is negative")
-        total = sum(b * (least - o) + a * (o - most)
-                    for b, a, o, least, most in zip(below, above, origin, low, high))
-        slope = sum((a - b) * d for b, a, d in zip(below, above, direction))
-        expect(total > 0 and slope >= 0, "certificate: the weights prove nothing")
-        return None
-    start = proof.kind() == "start"
-    expect(start or proof.kind() == "entry", WRONG_KIND)
-    proof.facts(*([] if start else ["first", "axis"]))
-    first = 0 if start else proof.single("first")
-    expect(first >= 0, "certificate: before the ray starts")
-    p = [o + first * d for o, d in zip(origin, direction)]
-    expect(box_holds(low, high, p), "certificate: the ray is not in the body")
-    if not start:
-        k = axis(proof)
-        enters = (direction[k] > 0 and p[k] == low[k]) or (direction[k] < 0 and p[k] == high[k])
-        expect(enters, "certificate: the ray does not enter there")
-    return first
-
-
-def met(command, bodies, proofs):
-    """The bodies that the proofs, one for each, show to be met: of a ray, in the order of the first t."""
-    found = []
-    for index, written in zip(sorted(bodies), proofs):
-        low, high = box_in_space(bodies[index], "body")
-        proof = Claim({"input": command, "truth": command, "certificate": written})
-        if "along_ray" in command:
-            first = first_on_ray(proof, *ray_in_space(command["along_ray"], "ray"), low, high)
-            found += [] if first is None else [(first, index)]
-        else:
-            p = command.get("at_point")
-            ends = box_in_space(command["in_box"], "box") if p is None else (point_in_space(p, "point"),) * 2
-            found += [(0, index)] if meets_box(proof, *ends, low, high) else []
-    return [index for _, index in sorted(found)]
-
-
-def check_reply(command, bodies, reply, certificate):
+def check_reply(command, bodies, count, changes, reply, certificate, trees):
     if "ask" in command:
         return check_pairs(bodies, reply, certificate)
-    name, kind = ("in_order", "each_along") if "along_ray" in command else ("bodies", "each_body")
+    name = "in_order" if "along_ray" in command else "bodies"
     only(reply, "truth.replies", [name])
     expect(isinstance(reply[name], list), f"truth.{name}: a list")
     expected = [body(bodies, index, "truth." + name) for index in reply[name]]
     claim = Claim({"input": command, "truth": reply, "certificate": certificate})
-    claim.expect_kind(kind), claim.facts("each")
-    expect(isinstance(certificate["each"], list), "certificate.each: a list")
-    expect(len(certificate["each"]) == len(bodies), "certificate: a proof for each body")
-    expect(met(command, bodies, certificate["each"]) == expected, "truth: not the bodies that are proved")
+    found = met_bodies(claim, bodies, count, changes, trees)
+    expect(found == expected, "truth: not the bodies that are proved")
 
 
 def check_broad_phase(claim):
     claim.inputs("boxes", "commands")
-    asked = list(worlds(claim))
+    queries = sum(1 for _ in worlds(claim))
     claim.answers("replies")
-    claim.expect_kind("replies"), claim.facts("replies")
+    claim.expect_kind("replies"), claim.facts("replies", *(["trees"] if "trees" in claim.certificate else []))
     replies, proofs = claim.truth["replies"], claim.certificate["replies"]
     expect(isinstance(replies, list), "truth.replies: a list")
     expect(isinstance(proofs, list), "certificate.replies: a list")
-    expect(len(asked) == len(replies) == len(proofs), "certificate: a reply and its proof for each query")
-    for (command, bodies), reply, proof in zip(asked, replies, proofs):
-        check_reply(command, bodies, reply, proof)
+    expect(queries == len(replies) == len(proofs), "certificate: a reply and its proof for each query")
+    trees = BodyTrees(claim)
+    for (command, *world), reply, proof in zip(worlds(claim), replies, proofs):
+        check_reply(command, *world, reply, proof, trees)
+    trees.expect_used()
 
 
 # What other structures answer is proved in the same way.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/certificates/check_body_tree.h"
 #include "oracle/certificates/check_pair_tree.h"
 #include "oracle/certificates/check_space.h"
 
@@ -18,8 +19,9 @@
 /// that solid. Each pair that is left is listed, or its own proof shows it to be apart. So no pair is missing. The time
 /// is that of reading the claim, but for looking pairs up.
 /// Of a program, the commands are carried out on a plain list, and each reply is proved on its own: pairs like this;
-/// whatever meets a box, a point or a ray by a proof for each body, in the order of their indices. A ray enters a body
-/// where it crosses the plane of a face that it was beyond until then, into the body. It misses a body where the
+/// whatever meets a box, a point or a ray by a proof for each body, in the order of their indices; or along a tree of
+/// bodies, whose boxes are computed here: what misses the box around a node misses each body of it, so that one proof
+/// is enough, and bodies that are in no leaf have proofs of their own behind. A ray enters a body where it crosses the plane of a face that it was beyond until then, into the body. It misses a body where the
 /// inequalities of faces, with weights that are not negative, sum up to c + s t <= 0 with c > 0 and s >= 0.
 namespace touchstone::certify {
 namespace {
@@ -57,23 +59,6 @@ bool holds(const Solid& solid, const Triple& p) {
   if (!solid.ball) return solid.box.holds({p.x, p.y, p.z});
   const Triple from_center = p - solid.ball->center;
   return dot(from_center, from_center) <= square(solid.ball->radius);
-}
-
-std::size_t axis(const Claim& claim) {
-  const Rational which = claim.single("axis");
-  expect(which == 0 || which == 1 || which == 2, "certificate: not an axis");
-  return which.get_num().get_ui();
-}
-
-/// A number of the certificate that says which solid.
-std::size_t place(const Rational& index, std::size_t size) {
-  expect(index.get_den() == 1 && sgn(index) >= 0 && index < Rational(mpz_class(size)), "certificate: not an index");
-  return index.get_num().get_ui();
-}
-
-const json& list(const json& object, const char* name, const std::string& what) {
-  expect(object[name].is_array(), what + ": a list");
-  return object[name];
 }
 
 /// The truth's pairs, with a common point each.
@@ -168,65 +153,12 @@ auto there(Map& bodies, const json& index, const std::string& what) {
   return body;
 }
 
-Rational of_axis(const Triple& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
-/// Whether a body meets a box, as the proof says.
-bool proved(const Claim& proof, const Box& query, const Box& body) {
-  if (proof.kind() == "common_point") {
-    proof.facts({"point"});
-    const Triple p = triple(proof, "point");
-    expect(query.holds({p.x, p.y, p.z}) && body.holds({p.x, p.y, p.z}), "certificate: a point is not in both");
-    return true;
-  }
-  proof.expect_kind("gap");
-  proof.facts({"axis"});
-  const std::size_t along = axis(proof);
-  expect(query.max[along] < body.min[along] || body.max[along] < query.min[along], "certificate: a body is not apart");
-  return false;
-}
-
-struct RayInSpace {
-  Triple origin, direction;
-};
-
-/// The first t at which a ray is in a body, as the proof says; empty: never.
-std::optional<Rational> proved(const Claim& proof, const RayInSpace& ray, const Box& body) {
-  const auto& [o, d] = ray;
-  if (proof.kind() == "apart") {
-    proof.facts({"below", "above"});
-    const std::vector<Rational> below = proof.list("below"), above = proof.list("above");
-    expect(below.size() == 3 && above.size() == 3, "certificate: a weight for each face");
-    Rational sum, slope;
-    for (std::size_t k = 0; k < 3; ++k) {
-      expect(sgn(below[k]) >= 0 && sgn(above[k]) >= 0, "certificate: a weight is negative");
-      sum += below[k] * (body.min[k] - of_axis(o, k)) + above[k] * (of_axis(o, k) - body.max[k]);
-      slope += (above[k] - below[k]) * of_axis(d, k);
-    }
-    expect(sgn(sum) > 0 && sgn(slope) >= 0, "certificate: the weights prove nothing");
-    return std::nullopt;
-  }
-  const bool start = proof.kind() == "start";
-  expect(start || proof.kind() == "entry", wrong_kind);
-  if (start) proof.facts({});
-  else proof.facts({"first", "axis"});
-  const Rational first = start ? Rational(0) : proof.single("first");
-  expect(sgn(first) >= 0, "certificate: before the ray starts");
-  const Triple p = along(o, first, d);
-  expect(body.holds({p.x, p.y, p.z}), "certificate: the ray is not in the body");
-  if (!start) {
-    const std::size_t k = axis(proof);
-    const Rational by = of_axis(d, k), at = of_axis(p, k);
-    expect((sgn(by) > 0 && at == body.min[k]) || (sgn(by) < 0 && at == body.max[k]),
-           "certificate: the ray does not enter there");
-  }
-  return first;
-}
-
-/// Bodies by their indices, as commands make them. A command has one of these names.
+/// BoxedBodies by their indices, as commands make them. A command has one of these names.
 class World {
  public:
   explicit World(const Claim& claim) {
-    for (const json& box : list(claim.input, "boxes", "boxes")) insert(box, "boxes[" + std::to_string(next_) + "]");
+    for (const json& box : list(claim.input, "boxes", "boxes"))
+      insert(box, "boxes[" + std::to_string(bodies_.next) + "]");
   }
 
   /// Whether the command is a query.
@@ -234,12 +166,15 @@ class World {
     expect(command.is_object(), what + ": a command");
     if (command.contains("insert")) {
       only(command, what, {"insert"}), insert(command["insert"], what + ".insert");
+      ++bodies_.changes;
     } else if (command.contains("move")) {
       only(command, what, {"move", "box"});
-      json& box = there(bodies_, command["move"], what + ".move")->second;
-      box_in_space(command["box"], what + ".box"), box = command["box"];
+      BoxedBody& body = there(bodies_.there, command["move"], what + ".move")->second;
+      body = {command["box"], box_in_space(command["box"], what + ".box")};
+      ++bodies_.changes;
     } else if (command.contains("remove")) {
-      only(command, what, {"remove"}), bodies_.erase(there(bodies_, command["remove"], what + ".remove"));
+      only(command, what, {"remove"}), bodies_.there.erase(there(bodies_.there, command["remove"], what + ".remove"));
+      ++bodies_.changes;
     } else {
       query(command, what);
       return true;
@@ -247,19 +182,15 @@ class World {
     return false;
   }
 
-  void check(const json& command, const json& reply, const json& certificate) const {
+  void check(const json& command, const json& reply, const json& certificate, BodyTrees& trees) const {
     if (command.contains("ask")) return check_pairs(reply, certificate);
     const char* const name = command.contains("along_ray") ? "in_order" : "bodies";
     only(reply, "truth.replies", {name});
     std::vector<std::uint64_t> expected;
     for (const json& index : list(reply, name, std::string("truth.") + name))
-      expected.push_back(there(bodies_, index, std::string("truth.") + name)->first);
-    const Claim claim{command, reply, certificate};
-    expect(claim.kind() == (command.contains("along_ray") ? "each_along" : "each_body"), wrong_kind);
-    claim.facts({"each"});
-    expect(list(certificate, "each", "certificate.each").size() == bodies_.size(),
-           "certificate: a proof for each body");
-    expect(met(command, certificate["each"]) == expected, "truth: not the bodies that are proved");
+      expected.push_back(there(bodies_.there, index, std::string("truth.") + name)->first);
+    expect(met_bodies({command, reply, certificate}, bodies_, trees) == expected,
+           "truth: not the bodies that are proved");
   }
 
  private:
@@ -269,61 +200,32 @@ class World {
     } else if (command.contains("at_point")) {
       only(command, what, {"at_point"}), point_in_space(command["at_point"], what + ".at_point");
     } else if (command.contains("along_ray")) {
-      only(command, what, {"along_ray"}), ray(command["along_ray"], what + ".along_ray");
+      only(command, what, {"along_ray"}), ray_in_space(command["along_ray"], what + ".along_ray");
     } else {
       only(command, what, {"ask"}), expect(command["ask"] == "pairs", what + ".ask: pairs");
     }
-  }
-  static RayInSpace ray(const json& value, const std::string& what) {
-    only(value, what, {"origin", "direction"});
-    const RayInSpace result{point_in_space(value["origin"], what + ".origin"),
-                            point_in_space(value["direction"], what + ".direction")};
-    expect(!(result.direction == Triple{0, 0, 0}), what + ".direction: nonzero direction");
-    return result;
-  }
-
-  /// The bodies that the proofs, one for each, show to be met: of a ray, in the order of the first t.
-  std::vector<std::uint64_t> met(const json& command, const json& proofs) const {
-    std::vector<std::pair<Rational, std::uint64_t>> met;
-    std::size_t count = 0;
-    for (const auto& [index, written] : bodies_) {
-      const Box body = box_in_space(written, "body");
-      const Claim proof{command, command, proofs[count++]};
-      std::optional<Rational> first;
-      if (command.contains("along_ray")) {
-        first = proved(proof, ray(command["along_ray"], "ray"), body);
-      } else if (command.contains("in_box")) {
-        if (proved(proof, box_in_space(command["in_box"], "box"), body)) first = 0;
-      } else {
-        const Triple p = point_in_space(command["at_point"], "point");
-        if (proved(proof, Box{{p.x, p.y, p.z}, {p.x, p.y, p.z}}, body)) first = 0;
-      }
-      if (first) met.emplace_back(*first, index);
-    }
-    std::sort(met.begin(), met.end());
-    std::vector<std::uint64_t> bodies;
-    for (const auto& [first, index] : met) bodies.push_back(index);
-    return bodies;
   }
 
   /// The reply is that of all_pairs, where the bodies that are there have their places in the list.
   void check_pairs(const json& reply, const json& certificate) const {
     only(reply, "truth.replies", {"pairs"});
     json input{{"boxes", json::array()}}, truth{{"pairs", list(reply, "pairs", "truth.pairs")}};
-    for (const auto& [index, box] : bodies_) input["boxes"].push_back(box);
+    for (const auto& [index, body] : bodies_.there) input["boxes"].push_back(body.written);
     for (json& pair : truth["pairs"]) {
       expect(pair.is_array() && pair.size() == 2, "truth.pairs: a list of two in each place");
       for (json& index : pair) {
-        index = static_cast<std::size_t>(std::distance(bodies_.begin(), there(bodies_, index, "truth.pairs")));
+        index =
+            static_cast<std::size_t>(std::distance(bodies_.there.begin(), there(bodies_.there, index, "truth.pairs")));
       }
     }
     check_all_pairs({input, truth, certificate});
   }
 
-  void insert(const json& box, const std::string& what) { box_in_space(box, what), bodies_.emplace(next_++, box); }
+  void insert(const json& box, const std::string& what) {
+    bodies_.there.emplace(bodies_.next++, BoxedBody{box, box_in_space(box, what)});
+  }
 
-  std::map<std::uint64_t, json> bodies_;
-  std::uint64_t next_ = 0;
+  BoxedBodies bodies_;
 };
 
 void check_broad_phase(const Claim& claim) {
@@ -339,14 +241,17 @@ void check_broad_phase(const Claim& claim) {
   carry_out([&queries](const World&, const json&) { ++queries; });
   claim.answers({"replies"});
   claim.expect_kind("replies");
-  claim.facts({"replies"});
+  if (claim.certificate.contains("trees")) claim.facts({"replies", "trees"});
+  else claim.facts({"replies"});
   const json &replies = list(claim.truth, "replies", "truth.replies"),
              &proofs = list(claim.certificate, "replies", "certificate.replies");
   expect(queries == replies.size() && queries == proofs.size(), "certificate: a reply and its proof for each query");
   queries = 0;
+  BodyTrees trees(claim);
   carry_out([&](const World& world, const json& command) {
-    world.check(command, replies[queries], proofs[queries]), ++queries;
+    world.check(command, replies[queries], proofs[queries], trees), ++queries;
   });
+  trees.expect_used();
 }
 
 }  // namespace

@@ -18,24 +18,32 @@ void keep_least(std::optional<Rational>& least, const Rational& one) {
 
 constexpr std::array axes{&Point3<Rational>::x, &Point3<Rational>::y, &Point3<Rational>::z};
 
-/// What two boxes have to spare before they part; less than 0: what they lack.
-Rational spare(const Box& a, const Box& b) {
-  std::optional<Rational> least;
-  for (const auto axis : axes)
-    keep_least(least, std::min<Rational>(a.max.*axis - b.min.*axis, b.max.*axis - a.min.*axis));
-  return *least;
-}
-
-Certificate proof(const Box& query, const Box& box) {
-  std::vector<Rational> corner;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rational &low = std::max(query.min.*axes[k], box.min.*axes[k]),
-                   &high = std::min(query.max.*axes[k], box.max.*axes[k]);
-    if (high < low) return {"gap", {{"axis", {Rational(static_cast<long>(k))}}}};
-    corner.push_back(low);
+/// A query's box and another one.
+class BoxBesideBox {
+ public:
+  BoxBesideBox(const Box& query, const Box& box) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = axes[k];
+      const Rational between = std::max<Rational>(box.min.*axis - query.max.*axis, query.min.*axis - box.max.*axis);
+      if (!lack_ || between > *lack_) lack_ = between;
+      if (!apart_ && sgn(between) > 0) apart_ = k;
+      corner_.push_back(std::max(query.min.*axis, box.min.*axis));
+    }
   }
-  return {"common_point", {{"point", corner}}};
-}
+
+  /// How far one must be moved along the axes for them to meet; less than 0: what they have to spare.
+  const Rational& lack() const { return *lack_; }
+  bool met() const { return sgn(*lack_) <= 0; }
+  Certificate proof() const {
+    if (apart_) return {"gap", {{"axis", {Rational(static_cast<long>(*apart_))}}}};
+    return {"common_point", {{"point", corner_}}};
+  }
+
+ private:
+  std::optional<Rational> lack_;
+  std::optional<std::size_t> apart_;
+  std::vector<Rational> corner_;
+};
 
 /// How far a point of the ray is beyond a face: excess + slope t.
 struct Face {
@@ -107,46 +115,113 @@ Rational lead(const BoxOnRay& one, const BoxOnRay& next) {
   return sgn(next.entry()) > 0 ? Rational(next.first() - one.first()) : Rational(-one.entry());
 }
 
+/// What a query sees of the bodies of a tree. A box around bodies lacks no more than they do.
+template <class Seen, class Query>
+class Search {
+ public:
+  Search(const Query& query, const BodyTree& tree, const Bodies& bodies, std::optional<Rational>& margin)
+      : query_(query), tree_(tree), bodies_(bodies), margin_(margin) {
+    if (!tree.nodes().empty() && tree.nodes()[0].box) below(0);
+    for (const Index body : tree.others()) look_at(body);
+    std::sort(met_.begin(), met_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+
+  /// By their indices.
+  std::vector<std::pair<Index, Seen>> met() && { return std::move(met_); }
+
+ private:
+  void look_at(Index body) {
+    const auto at = bodies_.find(body);
+    if (at == bodies_.end()) return;
+    Seen seen(query_, at->second);
+    keep_least(margin_, square(seen.lack()));
+    if (seen.met()) met_.emplace_back(body, std::move(seen));
+  }
+
+  void below(std::size_t place) {
+    const BodyTree::Node& node = tree_.nodes()[place];
+    if (node.second == 0) {
+      for (std::size_t i = node.begin; i < node.end; ++i) look_at(tree_.order()[i]);
+      return;
+    }
+    std::vector<std::pair<Rational, std::size_t>> children;
+    for (const std::size_t child : {place + 1, node.second})
+      if (const auto& box = tree_.nodes()[child].box) children.emplace_back(Seen(query_, *box).lack(), child);
+    std::stable_sort(children.begin(), children.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [lack, child] : children) {
+      const bool too_far = sgn(lack) > 0 && margin_ && square(lack) > *margin_;
+      if (!too_far) below(child);
+    }
+  }
+
+  const Query& query_;
+  const BodyTree& tree_;
+  const Bodies& bodies_;
+  std::optional<Rational>& margin_;
+  std::vector<std::pair<Index, Seen>> met_;
+};
+
+/// The proofs of a walk from a node on: of a node that the query misses one, of another one `open`, and its children's.
+template <class Seen, class Query>
+void prove(const Query& query, const BodyTree& tree, const Bodies& bodies, std::size_t place,
+           std::vector<Certificate>& proofs) {
+  const BodyTree::Node& node = tree.nodes()[place];
+  if (!node.box) return;
+  if (node.second == 0) {
+    for (std::size_t i = node.begin; i < node.end; ++i)
+      if (const auto body = bodies.find(tree.order()[i]); body != bodies.end())
+        proofs.push_back(Seen(query, body->second).proof());
+    return;
+  }
+  const Seen seen(query, *node.box);
+  proofs.push_back(seen.met() ? Certificate{"open", {}} : seen.proof());
+  if (!seen.met()) return;
+  prove<Seen>(query, tree, bodies, place + 1, proofs);
+  prove<Seen>(query, tree, bodies, node.second, proofs);
+}
+
+template <class Seen, class Query>
+std::vector<Certificate> all_proofs(const Query& query, const BodyTree& tree, const Bodies& bodies) {
+  std::vector<Certificate> proofs;
+  if (!tree.nodes().empty()) prove<Seen>(query, tree, bodies, 0, proofs);
+  for (const Index body : tree.others()) proofs.push_back(Seen(query, bodies.at(body)).proof());
+  return proofs;
+}
+
 }  // namespace
 
-Truth<std::vector<Index>> met_by(const Box& query, const std::vector<Box>& boxes) {
-  Truth<std::vector<Index>> found;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Rational room = spare(query, boxes[i]);
-    if (sgn(room) >= 0) found.answer.push_back(static_cast<Index>(i));
-    keep_least(found.margin, square(room));
-  }
-  found.certificate = [query, boxes] {
-    std::vector<Certificate> each;
-    for (const Box& box : boxes) each.push_back(proof(query, box));
-    return Certificate{"each_body", {}, {{"each", std::move(each)}}};
-  };
+std::vector<Index> met_by(const Box& query, const BodyTree& tree, const Bodies& bodies,
+                          std::optional<Rational>& margin) {
+  std::vector<Index> found;
+  for (const auto& [body, seen] : Search<BoxBesideBox, Box>(query, tree, bodies, margin).met()) found.push_back(body);
   return found;
 }
 
-Truth<std::vector<Index>> met_by(const Ray3<Rational>& ray, const std::vector<Box>& boxes) {
-  Truth<std::vector<Index>> found;
-  std::vector<BoxOnRay> each;
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    each.emplace_back(ray, boxes[i]);
-    if (each[i].met()) found.answer.push_back(static_cast<Index>(i));
-    keep_least(found.margin, square(each[i].lack()));
-  }
-  std::stable_sort(found.answer.begin(), found.answer.end(),
-                   [&](Index i, Index j) { return each[i].first() < each[j].first(); });
+std::vector<Index> met_by(const Ray3<Rational>& ray, const BodyTree& tree, const Bodies& bodies,
+                          std::optional<Rational>& margin) {
+  auto met = Search<BoxOnRay, Ray3<Rational>>(ray, tree, bodies, margin).met();
+  std::stable_sort(met.begin(), met.end(),
+                   [](const auto& a, const auto& b) { return a.second.first() < b.second.first(); });
   const auto& d = ray.direction;
   const Rational unit = std::max({Rational(abs(d.x)), Rational(abs(d.y)), Rational(abs(d.z))});
-  for (std::size_t k = 1; k < found.answer.size(); ++k)
-    keep_least(found.margin, square(Rational(unit * lead(each[found.answer[k - 1]], each[found.answer[k]]))));
-  found.certificate = [each = std::move(each)] {
-    std::vector<Certificate> proofs;
-    for (const BoxOnRay& one : each) proofs.push_back(one.proof());
-    return Certificate{"each_along", {}, {{"each", std::move(proofs)}}};
-  };
+  std::vector<Index> found;
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    found.push_back(met[k].first);
+    if (k > 0) keep_least(margin, square(Rational(unit * lead(met[k - 1].second, met[k].second))));
+  }
   return found;
 }
 
-bool in_interior(const Point3<Rational>& point, const Box& box) { return sgn(spare({point, point}, box)) > 0; }
+std::vector<Certificate> proofs_of(const Box& query, const BodyTree& tree, const Bodies& bodies) {
+  return all_proofs<BoxBesideBox>(query, tree, bodies);
+}
+std::vector<Certificate> proofs_of(const Ray3<Rational>& ray, const BodyTree& tree, const Bodies& bodies) {
+  return all_proofs<BoxOnRay>(ray, tree, bodies);
+}
+
+bool in_interior(const Point3<Rational>& point, const Box& box) {
+  return sgn(BoxBesideBox({point, point}, box).lack()) < 0;
+}
 bool in_interior(const Ray3<Rational>& ray, const Box& box) { return sgn(BoxOnRay(ray, box).lack()) < 0; }
 
 }  // namespace touchstone::oracle
