@@ -30,8 +30,8 @@ def main():
 
     few, many = {"boxes": [BOX] * 2}, {"boxes": [BOX] * 1500}
     code, answers, complaints = ask(program, "all_pairs", few, many, few)
-    error = {"field": "line", "rule": "answered in the memory there is"}
-    if [answer.get("truth", answer.get("error")) for answer in answers] != [{"pairs": [[0, 1]]}, error, {"pairs": [[0, 1]]}]:
+    error, pair = {"field": "line", "rule": "answered in the memory there is"}, {"pairs": [[0, 1]]}
+    if [answer.get("truth", answer.get("error")) for answer in answers] != [pair, error, pair]:
         wrong.append(f"not one line is refused: {[list(answer) for answer in answers]}")
     if code != 2 or complaints != ["standard input: line 2: line: answered in the memory there is"]:
         wrong.append(f"exit code {code}, {complaints}")

@@ -16,10 +16,10 @@ namespace touchstone::robust {
 /// InvalidInput, and so does a face that is no triangle of the mesh. Faces share the vertices that they name: merge
 /// repeated positions first. Contract: reference/polyhedra/polyhedron_complexity.h.
 ///
-/// Time: sorting the edges, and sorting and sweeping the faces' boxes (robust/structures/sort_and_sweep.h), each pair
-/// whose boxes meet being looked at once. A closed embedded mesh that is not convex costs one look at all vertices for
-/// each face before the first that has vertices on both sides; one of several components a look at the faces of each
-/// for every component whose box meets its own.
+/// Time: n log n, and a look at each pair of triangles whose boxes meet; of those around a vertex of many, whose
+/// directions from there meet (robust/structures/near_faces.h). A closed embedded mesh that is not convex costs one look
+/// at all vertices for each face before the first that has vertices on both sides; one of several components a look at
+/// the faces of each for every component whose box meets its own.
 PolyhedronComplexity<double> polyhedron_complexity(const Meshd& mesh);
 
 }  // namespace touchstone::robust

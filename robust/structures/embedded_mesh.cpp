@@ -10,6 +10,7 @@
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/small_hulls.h"
 #include "robust/lines/orientation.h"
+#include "robust/structures/near_faces.h"
 #include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust::structures {
@@ -145,11 +146,12 @@ std::optional<IndexPair> first_meeting_faces(const Meshd& mesh) {
   const std::vector<Index> named = named_face_of_each(mesh);
   const EdgesOfPolygons edges(mesh, named);
   std::optional<IndexPair> first;
-  for (const auto& [i, j] : swept_pairs(boxes)) {
-    if (first && named[i] != first->i) break;
-    if (named[i] == named[j] || (first && named[j] >= first->j)) continue;
-    if (meet(mesh, mesh.faces[i], mesh.faces[j]) || edges.share_a_diagonal(i, j)) first = IndexPair{named[i], named[j]};
-  }
+  look_at_near_faces(mesh, boxes, [&](Index i, Index j) {
+    const IndexPair pair{named[i], named[j]};
+    const bool before = !first || pair.i < first->i || (pair.i == first->i && pair.j < first->j);
+    if (pair.i == pair.j || !before) return;
+    if (meet(mesh, mesh.faces[i], mesh.faces[j]) || edges.share_a_diagonal(i, j)) first = pair;
+  });
   return first;
 }
 

@@ -32,6 +32,10 @@ struct all_pairs {
                                    .other_fields = {{"boxes"}},
                                    .answer = "pairs",
                                    .margin_degree = 2,
+                                   .time = {.robust = Growth::linearithmic,
+                                            .oracle = Growth::quadratic,
+                                            .ask = Growth::quadratic,
+                                            .reference = Growth::quadratic},
                                    .list_length = 2};
     return metadata;
   }

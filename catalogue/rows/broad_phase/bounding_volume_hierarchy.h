@@ -20,6 +20,10 @@ struct bounding_volume_hierarchy : broad_phase {
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a hierarchy of boxes?";
       other.implementation_of = "broad_phase";
       other.cost = 4;  // in exact arithmetic it is made anew for each query
+      other.time = {.robust = Growth::quadratic,
+                    .oracle = Growth::quadratic,
+                    .ask = Growth::quadratic,
+                    .reference = Growth::quadratic_log};
       return other;
     }();
     return metadata;

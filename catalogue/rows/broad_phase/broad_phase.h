@@ -36,6 +36,7 @@ struct broad_phase {
                                    .fields = {"boxes", "commands"},
                                    .answer = "replies",
                                    .margin_degree = 2,
+                                   .time = grows(Growth::quadratic),
                                    .list_length = 2,
                                    .longest_vector = 6000};
     return metadata;

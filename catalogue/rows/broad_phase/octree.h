@@ -18,6 +18,10 @@ struct octree : broad_phase {
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by an octree?";
       other.implementation_of = "broad_phase";
       other.cost = 40;  // in exact arithmetic it is made anew for each query
+      other.time = {.robust = Growth::quadratic,
+                    .oracle = Growth::quadratic,
+                    .ask = Growth::quadratic,
+                    .reference = Growth::quadratic_log};
       return other;
     }();
     return metadata;

@@ -22,6 +22,7 @@ struct sphere_hierarchy : all_pairs {
       other.question = "Which of these balls, or boxes, meet, by a hierarchy of spheres?";
       other.implementation_of = "all_pairs";
       other.cost = 20;  // its exact arithmetic has roots of thousands of digits
+      other.time = grows(Growth::quadratic);
       return other;
     }();
     return metadata;

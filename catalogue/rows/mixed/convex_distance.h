@@ -34,6 +34,10 @@ struct convex_distance {
         .fields = {"a", "b"},
         .ulps = 60,
         .cost = 300,
+        .time = {.robust = Growth::quadratic,
+                 .oracle = Growth::quadratic,
+                 .ask = Growth::quadratic,
+                 .reference = Growth::linearithmic},
         .list_length = 4};
     return metadata;
   }

@@ -31,6 +31,7 @@ struct polygon_normal {
         .ulps = 22,
         .margin_degree = 2,
         .cost = 2,
+        .time = grows(Growth::linear),
         .list_length = 4,
         .formula_answers_less = true,
         .longest_vector = 2300};

@@ -27,6 +27,10 @@ struct convex_partition {
         .answer = "pieces",
         .margin_degree = 2,
         .cost = 6,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::quadratic,
+                 .ask = Growth::quadratic,
+                 .reference = Growth::cubic},
         .list_length = 4};
     return metadata;
   }

@@ -26,6 +26,10 @@ struct interior_angles {
         .answer = "angles",
         .ulps = 18,
         .cost = 9,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::linearithmic,
+                 .ask = Growth::linearithmic,
+                 .reference = Growth::linear},
         .list_length = 4};
     return metadata;
   }

@@ -32,6 +32,7 @@ struct point_in_convex_polygon {
                                    .fields = {"polygon", "point"},
                                    .answer = "location",
                                    .margin_degree = 2,
+                                   .time = grows(Growth::linearithmic),
                                    .list_length = 4};
     return metadata;
   }

@@ -28,6 +28,7 @@ struct point_in_polygon {
                                    .fields = {"polygon", "point"},
                                    .answer = "location",
                                    .margin_degree = 2,
+                                   .time = grows(Growth::linear),
                                    .list_length = 4};
     return metadata;
   }

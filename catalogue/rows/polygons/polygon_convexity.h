@@ -25,6 +25,10 @@ struct polygon_convexity {
                                    .fields = {"polygon"},
                                    .margin_degree = 2,
                                    .cost = 3,
+                                   .time = {.robust = Growth::linearithmic,
+                                            .oracle = Growth::linearithmic,
+                                            .ask = Growth::linearithmic,
+                                            .reference = Growth::quadratic},
                                    .list_length = 4};
     return metadata;
   }

@@ -18,6 +18,10 @@ struct polygon_convexity_interior_angles : polygon_convexity {
       other.question = "Is the polygon convex, by its interior angles?";
       other.implementation_of = "polygon_convexity";
       other.cost = 3;  // its exact arithmetic has thousands of digits
+      other.time = {.robust = Growth::linearithmic,
+                    .oracle = Growth::linearithmic,
+                    .ask = Growth::linearithmic,
+                    .reference = Growth::quadratic};
       return other;
     }();
     return metadata;

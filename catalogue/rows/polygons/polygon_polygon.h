@@ -29,6 +29,10 @@ struct polygon_polygon {
         .answer = "contact",
         .margin_degree = 2,
         .cost = 5,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::linearithmic,
+                 .ask = Growth::linearithmic,
+                 .reference = Growth::quadratic},
         .list_length = 3};
     return metadata;
   }

@@ -26,6 +26,10 @@ struct triangulate_polygon {
                                    .answer = "triangles",
                                    .margin_degree = 2,
                                    .cost = 6,
+                                   .time = {.robust = Growth::linearithmic,
+                                            .oracle = Growth::quadratic,
+                                            .ask = Growth::quadratic,
+                                            .reference = Growth::cubic},
                                    .list_length = 4};
     return metadata;
   }

@@ -31,6 +31,10 @@ struct point_in_convex_polyhedron {
         .answer = "location",
         .margin_degree = 2,
         .cost = 69,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::quadratic,
+                 .ask = Growth::quadratic,
+                 .reference = Growth::linear},
         .list_length = 4};
     return metadata;
   }

@@ -33,6 +33,10 @@ struct point_in_polyhedron {
         .answer = "location",
         .margin_degree = 2,
         .cost = 69,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::linearithmic,
+                 .ask = Growth::linearithmic,
+                 .reference = Growth::linear},
         .list_length = 5};
     return metadata;
   }

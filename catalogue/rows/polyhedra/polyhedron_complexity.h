@@ -30,6 +30,10 @@ struct polyhedron_complexity {
         .fields = {"mesh"},
         .margin_degree = 0,
         .cost = 80,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::quadratic,
+                 .ask = Growth::quadratic,
+                 .reference = Growth::quadratic},
         .list_length = 5};
     return metadata;
   }

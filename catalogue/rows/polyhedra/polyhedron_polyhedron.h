@@ -35,6 +35,7 @@ struct polyhedron_polyhedron {
         .fields = {"a", "b"},
         .margin_degree = 2,
         .cost = 1000,
+        .time = grows(Growth::quadratic),
         .list_length = 5};
     return metadata;
   }

@@ -27,6 +27,7 @@ struct impact_step {
         .ulps = 94,
         .margin_degree = 0,
         .cost = 60,
+        .time = grows(Growth::cubic),
         .longest_vector = 6000};
     return metadata;
   }

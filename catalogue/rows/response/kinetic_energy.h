@@ -26,6 +26,7 @@ struct kinetic_energy {
                                    .answer = "energy",
                                    .ulps = 56,
                                    .margin_degree = 0,
+                                   .time = grows(Growth::linear),
                                    .list_length = 2,
                                    .longest_vector = 3000};
     return metadata;
@@ -57,11 +58,8 @@ struct kinetic_energy {
   }
 
   static Hooks<kinetic_energy> hooks() {
-    return {.repair = repair,
-            .scale = scale,
-            .map_centre = map_centre,
-            .draw = draw,
-            .laws = {.maps = Laws::Maps::axes}};
+    return {
+        .repair = repair, .scale = scale, .map_centre = map_centre, .draw = draw, .laws = {.maps = Laws::Maps::axes}};
   }
 
  private:

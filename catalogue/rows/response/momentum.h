@@ -26,6 +26,7 @@ struct momentum {
                                    .answer = "momentum",
                                    .ulps = 16,
                                    .margin_degree = 0,
+                                   .time = grows(Growth::linear),
                                    .list_length = 2,
                                    .longest_vector = 3000};
     return metadata;

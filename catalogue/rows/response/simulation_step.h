@@ -26,6 +26,7 @@ struct simulation_step {
         .ulps = 98,
         .margin_degree = 0,
         .cost = 11,
+        .time = grows(Growth::quadratic),
         .longest_vector = 6000};
     return metadata;
   }

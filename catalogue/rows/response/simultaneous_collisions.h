@@ -26,6 +26,7 @@ struct simultaneous_collisions {
         .ulps = 84,
         .margin_degree = 0,
         .cost = 11,
+        .time = grows(Growth::cubic),
         .longest_vector = 6000};
     return metadata;
   }

@@ -33,6 +33,10 @@ struct swept_convex_polyhedra {
                                    .fields = {"a", "b", "velocity"},
                                    .ulps = 32,
                                    .cost = 248,
+                                   .time = {.robust = Growth::cubic,
+                                            .oracle = Growth::quadratic,
+                                            .ask = Growth::cubic,
+                                            .reference = Growth::cubic},
                                    .list_length = 4};
     return metadata;
   }

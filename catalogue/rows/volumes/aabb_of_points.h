@@ -29,6 +29,7 @@ struct aabb_of_points {
                                    .fields = {"points"},
                                    .answer = "aabb",
                                    .margin_degree = 0,
+                                   .time = grows(Growth::linear),
                                    .list_length = 3};
     return metadata;
   }

@@ -47,6 +47,7 @@ struct bounding_sphere {
                                    .answer = "sphere",
                                    .margin_degree = 0,
                                    .cost = 6,
+                                   .time = grows(Growth::linear),
                                    .list_length = 4,
                                    .longest_vector = 6000};
     return metadata;

@@ -28,6 +28,10 @@ struct convex_hull {
         .fields = {"points"},
         .margin_degree = 3,
         .cost = 19,
+        .time = {.robust = Growth::linearithmic,
+                 .oracle = Growth::quadratic,
+                 .ask = Growth::quadratic,
+                 .reference = Growth::quadratic},
         .list_length = 4};
     return metadata;
   }

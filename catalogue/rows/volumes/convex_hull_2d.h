@@ -32,6 +32,7 @@ struct convex_hull_2d {
         .fields = {"points"},
         .margin_degree = 2,
         .cost = 3,
+        .time = grows(Growth::linearithmic),
         .list_length = 4};
     return metadata;
   }

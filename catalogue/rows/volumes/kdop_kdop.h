@@ -25,6 +25,7 @@ struct kdop_kdop {
         .kind = Kind::decision,
         .fields = {"a", "b"},
         .answer = "contact",
+        .time = grows(Growth::linear),
         .list_length = 1};
     return metadata;
   }

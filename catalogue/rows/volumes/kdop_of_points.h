@@ -29,6 +29,7 @@ struct kdop_of_points {
         .answer = "slabs",
         .margin_degree = 0,
         .cost = 4,
+        .time = grows(Growth::quadratic),
         .list_length = 1,
         .longest_vector = 6000};
     return metadata;

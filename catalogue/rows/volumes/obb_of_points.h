@@ -59,6 +59,7 @@ struct obb_of_points {
                                    .answer = "obb",
                                    .margin_degree = 0,
                                    .cost = 7,
+                                   .time = grows(Growth::linear),
                                    .list_length = 3,
                                    .longest_vector = 4000};
     return metadata;

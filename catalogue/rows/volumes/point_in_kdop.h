@@ -25,6 +25,7 @@ struct point_in_kdop {
                                    .fields = {"kdop", "point"},
                                    .answer = "location",
                                    .margin_degree = 2,
+                                   .time = grows(Growth::linear),
                                    .list_length = 1};
     return metadata;
   }
