@@ -16,6 +16,7 @@
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
+#include "catalogue/operation/synonyms.h"
 
 namespace touchstone::program {
 
@@ -33,10 +34,13 @@ const Operation& operation_named(const std::string& name) {
   if (const Operation* operation = find_operation(name)) return *operation;
   std::vector<std::string> known;
   for (const Operation* operation : all_operations()) known.push_back(operation->name());
-  const std::string nearest = did_you_mean(name, known);
-  std::string all;
-  for (const std::string& other : known) all += (all.empty() ? "; one of " : ", ") + other;
-  throw UsageError("operation " + name + ": no operation of the catalogue" + (nearest.empty() ? all : nearest));
+  std::string hint = did_you_mean(name, known);
+  if (hint.empty()) {
+    for (const std::string& other : nearest_operations(name, 3))
+      hint += (hint.empty() ? "; nearest by words: " : ", ") + other;
+    hint += "; `touchstone ops` lists all";
+  }
+  throw UsageError("operation " + excerpt(name, most_of_a_key) + ": no operation of the catalogue" + hint);
 }
 
 std::vector<const Operation*> operations_named(const std::string& names) {

@@ -32,7 +32,7 @@ void require_asked_of_engines(const std::vector<const Operation*>& operations);
 std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
                                    EngineNotes& notes);
 
-/// Throws UsageError naming what is not known and what is. A name given twice counts once.
+/// Throws UsageError naming what is not known and the nearest that are. A name given twice counts once.
 const Operation& operation_named(const std::string& name);
 std::vector<const Operation*> operations_named(const std::string& names);
 std::vector<std::string> split(const std::string& names);

@@ -135,7 +135,11 @@ TEST_CASE("options: a folder where a file is asked for is told as a folder") {
 TEST_CASE("options: a name misspelt is told with the one that was probably meant") {
   require_refused(called({"ask", "orientaton"}), bad_usage,
                   "operation orientaton: no operation of the catalogue (did you mean \"orientation\"?)");
-  require_refused(called({"ask", "juggle"}), bad_usage, "operation juggle: no operation of the catalogue; one of ");
+  require_refused(called({"ask", "juggle"}), bad_usage,
+                  "operation juggle: no operation of the catalogue; `touchstone ops` lists all");
+  require_refused(called({"ask", "penetration_depth"}), bad_usage,
+                  "operation penetration_depth: no operation of the catalogue; nearest by words: convex_distance, "
+                  "polyhedron_polyhedron, penalty_force; `touchstone ops` lists all");
   require_refused(called({"audit", "--ops", "orientation,line_lin"}), bad_usage, "(did you mean \"line_line\"?)");
   require_refused(called({"audit", "--sed", "1"}), bad_usage,
                   "--sed: no option of touchstone audit (did you mean \"--seed\"?)");

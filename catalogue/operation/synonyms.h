@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace touchstone::catalogue {
+
+/// What the field or an engine calls something, in small letters, and the operations that answer it, the best first.
+struct Synonym {
+  const char* phrase;
+  std::vector<const char*> operations;
+};
+const std::vector<Synonym>& synonyms();
+
+/// The operations nearest to a name that is none of the catalogue's, the best first, at most `most` of them; none
+/// where no word fits. A phrase of the table counts most, the more words the more; then a word of an operation's name,
+/// then one of its question. "RayCast", "ray-cast" and "raycasts" are the same; `did_you_mean` finds misspellings.
+std::vector<std::string> nearest_operations(std::string_view name, std::size_t most);
+
+}  // namespace touchstone::catalogue
