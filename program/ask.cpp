@@ -31,7 +31,9 @@ Json meshes_of(const AskCommand& command) {
   for (const std::string& named : command.meshes) {
     const std::size_t equals = named.find('=');
     if (equals == std::string::npos || equals == 0) throw UsageError("--mesh: expected field=FILE, got " + named);
-    meshes[named.substr(0, equals)] = parse_line(one_line(to_json(read_mesh(named.substr(equals + 1)))));
+    const std::string field = named.substr(0, equals);
+    if (meshes.contains(field)) throw UsageError("--mesh: " + field + " is given twice");
+    meshes[field] = parse_line(one_line(to_json(read_mesh(named.substr(equals + 1)))));
   }
   return meshes;
 }

@@ -53,6 +53,17 @@ Json in_json(const Snapshot& now, bool of_engine) {
   return json;
 }
 
+/// As RFC 4180 writes a field with any characters: quoted, a quote within it twice.
+std::string csv_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string(2, c) : std::string(1, c);
+  return quoted + '"';
+}
+/// As it is where that is all the same.
+std::string csv_field(const std::string& text) {
+  return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
+}
+
 Json in_json(const Asked& asked) { return {{"question", asked.question}, {"answer", asked.answer}}; }
 
 }  // namespace
@@ -102,8 +113,8 @@ void write_csv_step(const Simulation& simulation, std::ostream& out) {
     const State<double>& state = simulation.run(i).now().state;
     for (std::size_t body = 0; body < state.size(); ++body) {
       const auto& [p, v] = state[body];
-      out << simulation.step() << ',' << simulation.run(i).name() << ",\"" << simulation.scene().bodies[body].name
-          << '"';
+      out << simulation.step() << ',' << csv_field(simulation.run(i).name()) << ','
+          << csv_quoted(simulation.scene().bodies[body].name);
       for (const double x : {p.x, p.y, p.z, v.x, v.y, v.z}) out << ',' << catalogue::decimal(x);
       out << '\n';
     }

@@ -6,6 +6,7 @@
 #include "catalogue/rows/lines/line_point_at.h"
 #include "catalogue/rows/lines/parametric_circle.h"
 #include "catalogue/rows/lines/ray_segment.h"
+#include "catalogue/rows/polyhedra/polyhedron_polyhedron.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 
@@ -38,6 +39,22 @@ TEST_CASE("truth: shapes without a meaning are refused by field and rule") {
   CHECK(refused(implicit_circle{}, {{p, -5e-324}, p}) == "circle.radius: radius >= 0");
   CHECK(refused(parametric_circle{}, {{p, -1}, 1}) == "circle.radius: radius >= 0");
   CHECK(refused(implicit_circle{}, {{p, -0.0}, p}) == "answered");
+}
+
+TEST_CASE("truth: a mesh is refused by rules in their order, whatever face breaks them") {
+  const std::vector<Point3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const auto refused = [&](const std::vector<Face>& a, const std::vector<Face>& b) {
+    return refusal<catalogue::rows::polyhedron_polyhedron>(std::tuple{Meshd{corners, a}, Meshd{corners, b}});
+  };
+  const std::vector<Face> solid{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, few{{0, 2, 1}},
+      twice{{0, 0, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, beyond{{0, 0, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 9}},
+      open{{0, 2, 1}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}};
+  CHECK(refused(beyond, beyond) == "a.faces[3][2]: index of a vertex");
+  CHECK(refused(twice, beyond) == "a.faces[0]: three different vertices");
+  CHECK(refused(few, beyond) == "a: at least 4 faces");
+  CHECK_THAT(refused(open, beyond), StartsWith("a.faces[0]: closed"));
+  CHECK(refused(solid, beyond) == "b.faces[3][2]: index of a vertex");
+  CHECK(refused(solid, few) == "b: at least 4 faces");
 }
 
 }  // namespace touchstone::proptests::refusals_tests

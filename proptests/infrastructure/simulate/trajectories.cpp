@@ -155,6 +155,16 @@ TEST_CASE("trajectory: as comma-separated values it has a line a step, run and b
         "0,double,\"bodies[1]\",1.5625,1.0625,0,-0.6875,-0.4375,0\n");
 }
 
+TEST_CASE("trajectory: a quote within a name is written twice in comma-separated values") {
+  const std::string ball = sphere(0.25, "[0.5,1,0]", "[0,0,0]");
+  const std::string named = R"({"name":"a \"b\", c",)" + ball.substr(1);
+  const Scene scene = scene_from(scene_text(R"("steps_per_second":60,"option":2)", "\"bodies\":[" + named + "]"));
+  Simulation simulation(scene, {"double"});
+  std::ostringstream out;
+  write_csv_step(simulation, out);
+  CHECK(out.str() == "0,double,\"a \"\"b\"\", c\",0.5,1,0,0,0,0\n");
+}
+
 TEST_CASE("trajectory: where two runs part, the question is one that the catalogue answers in these two ways") {
   Simulation simulation(two_balls(), every);
   written_to(simulation, 300);
