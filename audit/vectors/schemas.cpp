@@ -149,7 +149,8 @@ Json vector_schema() {
   schema["title"] = "touchstone test vector";
   schema["description"] =
       "One JSON object a line; schemas/OPERATION.json says strictly what a line of an operation is. Exact numbers are "
-      "\"p/q\" or \"p\", or roots \"p+q*sqrt(r)\"; where nothing is decided "
+      "\"p/q\" or \"p\", or roots \"p+q*sqrt(r)\"; of sines, cosines and angles a fraction within 2^-60 units in the "
+      "last place stands there, and bounds in the certificate, of the kind \"enclosure\"; where nothing is decided "
       "there is no margin; input numbers are the doubles that the decimals "
       "round to. "
       "`rounded` is the truth with every number the nearest double, ties to even; where those are no right answer, "

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of nearest points, and of the contacts that follow from them, as in check_closest.cpp."""
 
-import math
-
 from certify_meshes import mesh, outward_planes
 from certify_reading import WRONG_KIND, exact_value, expect, number, only
-from certify_rounding import expect_rounds_alike
 from certify_space import ball, box_holds, box_in_space, plane, triple, two_or_three
+from certify_surd import exact_surd, expect_kind_of_root, is_square
 
 
 def dot(p, q):
@@ -82,26 +80,12 @@ def expect_position(claim, name, x):
         expect(exact_value(value[axis], f"truth.{name}[{axis}]") == coordinate, f"truth: {name} is wrong")
 
 
-def is_square(value):
-    return all(math.isqrt(part) ** 2 == part for part in (value.numerator, value.denominator))
-
-
 def expect_distance(claim, square):
-    """The squared distance, and its root: exactly, or by bounds if that is not rational."""
+    """The squared distance, and its root, which is a fraction or is not, as the kind says."""
     expect(claim.exact("squared_distance") == square, "truth: squared_distance is wrong")
-    distance = claim.exact("distance")
-    if claim.kind() == "root":
-        expect(distance >= 0 and distance**2 == square, "truth: distance is wrong")
-        return
-    low, high = claim.pair("distance")
-    expect(0 < low <= high and low**2 <= square <= high**2, "certificate: the bounds of distance are wrong")
-    expect(not is_square(square), "certificate: the root is rational")
-    expect_rounds_alike("distance", distance, low, high)
-
-
-def distance_facts(claim, *facts):
-    expect(claim.kind() in ("enclosure", "root"), WRONG_KIND)
-    claim.facts(*facts, *(("distance",) if claim.kind() == "enclosure" else ()))
+    distance = exact_surd(claim.truth["distance"], "truth.distance")
+    expect(distance.sign() >= 0 and distance.has_square(square), "truth: distance is wrong")
+    expect_kind_of_root(claim, is_square(square))
 
 
 def closest_point(claim, shape, corners):
@@ -110,7 +94,7 @@ def closest_point(claim, shape, corners):
     points = hull(claim.input[shape], shape, corners, len(p))
     expect(corners == 2 or len(p) == 3, "point: a list of three")
     claim.answers("point", "squared_distance", "distance")
-    distance_facts(claim, "weights")
+    claim.facts("weights")
     x = weighted(claim, "weights", points)
     expect_nearest(points, x, p)
     expect_position(claim, "point", x)
@@ -139,7 +123,7 @@ def check_segment_segment_distance(claim):
     a = hull(claim.input["a"], "a", 2)
     b = hull(claim.input["b"], "b", 2, len(a[0]))
     claim.answers("on_a", "on_b", "squared_distance", "distance")
-    distance_facts(claim, "on_a", "on_b")
+    claim.facts("on_a", "on_b")
     x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
     expect_nearest(a, x, y), expect_nearest(b, y, x), expect_first(a, b, x, y)
     expect_position(claim, "on_a", x), expect_position(claim, "on_b", y)
@@ -165,7 +149,7 @@ def check_convex_distance(claim):
     expect(relation in ("apart", "meeting"), "truth: relation is wrong")
     if relation == "apart":
         claim.answers("relation", "on_a", "on_b", "squared_distance", "distance")
-        distance_facts(claim, "on_a", "on_b", "first")
+        claim.facts("on_a", "on_b", "first")
     else:
         claim.answers("relation", "squared_distance", "distance")
         expect(claim.kind() == "common_point", WRONG_KIND)

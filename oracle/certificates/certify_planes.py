@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of points, polygons and planes in space: one function an operation, as in check_planes.cpp."""
 
-import math
-
 from certify_reading import exact_value, expect, only
-from certify_rounding import expect_rounds_alike
-from certify_space import dot, exact_triple, plane, point_in_space, polygon_in_space, triple
+from certify_space import dot, exact_triple, list_of_three, plane, point_in_space, polygon_in_space
+from certify_surd import exact_surd, expect_kind_of_root, is_square
 
 
 def sign(value):
@@ -13,21 +11,9 @@ def sign(value):
 
 
 def expect_root(name, claimed, height, squared_length):
-    held = sign(claimed) == sign(height) and claimed**2 * squared_length == height**2
+    """The number called `name` is height / sqrt(squared_length)."""
+    held = claimed.sign() == sign(height) and claimed.has_square(height**2 / squared_length)
     expect(held, f"truth: {name} is wrong")
-
-
-def is_square(value):
-    return all(math.isqrt(part) ** 2 == part for part in (value.numerator, value.denominator))
-
-
-def expect_root_enclosed(name, claimed, low, high, height, squared_length):
-    inner, outer = (high, low) if height < 0 else (low, high)
-    alike = height != 0 and sign(low) == sign(high) == sign(height) and low <= high
-    held = alike and inner**2 * squared_length <= height**2 <= outer**2 * squared_length
-    expect(held, f"certificate: the bounds of {name} are wrong")
-    expect(not is_square(squared_length), "certificate: the root is rational")
-    expect_rounds_alike(name, claimed, low, high)
 
 
 def check_point_ground_plane(claim):
@@ -61,18 +47,10 @@ def check_polygon_normal(claim):
     expect(claim.word("class") == "proper" and length != 0, "truth: class is wrong")
     claim.answers("class", "normal", "unit")
     expect(exact_triple(claim.truth["normal"], "truth.normal") == normal, "truth: normal is wrong")
-    unit = exact_triple(claim.truth["unit"], "truth.unit")
-    if claim.kind() != "enclosure":
-        claim.expect_kind("root"), claim.facts()
-        for part, whole in zip(unit, normal):
-            expect_root("unit", part, whole, length)
-        return
-    claim.facts("low", "high")
-    for part, whole, low, high in zip(unit, normal, triple(claim, "low"), triple(claim, "high")):
-        if whole == 0:
-            expect(part == 0, "truth: unit is wrong")
-        else:
-            expect_root_enclosed("unit", part, low, high, whole, length)
+    claim.facts()
+    for axis, part in enumerate(list_of_three(claim.truth["unit"], "truth.unit")):
+        expect_root("unit", exact_surd(part, f"truth.unit[{axis}]"), normal[axis], length)
+    expect_kind_of_root(claim, is_square(length))
 
 
 def check_point_plane(claim):
@@ -83,13 +61,9 @@ def check_point_plane(claim):
     height, length = dot(normal, p) + offset, dot(normal, normal)
     side = "back" if height < 0 else "front" if height > 0 else "on"
     expect(claim.word("side") == side, "truth: side is wrong")
-    distance = claim.exact("signed_distance")
-    if claim.kind() == "enclosure":
-        claim.facts("distance")
-        expect_root_enclosed("signed_distance", distance, *claim.pair("distance"), height, length)
-    else:
-        claim.expect_kind("root"), claim.facts()
-        expect_root("signed_distance", distance, height, length)
+    claim.facts()
+    expect_root("signed_distance", exact_surd(claim.truth["signed_distance"], "truth.signed_distance"), height, length)
+    expect_kind_of_root(claim, height == 0 or is_square(length))
 
 
 def check_point_plane_toi(claim):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Exact numbers with a square root, as in check_surd.cpp."""
 
+import math
 import re
 from fractions import Fraction
 
@@ -37,6 +38,18 @@ class Surd:
         if of_p * of_root >= 0:
             return of_p or of_root
         return of_p * of(self.p**2 - self.q**2 * self.r)
+
+    def has_square(self, square):
+        return (self.square() + -square).sign() == 0
+
+
+def is_square(value):
+    return all(math.isqrt(part) ** 2 == part for part in (value.numerator, value.denominator))
+
+
+def expect_kind_of_root(claim, rational):
+    """The claim's kind is "root", or "irrational_root" where no rational number is the root."""
+    claim.expect_kind("root" if rational else "irrational_root")
 
 
 def exact_surd(value, what):

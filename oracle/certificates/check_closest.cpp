@@ -3,8 +3,8 @@
 #include <string>
 
 #include "oracle/certificates/check_meshes.h"
-#include "oracle/certificates/check_rounding.h"
 #include "oracle/certificates/check_space.h"
+#include "oracle/certificates/check_surd.h"
 
 namespace touchstone::certify {
 namespace {
@@ -103,27 +103,13 @@ void expect_position(const Claim& claim, const char* name, const Position& x) {
            "truth: " + what.substr(6) + " is wrong");
 }
 
-/// The squared distance, and its root: exactly, or by bounds if that is not rational.
+/// The squared distance, and its root, which is a fraction or is not, as the kind says.
 void expect_distance(const Claim& claim, const Rational& square) {
   expect(exact_value(claim.truth["squared_distance"], "truth.squared_distance") == square,
          "truth: squared_distance is wrong");
-  const Rational distance = exact_value(claim.truth["distance"], "truth.distance");
-  if (claim.kind() == "root") {
-    expect(sgn(distance) >= 0 && distance * distance == square, "truth: distance is wrong");
-    return;
-  }
-  const auto [low, high] = claim.pair("distance");
-  expect(sgn(low) > 0 && low <= high && low * low <= square && square <= high * high,
-         "certificate: the bounds of distance are wrong");
-  expect(!is_square(square), "certificate: the root is rational");
-  expect_rounds_alike("distance", distance, low, high);
-}
-
-/// Which of the two kinds of distances it is.
-bool is_enclosed(const Claim& claim) {
-  const bool enclosed = claim.kind() == "enclosure";
-  expect(enclosed || claim.kind() == "root", wrong_kind);
-  return enclosed;
+  const Surd distance = exact_surd(claim.truth["distance"], "truth.distance");
+  expect(sign(distance) >= 0 && sign(certify::square(distance) + Rational(-square)) == 0, "truth: distance is wrong");
+  expect_kind_of_root(claim, is_square(square));
 }
 
 void check_closest_point(const Claim& claim, const char* shape, std::size_t corners) {
@@ -132,8 +118,7 @@ void check_closest_point(const Claim& claim, const char* shape, std::size_t corn
   const Hull points = hull(claim.input[shape], shape, corners, p.size());
   expect(corners == 2 || p.size() == 3, "point: a list of three");
   claim.answers({"point", "squared_distance", "distance"});
-  if (is_enclosed(claim)) claim.facts({"weights", "distance"});
-  else claim.facts({"weights"});
+  claim.facts({"weights"});
   const Position x = weighted(claim, "weights", points);
   expect_nearest(points, x, p);
   expect_position(claim, "point", x);
@@ -157,8 +142,7 @@ void check_segment_segment_distance(const Claim& claim) {
   claim.inputs({"a", "b"});
   const Hull a = hull(claim.input["a"], "a", 2, 0), b = hull(claim.input["b"], "b", 2, a[0].size());
   claim.answers({"on_a", "on_b", "squared_distance", "distance"});
-  if (is_enclosed(claim)) claim.facts({"on_a", "on_b", "distance"});
-  else claim.facts({"on_a", "on_b"});
+  claim.facts({"on_a", "on_b"});
   const Position x = weighted(claim, "on_a", a), y = weighted(claim, "on_b", b);
   expect_nearest(a, x, y), expect_nearest(b, y, x), expect_first(a, b, x, y);
   expect_position(claim, "on_a", x), expect_position(claim, "on_b", y);
@@ -187,8 +171,7 @@ void check_convex_distance(const Claim& claim) {
   expect(apart || relation == "meeting", "truth: relation is wrong");
   if (apart) {
     claim.answers({"relation", "on_a", "on_b", "squared_distance", "distance"});
-    if (is_enclosed(claim)) claim.facts({"on_a", "on_b", "first", "distance"});
-    else claim.facts({"on_a", "on_b", "first"});
+    claim.facts({"on_a", "on_b", "first"});
   } else {
     claim.answers({"relation", "squared_distance", "distance"});
     claim.expect_kind("common_point"), claim.facts({"on_a", "on_b"});

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <string>
 
-#include "oracle/certificates/check_rounding.h"
 #include "oracle/certificates/check_space.h"
+#include "oracle/certificates/check_surd.h"
 
 namespace touchstone::certify {
 namespace {
 
-/// The number called `name` is height / sqrt(squared_length), of which the root is rational.
-void expect_root(const std::string& name, const Rational& claimed, const Rational& height,
-                 const Rational& squared_length) {
-  expect(sgn(claimed) == sgn(height) && square(claimed) * squared_length == square(height),
+/// The number called `name` is height / sqrt(squared_length).
+void expect_root(const std::string& name, const Surd& claimed, const Rational& height, const Rational& squared_length) {
+  const Rational square_of_height(height * height);
+  expect(sign(claimed) == sgn(height) && sign(square(claimed) * squared_length + Rational(-square_of_height)) == 0,
          "truth: " + name + " is wrong");
-}
-
-/// It lies between low and high, and what they allow is rounded as what is claimed. A root that is rational has to be
-/// claimed as it is: a number near it is another one.
-void expect_root_enclosed(const std::string& name, const Rational& claimed, const Pair& ends, const Rational& height,
-                          const Rational& squared_length) {
-  const auto& [low, high] = ends;
-  const bool alike = sgn(height) != 0 && sgn(low) == sgn(height) && sgn(high) == sgn(height);
-  const Rational &inner = sgn(height) < 0 ? high : low, &outer = sgn(height) < 0 ? low : high;
-  expect(alike && low <= high && square(inner) * squared_length <= square(height) &&
-             square(height) <= square(outer) * squared_length,
-         "certificate: the bounds of " + name + " are wrong");
-  expect(!is_square(squared_length), "certificate: the root is rational");
-  expect_rounds_alike(name, claimed, low, high);
 }
 
 void check_point_ground_plane(const Claim& claim) {
@@ -62,21 +49,13 @@ void check_polygon_normal(const Claim& claim) {
   expect(claim.word("class") == "proper" && sgn(length) != 0, "truth: class is wrong");
   claim.answers({"class", "normal", "unit"});
   expect(exact_triple(claim.truth["normal"], "truth.normal") == normal, "truth: normal is wrong");
-  const Triple unit = exact_triple(claim.truth["unit"], "truth.unit");
-  if (claim.kind() != "enclosure") {
-    claim.expect_kind("root"), claim.facts({});
-    for (const auto part : {&Triple::x, &Triple::y, &Triple::z}) expect_root("unit", unit.*part, normal.*part, length);
-    return;
-  }
-  claim.facts({"low", "high"});
-  const Triple low = triple(claim, "low"), high = triple(claim, "high");
-  for (const auto part : {&Triple::x, &Triple::y, &Triple::z}) {
-    if (sgn(normal.*part) == 0) {
-      expect(sgn(unit.*part) == 0, "truth: unit is wrong");
-    } else {
-      expect_root_enclosed("unit", unit.*part, {low.*part, high.*part}, normal.*part, length);
-    }
-  }
+  claim.facts({});
+  const json& unit = claim.truth["unit"];
+  expect(unit.is_array() && unit.size() == 3, "truth.unit: a list of three");
+  const std::array<Rational, 3> parts{normal.x, normal.y, normal.z};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    expect_root("unit", exact_surd(unit[i], "truth.unit[" + std::to_string(i) + "]"), parts[i], length);
+  expect_kind_of_root(claim, is_square(length));
 }
 
 void check_point_plane(const Claim& claim) {
@@ -84,17 +63,12 @@ void check_point_plane(const Claim& claim) {
   const Plane surface = plane(claim.input["plane"], "plane");
   const Triple p = point_in_space(claim.input["point"], "point");
   claim.answers({"side", "signed_distance"});
-  const bool enclosed = claim.kind() == "enclosure";
+  claim.facts({});
   const Rational height = surface.at(p), length = dot(surface.normal, surface.normal);
   expect(claim.word("side") == (sgn(height) < 0 ? "back" : sgn(height) > 0 ? "front" : "on"), "truth: side is wrong");
-  const Rational distance = exact_value(claim.truth["signed_distance"], "truth.signed_distance");
-  if (enclosed) {
-    claim.facts({"distance"});
-    expect_root_enclosed("signed_distance", distance, claim.pair("distance"), height, length);
-  } else {
-    claim.expect_kind("root"), claim.facts({});
-    expect_root("signed_distance", distance, height, length);
-  }
+  const Surd distance = exact_surd(claim.truth["signed_distance"], "truth.signed_distance");
+  expect_root("signed_distance", distance, height, length);
+  expect_kind_of_root(claim, sgn(height) == 0 || is_square(length));
 }
 
 void check_point_plane_toi(const Claim& claim) {

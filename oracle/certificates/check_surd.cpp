@@ -51,6 +51,10 @@ int sign(const Surd& x) {
   return of_p * sgn(Rational(x.p * x.p - x.q * x.q * x.r));
 }
 
+void expect_kind_of_root(const Claim& claim, bool rational) {
+  claim.expect_kind(rational ? "root" : "irrational_root");
+}
+
 Surd operator+(const Surd& x, const Rational& y) { return {Rational(x.p + y), x.q, x.r}; }
 Surd operator*(const Surd& x, const Rational& y) { return {Rational(x.p * y), Rational(x.q * y), x.r}; }
 Surd square(const Surd& x) { return {Rational(x.p * x.p + x.q * x.q * x.r), Rational(2 * x.p * x.q), x.r}; }

@@ -13,6 +13,9 @@ struct Surd {
 /// -1, 0, 1; by squares.
 int sign(const Surd& x);
 
+/// The claim's kind is "root", or "irrational_root" where no rational number is the root.
+void expect_kind_of_root(const Claim& claim, bool rational);
+
 /// Sums, and products of two over the same r.
 Surd operator+(const Surd& x, const Rational& y);
 Surd operator*(const Surd& x, const Rational& y);

@@ -5,7 +5,8 @@
 
 #include "geometry/closest.h"
 #include "oracle/exact/space.h"
-#include "oracle/exact/square_root.h"
+#include "oracle/exact/surd.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -34,21 +35,17 @@ template <class Number>
 Point3<Rational> exact_in_space(const Point3<Number>& p) {
   return exact(p);
 }
-inline Point2<Rational> in_plane(const Point3<Rational>& p) { return {p.x, p.y}; }
+inline Point2<Surd> in_plane(const Point3<Rational>& p) { return {p.x, p.y}; }
+inline Point3<Surd> in_space(const Point3<Rational>& p) { return {p.x, p.y, p.z}; }
 
-/// The points, a distance, and the certificate of both: "root" or, where the distance is not rational, "enclosure".
+/// The points and a distance, the root of a rational, with the certificate of both: "root" or, where the distance is
+/// not rational, "irrational_root".
 template <class Answer>
 Truth<Answer> truth_of_distance(Answer answer, const Rational& squared_distance,
                                 std::vector<std::pair<std::string, std::vector<Rational>>> weights) {
-  Enclosed distance = signed_root(squared_distance, 1);
-  answer.squared_distance = squared_distance, answer.distance = distance.value;
-  return {std::move(answer), std::nullopt,
-          [facts = std::move(weights), distance = std::move(distance)]() -> Certificate {
-            if (distance.rational()) return {"root", facts};
-            Certificate enclosure{"enclosure", facts};
-            enclosure.facts.push_back({"distance", {distance.low, distance.high}});
-            return enclosure;
-          }};
+  answer.squared_distance = squared_distance, answer.distance = sqrt(Surd(squared_distance));
+  const char* const kind = answer.distance.rational() ? "root" : "irrational_root";
+  return {std::move(answer), std::nullopt, [kind, facts = std::move(weights)] { return Certificate{kind, facts}; }};
 }
 
 }  // namespace touchstone::oracle

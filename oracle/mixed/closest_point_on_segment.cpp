@@ -15,36 +15,36 @@ NearestPair solved(const Point& point, const Segment& segment) {
 }
 
 template <class Number>
-Truth<ClosestPoint2<Rational>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
+Truth<ClosestPoint2<Surd>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
   const NearestPair nearest = solved(point, segment);
-  return truth_of_distance(ClosestPoint2<Rational>{in_plane(nearest.on_a), {}, {}}, nearest.squared_distance,
+  return truth_of_distance(ClosestPoint2<Surd>{in_plane(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
 template <class Number>
-Truth<ClosestPoint3<Rational>> truth_of(const Point3<Number>& point, const Segment3<Number>& segment) {
+Truth<ClosestPoint3<Surd>> truth_of(const Point3<Number>& point, const Segment3<Number>& segment) {
   const NearestPair nearest = solved(point, segment);
-  return truth_of_distance(ClosestPoint3<Rational>{nearest.on_a, {}, {}}, nearest.squared_distance,
+  return truth_of_distance(ClosestPoint3<Surd>{in_space(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
 
 }  // namespace
 
-Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2d& point, const Segment2d& segment) {
+Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2d& point, const Segment2d& segment) {
   return truth_of(point, segment);
 }
-Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3d& point, const Segment3d& segment) {
+Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3d& point, const Segment3d& segment) {
   return truth_of(point, segment);
 }
 
 template <Exact Number>
-Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
+Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
   return truth_of(point, segment);
 }
 template <Exact Number>
-Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment) {
+Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment) {
   return truth_of(point, segment);
 }
-template Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
-template Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3<Rational>&, const Segment3<Rational>&);
+template Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
+template Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Rational>&, const Segment3<Rational>&);
 
 }  // namespace touchstone::oracle

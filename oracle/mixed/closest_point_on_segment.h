@@ -4,22 +4,22 @@
 #include "geometry/closest.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
+#include "oracle/exact/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: the point of the segment of least squared distance, in rationals, by the conditions of Karush, Kuhn and
-/// Tucker (oracle/exact/nearest_pair.h). The distance is the root of a rational by exact comparison of squares:
-/// rational where that is a square, otherwise a rational that has the same nearest double and is within 2^-60 units in
-/// the last place. Nothing is decided: there is no margin.
+/// Tucker (oracle/exact/nearest_pair.h). The distance is the root of a rational. Nothing is decided: there
+/// is no margin.
 ///
 /// Certificate: "root": `weights` of the segment's ends, which give the point; the conditions hold with it. Where the
-/// distance is not rational "enclosure": also `distance`, its bounds.
-Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2d& point, const Segment2d& segment);
-Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3d& point, const Segment3d& segment);
+/// distance is not rational the same, called "irrational_root".
+Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2d& point, const Segment2d& segment);
+Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3d& point, const Segment3d& segment);
 template <Exact Number>
-Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment);
+Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment);
 template <Exact Number>
-Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment);
+Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment);
 
 }  // namespace touchstone::oracle

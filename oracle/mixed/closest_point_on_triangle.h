@@ -3,6 +3,7 @@
 
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
+#include "oracle/exact/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
@@ -11,10 +12,9 @@ namespace touchstone::oracle {
 /// Tucker (oracle/exact/nearest_pair.h). The distance is as closest_point_on_segment has it. Nothing is decided: there
 /// is no margin.
 ///
-/// Certificate: "root" or "enclosure", as closest_point_on_segment has them; `weights` of the three corners.
-Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);
+/// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `weights` of the three corners.
+Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);
 template <Exact Number>
-Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3<Number>& point,
-                                                         const Triangle3<Number>& triangle);
+Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3<Number>& point, const Triangle3<Number>& triangle);
 
 }  // namespace touchstone::oracle

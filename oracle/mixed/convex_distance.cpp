@@ -17,33 +17,33 @@ WholeSolid solid(const ConvexMesh& mesh, const std::vector<Coordinates>& vertice
 
 std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
 
-Truth<ConvexDistance<Rational>> meeting(const Motion& m, const Meeting& found) {
+Truth<ConvexDistance<Surd>> meeting(const Motion& m, const Meeting& found) {
   std::vector<Rational> on_a, on_b;
   for (std::size_t i = 0; i < m.a.size(); ++i) on_a.push_back(found.value(static_cast<int>(i)));
   for (std::size_t j = 0; j < m.b.size(); ++j) on_b.push_back(found.value(static_cast<int>(m.a.size() + j)));
-  return {{ConvexRelation::meeting, {}, {}, 0, 0},
+  return {{ConvexRelation::meeting, {}, {}, {}, {}},
           Rational(depth(m) * m.unit),
           [on_a = std::move(on_a), on_b = std::move(on_b)] {
             return Certificate{"common_point", {{"on_a", on_a}, {"on_b", on_b}}};
           }};
 }
 
-Truth<ConvexDistance<Rational>> apart(const Motion& m, const WholeSolid& a, const WholeSolid& b) {
+Truth<ConvexDistance<Surd>> apart(const Motion& m, const WholeSolid& a, const WholeSolid& b) {
   const Vector3<Rational> way = shortest_way(a, b);
   const Point3<Rational> on_a = first_nearest(a, b, way), on_b = on_a + Rational(-1) * way;
   const auto in_units = [&m](const Point3<Rational>& p) {
-    return Point3<Rational>{Rational(p.x * m.unit), Rational(p.y * m.unit), Rational(p.z * m.unit)};
+    return Point3<Surd>{Rational(p.x * m.unit), Rational(p.y * m.unit), Rational(p.z * m.unit)};
   };
   const Rational square(dot(way, way) * m.unit * m.unit);
   auto truth = truth_of_distance(
-      ConvexDistance<Rational>{ConvexRelation::apart, in_units(on_a), in_units(on_b), {}, {}}, square,
+      ConvexDistance<Surd>{ConvexRelation::apart, in_units(on_a), in_units(on_b), {}, {}}, square,
       {{"on_a", a.weights(on_a)}, {"on_b", b.weights(on_b)}, {"first", listed(m.unit * multiplier(a, b, on_a, way))}});
   truth.margin = Rational(distance(m) * m.unit);
   return truth;
 }
 
 template <class Number>
-Truth<ConvexDistance<Rational>> truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
+Truth<ConvexDistance<Surd>> truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   const ConvexMesh first("a", a), second("b", b);
   const Motion m = motion(first, second, {});
@@ -54,12 +54,12 @@ Truth<ConvexDistance<Rational>> truth_of(const Mesh<Number>& a, const Mesh<Numbe
 
 }  // namespace
 
-Truth<ConvexDistance<Rational>> convex_distance(const Meshd& a, const Meshd& b) { return truth_of(a, b); }
+Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b) { return truth_of(a, b); }
 
 template <Exact Number>
-Truth<ConvexDistance<Rational>> convex_distance(const Mesh<Number>& a, const Mesh<Number>& b) {
+Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Number>& a, const Mesh<Number>& b) {
   return truth_of(a, b);
 }
-template Truth<ConvexDistance<Rational>> convex_distance(const Mesh<Rational>&, const Mesh<Rational>&);
+template Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Rational>&, const Mesh<Rational>&);
 
 }  // namespace touchstone::oracle

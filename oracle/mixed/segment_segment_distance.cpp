@@ -21,34 +21,30 @@ Truth<Answer> proved(Answer answer, const NearestPair& nearest) {
 }
 
 template <class Number>
-Truth<ClosestPair2<Rational>> truth_of(const Segment2<Number>& a, const Segment2<Number>& b) {
+Truth<ClosestPair2<Surd>> truth_of(const Segment2<Number>& a, const Segment2<Number>& b) {
   const NearestPair nearest = solved(a, b);
-  return proved(ClosestPair2<Rational>{in_plane(nearest.on_a), in_plane(nearest.on_b), {}, {}}, nearest);
+  return proved(ClosestPair2<Surd>{in_plane(nearest.on_a), in_plane(nearest.on_b), {}, {}}, nearest);
 }
 template <class Number>
-Truth<ClosestPair3<Rational>> truth_of(const Segment3<Number>& a, const Segment3<Number>& b) {
+Truth<ClosestPair3<Surd>> truth_of(const Segment3<Number>& a, const Segment3<Number>& b) {
   const NearestPair nearest = solved(a, b);
-  return proved(ClosestPair3<Rational>{nearest.on_a, nearest.on_b, {}, {}}, nearest);
+  return proved(ClosestPair3<Surd>{in_space(nearest.on_a), in_space(nearest.on_b), {}, {}}, nearest);
 }
 
 }  // namespace
 
-Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2d& a, const Segment2d& b) {
-  return truth_of(a, b);
-}
-Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3d& a, const Segment3d& b) {
-  return truth_of(a, b);
-}
+Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b) { return truth_of(a, b); }
+Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d& a, const Segment3d& b) { return truth_of(a, b); }
 
 template <Exact Number>
-Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
+Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
   return truth_of(a, b);
 }
 template <Exact Number>
-Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
+Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
   return truth_of(a, b);
 }
-template Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2<Rational>&, const Segment2<Rational>&);
-template Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3<Rational>&, const Segment3<Rational>&);
+template Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Rational>&, const Segment2<Rational>&);
+template Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Rational>&, const Segment3<Rational>&);
 
 }  // namespace touchstone::oracle

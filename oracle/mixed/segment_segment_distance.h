@@ -4,6 +4,7 @@
 #include "geometry/closest.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
+#include "oracle/exact/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
@@ -12,13 +13,13 @@ namespace touchstone::oracle {
 /// (oracle/exact/nearest_pair.h); of all pairs that satisfy them the one with the least parameter on a. The distance is
 /// as closest_point_on_segment has it. Nothing is decided: there is no margin.
 ///
-/// Certificate: "root" or "enclosure", as closest_point_on_segment has them; `on_a` and `on_b`, the weights of the
-/// ends. That no pair with a smaller parameter on a is as near follows from the directions.
-Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2d& a, const Segment2d& b);
-Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3d& a, const Segment3d& b);
+/// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `on_a` and `on_b`, the weights of
+/// the ends. That no pair with a smaller parameter on a is as near follows from the directions.
+Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b);
+Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d& a, const Segment3d& b);
 template <Exact Number>
-Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b);
+Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b);
 template <Exact Number>
-Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b);
+Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b);
 
 }  // namespace touchstone::oracle

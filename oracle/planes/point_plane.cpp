@@ -1,39 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/planes/point_plane.h"
 
-#include <utility>
-
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/space.h"
-#include "oracle/exact/square_root.h"
 
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<PointPlane<Rational>> truth(const Plane<Number>& plane, const Point3<Number>& point) {
+Truth<PointPlane<Surd>> truth(const Plane<Number>& plane, const Point3<Number>& point) {
   validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
       validation::validate("plane", plane), validation::validate("point", point);
   const Plane<Rational> exactly = exact(plane);
   const Rational height = height_over(exactly, exact(point));
-  Rational square(height * height / dot(exactly.normal, exactly.normal));
+  const Rational square(height * height / dot(exactly.normal, exactly.normal));
   const int sign = sgn(height);
   const PlaneSide side = sign > 0 ? PlaneSide::front : sign < 0 ? PlaneSide::back : PlaneSide::on;
-  Enclosed distance = signed_root(square, sign);
-  return {{side, distance.value}, std::move(square), [distance = std::move(distance)]() -> Certificate {
-            if (distance.rational()) return {"root", {}};
-            return {"enclosure", {{"distance", {distance.low, distance.high}}}};
-          }};
+  const Surd distance(0, sign, square);
+  const char* const kind = distance.rational() ? "root" : "irrational_root";
+  return {{side, distance}, square, [kind] { return Certificate{kind, {}}; }};
 }
 
 }  // namespace
 
-Truth<PointPlane<Rational>> point_plane(const Plane3d& plane, const Point3d& point) { return truth(plane, point); }
+Truth<PointPlane<Surd>> point_plane(const Plane3d& plane, const Point3d& point) { return truth(plane, point); }
 
 template <Exact Number>
-Truth<PointPlane<Rational>> point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
+Truth<PointPlane<Surd>> point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
   return truth(plane, point);
 }
-template Truth<PointPlane<Rational>> point_plane(const Plane<Rational>&, const Point3<Rational>&);
+template Truth<PointPlane<Surd>> point_plane(const Plane<Rational>&, const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -2,11 +2,9 @@
 #include "oracle/planes/polygon_normal.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/space.h"
-#include "oracle/exact/square_root.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -24,31 +22,27 @@ Vector3<Rational> area_of(const Polygon3<Number>& polygon) {
   return sum;
 }
 
-Truth<PolygonNormal<Rational>> truth(const Vector3<Rational>& normal) {
+Truth<PolygonNormal<Surd>> truth(const Vector3<Rational>& normal) {
   const Rational squared_length = dot(normal, normal);
   if (sgn(squared_length) == 0)
     return {{NormalClass::degenerate, std::nullopt, std::nullopt}, Rational(0), [] {
               return Certificate{"no_area", {}};
             }};
-  const auto part = [&](const Rational& n) { return signed_root(Rational(n * n / squared_length), sgn(n)); };
-  Enclosed x = part(normal.x), y = part(normal.y), z = part(normal.z);
+  const auto part = [&](const Rational& n) { return Surd(0, sgn(n), Rational(n * n / squared_length)); };
   const Rational margin = std::max({Rational(abs(normal.x)), Rational(abs(normal.y)), Rational(abs(normal.z))});
-  return {{NormalClass::proper, normal, Vector3<Rational>{x.value, y.value, z.value}},
-          margin,
-          [x = std::move(x), y = std::move(y), z = std::move(z)]() -> Certificate {
-            if (x.rational() && y.rational() && z.rational()) return {"root", {}};
-            return {"enclosure", {{"low", {x.low, y.low, z.low}}, {"high", {x.high, y.high, z.high}}}};
-          }};
+  const Vector3<Surd> sum{normal.x, normal.y, normal.z}, unit{part(normal.x), part(normal.y), part(normal.z)};
+  const char* const kind = unit.x.rational() && unit.y.rational() && unit.z.rational() ? "root" : "irrational_root";
+  return {{NormalClass::proper, sum, unit}, margin, [kind] { return Certificate{kind, {}}; }};
 }
 
 }  // namespace
 
-Truth<PolygonNormal<Rational>> polygon_normal(const Polygon3d& polygon) { return truth(area_of(polygon)); }
+Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3d& polygon) { return truth(area_of(polygon)); }
 
 template <Exact Number>
-Truth<PolygonNormal<Rational>> polygon_normal(const Polygon3<Number>& polygon) {
+Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Number>& polygon) {
   return truth(area_of(polygon));
 }
-template Truth<PolygonNormal<Rational>> polygon_normal(const Polygon3<Rational>&);
+template Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Rational>&);
 
 }  // namespace touchstone::oracle

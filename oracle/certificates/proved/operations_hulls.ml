@@ -18,15 +18,15 @@ let closest count check = function
   | _ -> assert false
 
 let closest_point_on_segment =
-  operation ~unproved:[ "enclosure" ] "closest_point_on_segment" [ "point"; "segment" ] ""
+  operation ~unproved:[ "irrational_root" ] "closest_point_on_segment" [ "point"; "segment" ] ""
     (closest 2 check_closest_point_on_segment)
 
 let closest_point_on_triangle =
-  operation ~unproved:[ "enclosure" ] "closest_point_on_triangle" [ "point"; "triangle" ] ""
+  operation ~unproved:[ "irrational_root" ] "closest_point_on_triangle" [ "point"; "triangle" ] ""
     (closest 3 check_closest_point_on_triangle)
 
 let segment_segment_distance =
-  operation ~unproved:[ "enclosure" ] "segment_segment_distance" [ "a"; "b" ] "" (function
+  operation ~unproved:[ "irrational_root" ] "segment_segment_distance" [ "a"; "b" ] "" (function
     | [ a; b ] ->
         let (a0, a1), (b0, b1) = (pair given_coordinates a, pair given_coordinates b) in
         [ kind "" ("on_a" :: "on_b" :: answered) "root" [ "on_a"; "on_b" ] (fun answers facts ->

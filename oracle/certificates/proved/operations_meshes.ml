@@ -23,7 +23,7 @@ let point_in_convex_polyhedron = operation "point_in_convex_polyhedron" [ "mesh"
           check Outside (Separating_face (index (List.hd facts)))) ]
   | _ -> assert false)
 
-let convex_distance = operation ~unproved:[ "enclosure" ] "convex_distance" [ "a"; "b" ] "relation" (function
+let convex_distance = operation ~unproved:[ "irrational_root" ] "convex_distance" [ "a"; "b" ] "relation" (function
   | [ a; b ] ->
       let (va, fa), (vb, fb) = (mesh a, mesh b) in
       let check = check_convex_distance va fa vb fb in

@@ -19,7 +19,7 @@ let point_ground_plane = operation "point_ground_plane" [ "point" ] "side" (func
   | [ p ] -> three elevations "height" "height" (check_point_ground_plane (in_space p))
   | _ -> assert false)
 
-let point_plane = operation ~unproved:[ "enclosure" ] "point_plane" [ "plane"; "point" ] "side" (function
+let point_plane = operation ~unproved:[ "irrational_root" ] "point_plane" [ "plane"; "point" ] "side" (function
   | [ level; p ] ->
       let normal, offset = plane level in
       let root (word, side) =

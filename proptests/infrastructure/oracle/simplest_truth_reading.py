@@ -78,8 +78,7 @@ def by_sign(value, below, zero, above):
 
 
 class Root:
-    """A square root with a sign. Equal to it is what is exactly it; where no rational is, what is within 2^-60 units in
-    the last place."""
+    """A square root with a sign, times a rational: equal to it is what is exactly it, "p/q" or "q*sqrt(r)"."""
 
     def __init__(self, square, sign):
         self.square, self.sign = square, sign
@@ -88,8 +87,10 @@ class Root:
         return f"{self.sign} sqrt({self.square})"
 
     def __eq__(self, said):
-        value, square = self.sign * Fraction(said), self.square
-        if all(isqrt(part) ** 2 == part for part in (square.numerator, square.denominator)):
-            return value * value == square and value >= 0
-        room = max(value / 2**112, Fraction(1, 2**1134))
-        return value > 0 and max(Fraction(0), value - room) ** 2 < square < (value + room) ** 2
+        factor, root, radicand = said.partition("sqrt(")
+        if not root:
+            value = self.sign * Fraction(said)
+            return value >= 0 and value**2 == self.square
+        size = Fraction({"": "1", "-": "-1"}.get(factor, factor.removesuffix("*")))
+        square = size**2 * int(radicand.removesuffix(")"))
+        return self.sign * size > 0 and isqrt(square.numerator) ** 2 != square.numerator and square == self.square
