@@ -62,15 +62,24 @@ bool prints_no_table(int argc, const char* const* argv) {
 
 }  // namespace
 
-std::string operations_found(const Served& engine) {
+std::string operations_found(const Served& engine, bool named) {
   std::vector<std::string> found, not_found;
   for (const Operation* operation : all_operations()) {
     if (operation->metadata().is_implementation()) continue;
     (engine.operations.count(operation->name()) != 0 ? found : not_found).push_back(operation->name());
   }
   const std::string all = std::to_string(found.size() + not_found.size());
-  std::string text = listed(
-      engine.hello.declaration.engine + " has " + std::to_string(found.size()) + " of " + all + " operations:", found);
+  const std::string has =
+      engine.hello.declaration.engine + " has " + std::to_string(found.size()) + " of " + all + " operations";
+  if (!named) {
+    const std::string missing = std::to_string(engine.left_out.size());
+    return has +
+           (engine.left_out.empty()
+                ? ""
+                : ", " + missing + (missing == "1" ? " overload is" : " overloads are") + " not found") +
+           "; --verbose names them\n";
+  }
+  std::string text = listed(has + ":", found);
   if (!engine.left_out.empty()) text += listed("No overload found:", engine.left_out);
   constexpr std::size_t most_named = 4;
   if (not_found.size() > most_named) {
@@ -104,7 +113,9 @@ int engine_program(const Served& engine, int argc, const char* const* argv) {
   const bool command_named = argc > 1 && argv[1][0] != '-';
   if (!command_named) arguments.insert(arguments.begin() + 1, "audit");
   const bool audits = std::strcmp(arguments[1], "audit") == 0;
-  if (audits && !prints_no_table(argc, argv)) std::cout << operations_found(engine) << '\n' << std::flush;
+  const bool verbose =
+      std::any_of(argv, argv + argc, [](const char* word) { return std::string(word) == "--verbose"; });
+  if (audits && !prints_no_table(argc, argv)) std::cout << operations_found(engine, verbose) << '\n' << std::flush;
   const std::array<const char*, 2> help{"-h", "--help"};
   const bool helps = argc == 2 && is_one_of(argv[1], help);
   if (helps) introduce(engine, argv[0]);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/engines/notes.h"
 
+#include <algorithm>
+
 #include "catalogue/codec/excerpt.h"
 
 namespace touchstone::audit {
@@ -46,9 +48,13 @@ std::uint64_t EngineNotes::stray_lines() const {
   return stray_lines_;
 }
 
-void EngineNotes::tell(std::ostream& err) const {
+void EngineNotes::tell(std::ostream& err, bool all) const {
   const std::lock_guard lock(mutex_);
-  for (const std::string& remark : remarks_) err << "touchstone: engine: first line: " << remark << '\n';
+  const std::size_t told = all ? remarks_.size() : std::min<std::size_t>(remarks_.size(), 1);
+  const std::string more =
+      told < remarks_.size() ? "; --verbose tells " + std::to_string(remarks_.size() - told) + " more" : "";
+  auto remark = remarks_.begin();
+  for (std::size_t i = 0; i < told; ++i, ++remark) err << "touchstone: engine: first line: " << *remark << more << '\n';
   if (restarts_ > 0)
     err << "touchstone: engine: restarted " << times(restarts_) << ", the last time for: " << last_defect_ << '\n';
   if (stray_lines_ > 0) {

@@ -24,8 +24,8 @@ class EngineNotes {
   std::string of_first_line() const;
   std::uint64_t restarts() const;
   std::uint64_t stray_lines() const;
-  /// Everything, a line each.
-  void tell(std::ostream& err) const;
+  /// Everything, a line each; unless `all`, of the remarks on the first line the first, and how many there are.
+  void tell(std::ostream& err, bool all = true) const;
 
  private:
   mutable std::mutex mutex_;

@@ -148,6 +148,9 @@ TEST_CASE("adapter: above the table stand the operations found, the overloads no
   const std::string others = std::to_string(operations - all.operations.size());
   REQUIRE_THAT(text,
                ContainsSubstring("\nNo member function of " + others + " other names: touchstone ops lists them\n"));
+  REQUIRE(program::operations_found(all, false) ==
+          "planar 2 has 2 of " + std::to_string(operations) +
+              " operations, 2 overloads are not found; --verbose names them\n");
   // What is short enough is named.
   Served most = all;
   for (const Operation* operation : all_operations())

@@ -189,6 +189,11 @@ TEST_CASE("pipe: names of the first line that nobody knows are told, with what m
         "never asked\n",
         "first line: ops: juggle: no operation of the catalogue, never asked\n"})
     CHECK_THAT(told.str(), ContainsSubstring(line));
+  std::ostringstream briefly;
+  notes.tell(briefly, false);
+  CHECK(briefly.str() ==
+        "touchstone: engine: first line: boundry: no such field (did you mean \"boundary\"?), ignored; --verbose tells "
+        "3 more\n");
 }
 
 TEST_CASE("pipe: an answer nested 40,000 deep loses its question") {

@@ -28,6 +28,7 @@ connections = {
     "word": lambda side: {"side": side.upper()},
     "bare": lambda side: side,
     "always": lambda side: {"side": "left"},
+    "bug": lambda side: {"side": "on" if side == "right" else side},
 }
 sys.stdin.readline()
 print(json.dumps({"engine": "small 1", "ops": sys.argv[2].split(","), "boundary": "closed"}), flush=True)
@@ -99,6 +100,13 @@ TEST_CASE("check-engine: what is connected wrongly is said as expectation and fa
   require_told("sign",
                "right is said for left, left is said for right: is the order of the arguments, or a sign, another");
   require_told("always", "another answer than the definition gives");
+}
+
+TEST_CASE("check-engine: an engine with a bug is connected, and is said to be wrong") {
+  const Called call = checked("bug");
+  INFO(call.out << call.err);
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out, ContainsSubstring("\nconnected: 1 operation\nconnected, and wrong at an easy question: 1 op"));
 }
 
 TEST_CASE("check-engine: every operation is told apart, and a name misspelt is told with the one meant") {
