@@ -151,12 +151,13 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     tally.declaration.engine = command.engine;
   }
   progress.end();
-  notes.tell(err);
+  notes.tell(err, command.verbose);
   tally.max_surplus = command.gate.max_surplus;
   tally.repeat = repeat_of(command.program, command.engine, command.timeout);
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
   const bool on_terminal = &readable == &std::cout && isatty(STDOUT_FILENO) != 0;
-  if (on_terminal && !command.summary && !command.verbose) readable << screen(tally, how_to_see_more) << std::flush;
+  if (on_terminal && !command.summary && !command.verbose)
+    readable << screen(tally, how_to_see_more, command.width) << std::flush;
   else readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
   if (tally.interrupted && shard.named()) {
     err << "touchstone: interrupted, nothing is written"

@@ -35,6 +35,7 @@ struct AuditCommand {
   std::string range = "all";  ///< "ordinary": only questions of ordinary size
   std::string ordinary = "0x1p-100,0x1p100";  ///< LEAST,MOST: what that is
   bool summary = false;                       ///< a row for each operation, no families and no examples
+  std::size_t width = 120;                    ///< of a question or an answer on the screen; 0: never cut
   bool verbose = false;                       ///< on a terminal, too, every family and finding and not one screen
   GateCommand gate;
 };

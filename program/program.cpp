@@ -174,6 +174,8 @@ void add_audit(CLI::App& program, Action& action) {
   add_gate(*command, options->gate);
   auto* summary =
       command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
+  command->add_option("--width", options->width,
+                      "Columns that a question or an answer takes on the screen before it is cut; 0: never");
   command
       ->add_flag("--verbose", options->verbose,
                  "Every family and every finding on a terminal too, where one screen is usual")

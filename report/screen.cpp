@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "catalogue/codec/excerpt.h"
+#include "report/hints.h"
 #include "report/table.h"
-#include "report/ways.h"
 #include "report/wording.h"
 
 namespace touchstone::report {
@@ -112,22 +112,32 @@ std::vector<Telling> telling(const Tally& tally) {
   return found;
 }
 
-std::string in_words(const Telling& one, const Tally& tally, const std::string& who) {
+/// A value on a line of its own, cut where there is a width.
+std::string cut(const std::string& value, std::size_t width) {
+  return "  " + (width == 0 ? value : excerpt(value, std::max(width, line_width / 2) - (line_width - room_of_value))) +
+         "\n";
+}
+
+std::string in_words(const Telling& one, const Tally& tally, const std::string& who, std::size_t width) {
   const Finding& finding = *one.shown.counted.example;
   const Operation* operation = find_operation(one.operation->operation);
   std::string text = fmt::format("\n{}, {}: {}{}\n", one.operation->operation, name_of(one.shown.way.verdict),
                                  answer_in_words(one.shown.way), counted(both(one.shown.counted.cases), "case"));
   if (!operation) return text;
-  const std::string answer = finding.answer.is_null() ? no_answer : one_line(readable(finding.answer, 24, 6));
-  text += "  " + excerpt(one_line(operation->print(finding.question)), room_of_value) + "\n";
-  text +=
-      "  " +
-      excerpt("truth " + one_line(readable(finding.examination(*operation).truth(), 24, 6)) + ", " + who + " " + answer,
-              room_of_value) +
-      "\n";
+  const std::string families = families_in_words(one.shown);
+  if (!families.empty()) text += "  " + wrapped("in the families " + families, 2) + "\n";
+  text += cut(one_line(operation->print(finding.question)), width);
+  const std::string truth = one_line(readable(finding.examination(*operation).truth(), 24, 6)),
+                    answer = finding.answer.is_null() ? no_answer : one_line(readable(finding.answer, 24, 6)),
+                    both_answers = "truth " + truth + ", " + who + " " + answer;
+  // Where the two do not fit on a line, each has its own, so that the answer is not cut away.
+  if (both_answers.size() <= room_of_value) text += "  " + both_answers + "\n";
+  else text += cut("truth " + truth, width) + cut(who + " " + answer, width);
   const std::string reason =
       wrapped(why(finding, operation, speaker_of(tally.declaration), tally.declaration.binary32), 2);
-  return text + "  " + reason.substr(0, reason.find('\n', reason.find('\n') + 1)) + "\n";
+  text += "  " + reason.substr(0, reason.find('\n', reason.find('\n') + 1)) + "\n";
+  for (const std::string& hint : hints(*one.operation, tally.declaration)) text += "  " + wrapped(hint, 2) + "\n";
+  return text;
 }
 
 std::size_t lines_of(const std::string& text) {
@@ -136,7 +146,7 @@ std::size_t lines_of(const std::string& text) {
 
 }  // namespace
 
-std::string screen(const Tally& tally, const std::string& more) {
+std::string screen(const Tally& tally, const std::string& more, std::size_t width) {
   const std::vector<Row> rows = rows_of(tally);
   std::vector<Row> right, wrong, unanswered;
   std::size_t name_width = 0;
@@ -146,7 +156,7 @@ std::string screen(const Tally& tally, const std::string& more) {
   }
   const std::string who = speaker_of(tally.declaration) == Speaker::reference ? "formula" : "engine";
   std::string findings;
-  for (const Telling& one : telling(tally)) findings += in_words(one, tally, who);
+  for (const Telling& one : telling(tally)) findings += in_words(one, tally, who, width);
   const std::string tail = named("right in all answers: ", right) + named("never answered: ", unanswered) +
                            robust_line(tally) + findings + "\n" + wrapped(closing_sentence(tally), 0) + more;
   std::string text = heading(tally);

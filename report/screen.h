@@ -5,6 +5,7 @@
 
 #include "audit/tally.h"
 #include "report/uses.h"
+#include "report/ways.h"
 
 namespace touchstone::report {
 
@@ -14,6 +15,7 @@ inline constexpr std::size_t screen_lines = 60;
 /// An audit on one screen: a row with a bar for each operation, the worst first, then the most telling findings in
 /// words, each of another operation, then the closing sentence and `more`, a line or two on how to see the rest. What
 /// has no room is counted. The same tally gives the same bytes.
-std::string screen(const Tally& tally, const std::string& more);
+/// `width` columns are as many as a question or an answer takes before it is cut; 0: none is.
+std::string screen(const Tally& tally, const std::string& more, std::size_t width = line_width);
 
 }  // namespace touchstone::report

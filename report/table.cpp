@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "audit/engines/protocol.h"
+#include "report/hints.h"
 #include "report/ways.h"
 #include "report/wording.h"
 
@@ -133,6 +134,8 @@ std::string one_finding(const OperationTally& tally, const WayOfOperation& shown
   const auto line = [&](const std::string& key, const std::string& value) {
     text += fmt::format("  {:<9} {}\n", key, value);
   };
+  const std::string families = families_in_words(shown);
+  if (!families.empty()) line("families", wrapped(families, 12));
   line("input", one_line(operation->print(finding.question)));
   line("hex", one_line(operation->print_hexadecimal(finding.question)));
   try {
@@ -148,16 +151,18 @@ std::string one_finding(const OperationTally& tally, const WayOfOperation& shown
   return text;
 }
 
-std::string findings(const std::vector<OperationTally>& tallies, Speaker speaker, bool binary32,
+std::string findings(const std::vector<OperationTally>& tallies, const Declaration& declaration, Speaker speaker,
                      const std::string& name, const Repeat& repeat) {
   std::string text;
   for (const OperationTally& tally : tallies) {
     const std::vector<WayOfOperation> ways = ways_of(tally);
     for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i)
-      text += one_finding(tally, ways[i], speaker, binary32, name, repeat);
+      text += one_finding(tally, ways[i], speaker, declaration.binary32, name, repeat);
     if (ways.size() > most_ways)
       text += fmt::format("\n{}: {} in the file of --json\n", tally.operation,
                           counted(ways.size() - most_ways, "less frequent way"));
+    for (const std::string& hint : hints(tally, declaration))
+      text += "\n" + tally.operation + ": " + wrapped(hint, tally.operation.size() + 2) + "\n";
   }
   return text;
 }
@@ -214,9 +219,8 @@ std::string text_table(const Tally& tally, Detail detail) {
   const Speaker speaker = speaker_of(tally.declaration);
   const std::string engine = speaker == Speaker::reference ? "formula" : "engine";
   std::string text = heading(tally) + counts(tally, detail) + robust_line(tally);
-  if (detail == Detail::all)
-    text += findings(tally.operations, speaker, tally.declaration.binary32, engine, tally.repeat);
-  text += findings(tally.robust, Speaker::robust, false, "robust", tally.repeat);
+  if (detail == Detail::all) text += findings(tally.operations, tally.declaration, speaker, engine, tally.repeat);
+  text += findings(tally.robust, {}, Speaker::robust, "robust", tally.repeat);
   return text + conventions(tally.operations, engine) + conventions(tally.robust, "robust") + "\n" +
          closing_sentence(tally);
 }

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <map>
 
+#include "audit/counted.h"
+
 namespace touchstone::report {
 namespace {
+
+constexpr std::size_t most_families = 3;
 
 int rank(Verdict verdict) { return !is_finding(verdict) ? 2 : verdict == Verdict::inexact ? 1 : 0; }
 
@@ -20,15 +24,28 @@ std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
       if (!sum.counted.example || shown_before(*counted.example, *sum.counted.example)) sum.family = family;
       sum.way = way;
       sum.counted.merge(counted);
+      sum.families.push_back({family, both(counted.cases), cell.cases()});
     }
   }
   std::vector<WayOfOperation> ways;
-  for (auto& [way, sum] : by_way) ways.push_back(std::move(sum));
+  for (auto& [way, sum] : by_way) {
+    std::stable_sort(sum.families.begin(), sum.families.end(),
+                     [](const auto& a, const auto& b) { return a.cases > b.cases; });
+    if (sum.families.size() > most_families) sum.families.resize(most_families);
+    ways.push_back(std::move(sum));
+  }
   std::stable_sort(ways.begin(), ways.end(), [](const WayOfOperation& a, const WayOfOperation& b) {
     const int rank_a = rank(a.way.verdict), rank_b = rank(b.way.verdict);
     return rank_a != rank_b ? rank_a < rank_b : a.counted.cases > b.counted.cases;
   });
   return ways;
+}
+
+std::string families_in_words(const WayOfOperation& way) {
+  std::string text;
+  for (const auto& [name, cases, of] : way.families)
+    text += (text.empty() ? "" : ", ") + name + " " + grouped(cases) + " of " + grouped(of);
+  return text;
 }
 
 std::string answer_in_words(const Way& way) {

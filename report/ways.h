@@ -17,7 +17,15 @@ struct WayOfOperation {
   Way way;
   WayCount counted;
   std::string family;  ///< of the example
+  /// How many cases of which family were answered so, of how many: those of most cases, three at most.
+  struct OfFamily {
+    std::string name;
+    std::uint64_t cases, of;
+  };
+  std::vector<OfFamily> families{};
 };
+/// "many_moves 26 of 37, grid 2 of 37"
+std::string families_in_words(const WayOfOperation& way);
 
 /// "inside where the truth is boundary, "; empty where the words are the same, or none.
 std::string answer_in_words(const Way& way);

@@ -50,11 +50,42 @@ std::optional<bool> formula_is_right(const Finding& finding, const Operation* op
   }
 }
 
-/// "The decision is right, but a number is inexact: 12 ulps off. "; where nothing is decided, without its first part.
-std::string about_number(const Judgement& judgement, const Operation* operation) {
+/// "point[1]": where that number stands in the answer, and another one in the truth; empty where it is not found.
+std::string place_of(double answered, const Json& truth, const Json& answer, const std::string& path) {
+  if (answer.is_number()) return answer.get<double>() == answered && answer != truth ? path : "";
+  if (answer.type() != truth.type() || !answer.is_structured()) return "";
+  std::size_t i = 0;
+  for (auto part = answer.begin(); part != answer.end(); ++part, ++i) {
+    const bool member = answer.is_object();
+    if (member ? !truth.contains(part.key()) : i >= truth.size()) continue;
+    const std::string inner = !member        ? path + "[" + std::to_string(i) + "]"
+                              : path.empty() ? part.key()
+                                             : path + "." + part.key();
+    std::string found = place_of(answered, member ? truth[part.key()] : truth[i], *part, inner);
+    if (!found.empty()) return found;
+  }
+  return "";
+}
+std::string place_of_number(const Finding& finding, const Operation* operation) {
+  if (!operation || !finding.answer.is_structured()) return "";
+  try {
+    const Json truth = parse_own_line(one_line(finding.examination(*operation).rounded_truth()));
+    return place_of(finding.judgement.number->answered, truth, parse_own_line(one_line(finding.answer)), "");
+  } catch (const InvalidInput&) {
+    return "";
+  }
+}
+
+/// "The decision is right, but number `distance` is inexact: 12 ulps off. "; where nothing is decided, without its
+/// first part.
+std::string about_number(const Finding& finding, const Operation* operation) {
   const bool decides = operation && !operation->words().empty();
-  return std::string(decides ? "The decision is right, but a number is " : "A number is ") +
-         (judgement.verdict == Verdict::inexact ? "inexact: " : "wrong: ") + off_in_words(judgement) + ". ";
+  const std::string place = place_of_number(finding, operation);
+  const std::string number =
+      place.empty() ? (decides ? "a number" : "A number") : (decides ? "number `" : "Number `") + place + "`";
+  return (decides ? "The decision is right, but " : "") + number +
+         (finding.judgement.verdict == Verdict::inexact ? " is inexact: " : " is wrong: ") +
+         off_in_words(finding.judgement) + ". ";
 }
 
 std::string why_algorithm(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
@@ -106,7 +137,7 @@ std::string why_rounding(const Finding& finding, const Operation* operation, Spe
 
 /// What is wrong with the answer, as a sentence before others: a number, or what a checker says.
 std::string defect_of(const Finding& finding, const Operation* operation) {
-  if (finding.judgement.number) return about_number(finding.judgement, operation);
+  if (finding.judgement.number) return about_number(finding, operation);
   std::string text = finding.judgement.remark;
   if (text.empty()) return text;
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -192,9 +223,9 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
       return defect_of(finding, operation) + why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {
       const double bound = operation && speaker != Speaker::robust ? operation->metadata().ulps : 0;
-      return about_number(finding.judgement, operation) + (speaker == Speaker::robust
-                                                               ? "robust promises the nearest number."
-                                                               : "Stated bound: " + ulps_in_words(bound) + ".");
+      return about_number(finding, operation) + (speaker == Speaker::robust
+                                                     ? "robust promises the nearest number."
+                                                     : "Stated bound: " + ulps_in_words(bound) + ".");
     }
     case Verdict::convention:
       return "The truth is a touch, and the answer is right for open sets; the engine does not promise closed ones.";

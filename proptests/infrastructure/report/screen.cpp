@@ -88,4 +88,25 @@ TEST_CASE("screen: the worst first, with what is wrong of the answers") {
   CHECK(!findings("point_ground_plane"));
 }
 
+TEST_CASE("screen: a finding names the families that it is in, and nothing is cut where there is no width") {
+  const Operation& operation = *find_operation("segment_segment");
+  const Tally tally = audited({&operation}, 2000);
+  const std::string narrow = screen(tally, "", 60), full = screen(tally, "", 0);
+  std::size_t named = 0;
+  for (const WayOfOperation& way : ways_of(tally.operations[0])) {
+    CHECK(way.families.size() <= 3);
+    std::uint64_t cases = 0;
+    for (const auto& [name, wrong, of] : way.families) {
+      CHECK(wrong <= of);
+      cases += wrong;
+    }
+    CHECK(cases <= both(way.counted.cases));
+    CHECK((way.families.size() == 3 || cases == both(way.counted.cases)));
+    named += full.find("  in the families " + families_in_words(way) + "\n") != std::string::npos ? 1 : 0;
+  }
+  CHECK(named > 0);
+  CHECK(narrow.find(" bytes)") != std::string::npos);
+  CHECK(full.find(" bytes)") == std::string::npos);
+}
+
 }  // namespace touchstone::proptests::screen_tests

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/hints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catalogue/rows/broad_phase/broad_phase.h"
+#include "catalogue/rows/lines/orientation.h"
+#include "catalogue/rows/lines/parametric_circle.h"
+#include "catalogue/rows/mixed/sphere_plane.h"
+#include "catalogue/rows/planes/point_ground_plane.h"
+#include "catalogue/rows/response/momentum.h"
+#include "proptests/catch.h"
+#include "proptests/infrastructure/judge/foreign_formulas.h"
+
+/// Each hint is given for the bug that it names, and not for another bug or for none.
+namespace touchstone::proptests::hints_tests {
+namespace {
+
+namespace rows = catalogue::rows;
+using report::hints;
+
+template <class Row, class Formula>
+std::string said(const Formula& formula) {
+  const Tally tally = audited<Row>(formula);
+  std::string text;
+  for (const std::string& hint : hints(tally.operations[0], tally.declaration)) text += hint + "\n";
+  return text;
+}
+template <class Row, class Right>
+void says_nothing_of(const Right& right) {
+  CHECK(said<Row>(right) == "");
+}
+
+using Bodies = std::vector<Bodyd>;
+using Boxes = std::vector<Aabb3d>;
+using Commands = std::vector<Commandd>;
+
+Vector3d of(const Vector3d& v, double (*change)(double)) { return {change(v.x), change(v.y), change(v.z)}; }
+Point2d y_down(const Point2d& p) { return {p.x, -p.y}; }
+
+}  // namespace
+
+TEST_CASE("hints: touches answered as open sets do") {
+  const auto right = [](const Sphere3d& s, const Plane3d& p) { return robust::sphere_plane(s, p); };
+  const auto open = [&](const Sphere3d& s, const Plane3d& p) {
+    const Contact contact = right(s, p);
+    return contact == Contact::touching ? Contact::disjoint : contact;
+  };
+  const auto always = [](const Sphere3d&, const Plane3d&) { return Contact::disjoint; };
+  const auto is_said = ContainsSubstring("`<` where `<=` belongs");
+  says_nothing_of<rows::sphere_plane>(right);
+  CHECK_THAT(said<rows::sphere_plane>(open), is_said);
+  CHECK_THAT(said<rows::sphere_plane>(always), !is_said);
+}
+
+TEST_CASE("hints: numbers in single precision") {
+  const auto right = [](const Bodies& bodies) { return robust::momentum(bodies); };
+  const auto single = [](const Bodies& bodies) {
+    return of(robust::momentum(bodies), [](double x) { return static_cast<double>(static_cast<float>(x)); });
+  };
+  const auto half_more = [](const Bodies& bodies) {
+    return of(robust::momentum(bodies), [](double x) { return 1.5 * x; });
+  };
+  const auto is_said = ContainsSubstring("single precision");
+  says_nothing_of<rows::momentum>(right);
+  CHECK_THAT(said<rows::momentum>(single), is_said);
+  CHECK_THAT(said<rows::momentum>(half_more), !is_said);
+}
+
+TEST_CASE("hints: arguments exchanged, and a mirrored frame") {
+  const auto right = [](const Point2d& a, const Point2d& b, const Point2d& p) { return robust::orientation(a, b, p); };
+  const auto exchanged = [&](const Point2d& a, const Point2d& b, const Point2d& p) { return right(b, a, p); };
+  const auto mirrored = [&](const Point2d& a, const Point2d& b, const Point2d& p) {
+    return right(y_down(a), y_down(b), y_down(p));
+  };
+  const auto never_on = [&](const Point2d& a, const Point2d& b, const Point2d& p) {
+    const Side side = right(a, b, p);
+    return side == Side::on ? Side::left : side;
+  };
+  const auto of_arguments = ContainsSubstring("`p0` and `p1` are exchanged"), of_frame = ContainsSubstring("is y down");
+  says_nothing_of<rows::orientation>(right);
+  CHECK_THAT(said<rows::orientation>(exchanged), of_arguments);
+  CHECK_THAT(said<rows::orientation>(mirrored), of_frame);
+  CHECK_THAT(said<rows::orientation>(never_on), !of_arguments && !of_frame);
+}
+
+TEST_CASE("hints: another axis is up") {
+  const auto right = [](const Point3d& p) { return robust::point_ground_plane(p); };
+  const auto z_up = [&](const Point3d& p) { return right({p.x, p.z, p.y}); };
+  const auto x_up = [&](const Point3d& p) { return right({p.y, p.x, p.z}); };
+  const auto is_said = ContainsSubstring("is z up");
+  says_nothing_of<rows::point_ground_plane>(right);
+  CHECK_THAT(said<rows::point_ground_plane>(z_up), is_said);
+  CHECK_THAT(said<rows::point_ground_plane>(x_up), !is_said);
+}
+
+TEST_CASE("hints: an angle in degrees") {
+  const auto right = [](const Circle2d& c, double u) { return robust::parametric_circle(c, u); };
+  const auto degrees = [&](const Circle2d& c, double u) { return right(c, u * (3.14159265358979323846 / 180)); };
+  const auto backwards = [&](const Circle2d& c, double u) { return right(c, -u); };
+  const auto is_said = ContainsSubstring("in degrees");
+  says_nothing_of<rows::parametric_circle>(right);
+  CHECK_THAT(said<rows::parametric_circle>(degrees), is_said);
+  CHECK_THAT(said<rows::parametric_circle>(backwards), !is_said);
+}
+
+TEST_CASE("hints: wrong after a move alone") {
+  const auto right = [](const Boxes& boxes, const Commands& commands) { return robust::broad_phase(boxes, commands); };
+  const auto unmoved = [&](const Boxes& boxes, Commands commands) {
+    commands.erase(std::remove_if(commands.begin(), commands.end(),
+                                  [](const Commandd& c) { return std::holds_alternative<Move<double>>(c); }),
+                   commands.end());
+    return right(boxes, commands);
+  };
+  const auto without_pairs = [&](const Boxes& boxes, const Commands& commands) {
+    auto replies = right(boxes, commands);
+    for (auto& reply : replies)
+      if (auto* pairs = std::get_if<PairsReply>(&reply)) pairs->pairs.clear();
+    return replies;
+  };
+  const auto is_said = ContainsSubstring("without a `move`");
+  says_nothing_of<rows::broad_phase>(right);
+  CHECK_THAT(said<rows::broad_phase>(unmoved), is_said);
+  CHECK_THAT(said<rows::broad_phase>(without_pairs), !is_said);
+}
+
+TEST_CASE("hints: wrong in long lists alone") {
+  const auto first_eight = [](Bodies bodies) {
+    bodies.resize(std::min<std::size_t>(bodies.size(), 8));
+    return robust::momentum(bodies);
+  };
+  const auto first_two = [](Bodies bodies) {
+    bodies.resize(std::min<std::size_t>(bodies.size(), 2));
+    return robust::momentum(bodies);
+  };
+  const auto is_said = ContainsSubstring("has something room for fewer");
+  CHECK_THAT(said<rows::momentum>(first_eight), is_said);
+  CHECK_THAT(said<rows::momentum>(first_two), !is_said);
+}
+
+TEST_CASE("hints: none for the textbook formulas, whose findings are explained otherwise") {
+  Tally tally = audited<rows::orientation>(
+      [](const Point2d& a, const Point2d& b, const Point2d& p) { return robust::orientation(b, a, p); });
+  CHECK_FALSE(hints(tally.operations[0], tally.declaration).empty());
+  tally.declaration.engine = "reference";
+  CHECK(hints(tally.operations[0], tally.declaration).empty());
+}
+
+}  // namespace touchstone::proptests::hints_tests
