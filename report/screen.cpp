@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "catalogue/codec/excerpt.h"
 #include "report/hints.h"
@@ -118,14 +119,16 @@ std::string cut(const std::string& value, std::size_t width) {
          "\n";
 }
 
-std::string in_words(const Telling& one, const Tally& tally, const std::string& who, std::size_t width) {
+/// `hinted`: the hints on its operation are told already.
+std::string in_words(const Telling& one, const Tally& tally, const std::string& who, std::size_t width, bool hinted) {
   const Finding& finding = *one.shown.counted.example;
   const Operation* operation = find_operation(one.operation->operation);
-  std::string text = fmt::format("\n{}, {}: {}{}\n", one.operation->operation, name_of(one.shown.way.verdict),
-                                 answer_in_words(one.shown.way), counted(both(one.shown.counted.cases), "case"));
+  const std::string head = fmt::format("{}, {}: {}{}:", one.operation->operation, name_of(one.shown.way.verdict),
+                                       answer_in_words(one.shown.way), counted(both(one.shown.counted.cases), "case"));
+  const std::size_t left = line_width - std::min(head.size(), line_width);
+  const std::string families = families_in_words(one.shown, left > 0 ? left - 1 : 0);
+  std::string text = "\n" + head + (families.size() < left ? " " : "\n  ") + families + "\n";
   if (!operation) return text;
-  const std::string families = families_in_words(one.shown);
-  if (!families.empty()) text += "  " + wrapped("in the families " + families, 2) + "\n";
   text += cut(one_line(operation->print(finding.question)), width);
   const std::string truth = one_line(readable(finding.examination(*operation).truth(), 24, 6)),
                     answer = finding.answer.is_null() ? no_answer : one_line(readable(finding.answer, 24, 6)),
@@ -136,6 +139,7 @@ std::string in_words(const Telling& one, const Tally& tally, const std::string& 
   const std::string reason =
       wrapped(why(finding, operation, speaker_of(tally.declaration), tally.declaration.binary32), 2);
   text += "  " + reason.substr(0, reason.find('\n', reason.find('\n') + 1)) + "\n";
+  if (hinted) return text;
   for (const std::string& hint : hints(*one.operation, tally.declaration)) text += "  " + wrapped(hint, 2) + "\n";
   return text;
 }
@@ -156,7 +160,9 @@ std::string screen(const Tally& tally, const std::string& more, std::size_t widt
   }
   const std::string who = speaker_of(tally.declaration) == Speaker::reference ? "formula" : "engine";
   std::string findings;
-  for (const Telling& one : telling(tally)) findings += in_words(one, tally, who, width);
+  std::set<const OperationTally*> hinted;
+  for (const Telling& one : telling(tally))
+    findings += in_words(one, tally, who, width, !hinted.insert(one.operation).second);
   const std::string tail = named("right in all answers: ", right) + named("never answered: ", unanswered) +
                            robust_line(tally) + findings + "\n" + wrapped(closing_sentence(tally), 0) + more;
   std::string text = heading(tally);

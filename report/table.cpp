@@ -134,8 +134,8 @@ std::string one_finding(const OperationTally& tally, const WayOfOperation& shown
   const auto line = [&](const std::string& key, const std::string& value) {
     text += fmt::format("  {:<9} {}\n", key, value);
   };
-  const std::string families = families_in_words(shown);
-  if (!families.empty()) line("families", wrapped(families, 12));
+  const std::string families = families_in_words(shown, line_width - 12);
+  if (!families.empty()) line("families", families);
   line("input", one_line(operation->print(finding.question)));
   line("hex", one_line(operation->print_hexadecimal(finding.question)));
   try {

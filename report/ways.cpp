@@ -41,10 +41,13 @@ std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
   return ways;
 }
 
-std::string families_in_words(const WayOfOperation& way) {
+std::string families_in_words(const WayOfOperation& way, std::size_t room) {
   std::string text;
-  for (const auto& [name, cases, of] : way.families)
-    text += (text.empty() ? "" : ", ") + name + " " + grouped(cases) + " of " + grouped(of);
+  for (const auto& [name, cases, of] : way.families) {
+    const std::string one = (text.empty() ? "" : ", ") + name + " " + grouped(cases) + " of " + grouped(of);
+    if (!text.empty() && text.size() + one.size() > room) break;
+    text += one;
+  }
   return text;
 }
 

@@ -24,8 +24,8 @@ struct WayOfOperation {
   };
   std::vector<OfFamily> families{};
 };
-/// "many_moves 26 of 37, grid 2 of 37"
-std::string families_in_words(const WayOfOperation& way);
+/// "many_moves 26 of 37, grid 2 of 37": as many as have room, the first in any case.
+std::string families_in_words(const WayOfOperation& way, std::size_t room);
 
 /// "inside where the truth is boundary, "; empty where the words are the same, or none.
 std::string answer_in_words(const Way& way);

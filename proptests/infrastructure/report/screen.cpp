@@ -102,7 +102,7 @@ TEST_CASE("screen: a finding names the families that it is in, and nothing is cu
     }
     CHECK(cases <= both(way.counted.cases));
     CHECK((way.families.size() == 3 || cases == both(way.counted.cases)));
-    named += full.find("  in the families " + families_in_words(way) + "\n") != std::string::npos ? 1 : 0;
+    named += full.find(": " + families_in_words(way, 0)) != std::string::npos ? 1 : 0;
   }
   CHECK(named > 0);
   CHECK(narrow.find(" bytes)") != std::string::npos);
