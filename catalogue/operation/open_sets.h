@@ -39,7 +39,7 @@ std::optional<truth_t<Row>> apart_if_touching(const truth_t<Row>& truth, const t
   if (truth.relation != ConvexRelation::meeting) return std::nullopt;
   const auto margin = ask_oracle<Row>(question).margin;
   if (!margin || sgn(*margin) != 0) return std::nullopt;
-  return truth_t<Row>{ConvexRelation::apart, {}, {}, 0, 0};
+  return truth_t<Row>{ConvexRelation::apart, {}, {}, {}, {}};
 }
 
 }  // namespace touchstone::catalogue
