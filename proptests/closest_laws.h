@@ -19,7 +19,9 @@ auto square_of(const Answer& answer) {
 }
 
 inline double rounded(double number) { return number; }
-inline double rounded(const Rational& number) { return catalogue::nearest(number); }
+inline double rounded(const catalogue::TrueNumber& number) { return catalogue::nearest(number); }
+inline bool is_zero(double number) { return number == 0; }
+inline bool is_zero(const catalogue::TrueNumber& number) { return sgn(number) == 0; }
 
 inline Point3<Rational> exact_point(const Point3d& p) { return {exact(p.x), exact(p.y), exact(p.z)}; }
 

@@ -168,7 +168,8 @@ void law(const std::string& sentence, const Holds& holds) {
 
 /// Whether an answer's numbers are rationals (an answer of one word counts as exact).
 template <class Answer>
-inline constexpr bool is_exact = std::is_same_v<Answer, catalogue::rebound_t<Answer, Rational>>;
+inline constexpr bool is_exact = std::is_same_v<Answer, catalogue::rebound_t<Answer, Rational>> ||
+                                 std::is_same_v<Answer, catalogue::rebound_t<Answer, catalogue::TrueNumber>>;
 
 /// Whether t and s are parameters of one point on a segment and on the reversed segment: told exactly of rationals; of
 /// rounded numbers only that both are there.
@@ -186,8 +187,8 @@ inline bool scaled_number(double n, double found, int k) {
   const double expected = std::ldexp(n, k);
   return found == expected || (std::fabs(expected) < 0x1p-1021 && std::fabs(found) < 0x1p-1021);
 }
-inline bool scaled_number(const Rational& n, const Rational& found, int k) {
-  const Rational two_to_k = catalogue::exact_value(std::ldexp(1, k));
+inline bool scaled_number(const catalogue::TrueNumber& n, const catalogue::TrueNumber& found, int k) {
+  const catalogue::TrueNumber two_to_k = catalogue::exact_value(std::ldexp(1, k));
   return found == n * two_to_k;
 }
 

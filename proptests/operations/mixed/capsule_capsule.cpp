@@ -93,7 +93,8 @@ CONTRACT("capsule_capsule: where the formula in double is certain by its contrac
   }
   // D > e + (1 + 8u) R + 2^-535 is enough for (1 - 6u) (D - e)^2 - 2^-1072 > (1 + 4u) R^2 + 2^-1072.
   const Rational r(exact(a.radius) + exact(b.radius)), least(e + (1 + 8 * u) * r + power_of_two(-535));
-  const Rational square = oracle::segment_segment_distance(a.segment, b.segment).answer.squared_distance;
+  const Rational square =
+      oracle::segment_segment_distance(a.segment, b.segment).answer.squared_distance.rational_part();
   return square <= least * least || (answer == disjoint && truth.answer == disjoint);
 }
 

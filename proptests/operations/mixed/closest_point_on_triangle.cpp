@@ -15,7 +15,9 @@ const Triangle3d corner{{0, 0, 0}, {4, 0, 0}, {0, 0, 3}};
 
 void worked(const Point3d& p, const Triangle3d& t, const Point3<Rational>& nearest, const Rational& distance,
             const std::string& by_reference = "agree") {
-  example<Row>({p, t}, ClosestPoint3<Rational>{nearest, Rational(distance * distance), distance}, by_reference);
+  example<Row>({p, t},
+               ClosestPoint3<oracle::Surd>{{nearest.x, nearest.y, nearest.z}, Rational(distance * distance), distance},
+               by_reference);
 }
 void rounds_to(const Row::Question& question, const std::vector<double>& numbers) {
   CHECK(numbers_of(catalogue::ask_robust<Row>(question)) == numbers);
@@ -31,7 +33,7 @@ LAW("closest_point_on_triangle: the order of the corners does not matter", p, t)
 LAW("closest_point_on_triangle: no corner is nearer, and each is nearest to itself", p, t) {
   for (const Point3d& q : {t.a, t.b, t.c}) {
     if (ask(asked).squared_distance > ask(Row::Question{p, {q, q, q}}).squared_distance) return false;
-    if (ask(Row::Question{q, t}).distance != 0) return false;
+    if (!is_zero(ask(Row::Question{q, t}).distance)) return false;
   }
   return true;
 }
@@ -121,7 +123,7 @@ CONTRACT("closest_point_on_triangle: beyond a the formula in double keeps its co
     return sum < -((5 + 11 * u) * u * products + power_of_two(-1073));
   };
   if (!beyond(t.b) || !beyond(t.c)) return true;
-  const Rational& square = truth.answer.squared_distance;
+  const Rational& square = truth.answer.squared_distance.rational_part();
   return equal(answer.point, t.a) && catalogue::nearest(truth.answer.point.x) == t.a.x &&
          abs(exact(answer.squared_distance) - square) <= (5 + 11 * u) * u * square + power_of_two(-1072);
 }

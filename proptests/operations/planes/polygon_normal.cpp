@@ -184,8 +184,10 @@ CONTRACT("polygon_normal: the formula in double keeps its contract for the first
       (of_three.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
     return false;
   if (!of_three.unit || !answer.unit) return true;
-  const auto close = [&](double computed, const Rational& right) {
-    return within(computed, right, 5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074));
+  const long bits = 1200;  // the roots are not rational
+  const auto close = [&](double computed, const oracle::Surd& right) {
+    return within(computed, right.enclosure(bits).low,
+                  5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074) - power_of_two(-bits));
   };
   return close(answer.unit->x, of_three.unit->x) && close(answer.unit->y, of_three.unit->y) &&
          close(answer.unit->z, of_three.unit->z);
