@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "audit/cases_of.h"
 #include "audit/generic.h"
 #include "audit/parallel.h"
 #include "audit/shrink_examples.h"
@@ -46,7 +47,8 @@ class Worker {
       Pending& p = pending[i];
       const Asked asked{operation_, p.question, p.examination->outcome(), p.index, options_.limits};
       if (engine_ == nullptr) {
-        count(asked_[p.family], asked, p.examination->judge_reference());
+        const Judgement& judgement = p.examination->judge_reference();
+        count(asked_[p.family], asked, judgement, is_shown(judgement) ? p.examination->reference() : Json());
       } else {
         const JudgedReply& reply = replies[i];
         if (!reply.asked && (stop_ || limit_.over())) continue;
@@ -57,7 +59,8 @@ class Worker {
           asked_[p.family].given_up = reply.judgement.remark;
         }
       }
-      count(robust_[p.family], asked, p.examination->judge_robust());
+      const Judgement& judgement = p.examination->judge_robust();
+      count(robust_[p.family], asked, judgement, is_shown(judgement) ? p.examination->robust() : Json());
       p.examination.reset();  // with all that it has computed
     }
   }
@@ -117,8 +120,9 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
 }
 
 /// The first of the cases that belong to the shard after `shard`.
-std::uint64_t bound(const AuditOptions& options, std::uint64_t shard) {
-  return static_cast<std::uint64_t>(static_cast<unsigned __int128>(options.cases) * shard / options.shards);
+std::uint64_t bound(const AuditOptions& options, const Operation& operation, std::uint64_t shard) {
+  const std::uint64_t cases = cases_of(operation, options.cases, options.by_cost);
+  return static_cast<std::uint64_t>(static_cast<unsigned __int128>(cases) * shard / options.shards);
 }
 
 bool has_counted(const Tally& tally, const Operation& operation) {
@@ -148,11 +152,11 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   tally.declaration = options.engine ? engines[0]->declaration() : reference_declaration();
   tally.seed = options.seed;
   tally.cases = options.cases;
+  tally.by_cost = options.by_cost;
   tally.limits = options.limits;
   tally.grid.shards = options.shards;
   if (options.shards > 1) tally.grid.done = {options.shard};
   if (options.counted) tally.operations = options.counted->operations, tally.robust = options.counted->robust;
-  const std::uint64_t first_case = bound(options, options.shard - 1), last_case = bound(options, options.shard);
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
     if (families.empty() || (options.engine && operation->metadata().is_implementation())) continue;
@@ -161,6 +165,8 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
       continue;
     }
     if (has_counted(tally, *operation)) continue;
+    const std::uint64_t first_case = bound(options, *operation, options.shard - 1),
+                        last_case = bound(options, *operation, options.shard);
     const TimeLimit limit(options.seconds, options.clock);
     std::vector<Worker> workers;
     for (auto& engine : engines) {
@@ -188,9 +194,13 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
       asked.families.emplace_back(operation->families()[families[f]], std::move(of_asked));
       robust.families.emplace_back(operation->families()[families[f]], std::move(of_robust));
     }
-    shrink_examples({*operation, options.seed, options.limits, limit, engines[0].get(), false, options.jobs}, families,
-                    asked);
-    shrink_examples({*operation, options.seed, options.limits, limit, nullptr, true, options.jobs}, families, robust);
+    Shrinking shrinking{
+        *operation,       options.seed, options.limits, limit,
+        engines[0].get(), false,        options.jobs,   effort_to_shrink(*operation, options.cases / options.shards)};
+    if (options.smaller) shrinking.progress = [&](std::size_t i, std::size_t n) { options.smaller(*operation, i, n); };
+    shrink_examples(shrinking, families, asked);
+    shrinking.engine = nullptr, shrinking.robust = true;
+    shrink_examples(shrinking, families, robust);
     for (auto& engine : engines) {
       if (engine) engine->ask_until(nullptr);
     }

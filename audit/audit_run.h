@@ -14,6 +14,7 @@ struct AuditOptions {
   std::vector<const Operation*> operations;
   std::vector<std::string> families;  ///< empty: all
   std::uint64_t cases = 20000;        ///< per operation, dealt out over its families in turn
+  bool by_cost = false;               ///< fewer of operations that cost much (audit/cases_of.h); of one shard alone
   std::uint64_t seed = 1;
   Limits limits;               ///< of ordinary numbers
   bool ordinary_only = false;  ///< extreme questions are drawn and left out
@@ -26,6 +27,8 @@ struct AuditOptions {
   /// An audit with these options that was stopped, from `after_operation`: its operations are not asked again.
   std::optional<Tally> counted{};
   std::function<void(const Tally&)> after_operation{};  ///< hears what is counted so far
+  /// Hears how many findings of an operation have been made smaller, and of how many; from any thread.
+  std::function<void(const Operation&, std::size_t, std::size_t)> smaller{};
   /// A fresh engine; called once a job. Empty: our reference in double.
   std::function<std::unique_ptr<Engine>()> engine;
 };

@@ -24,8 +24,12 @@ Judgement judged(const Reply& reply, const Examination& examination, const Decla
 
 JudgedReply judged_and_kept(const Reply& reply, const Examination& examination, const Declaration& declaration) {
   Judgement judgement = judged(reply, examination, declaration);
-  const bool is_example = judgement.verdict != Verdict::agree && judgement.verdict != Verdict::unsupported;
-  return {std::move(judgement), is_example ? kept(reply.answer) : Json(), reply.asked};
+  const bool shown = is_shown(judgement);
+  return {std::move(judgement), shown ? kept(reply.answer) : Json(), reply.asked};
+}
+
+bool is_shown(const Judgement& judgement) {
+  return judgement.verdict != Verdict::agree && judgement.verdict != Verdict::unsupported;
 }
 
 const Declaration& reference_declaration() {
@@ -60,7 +64,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   if (verdict == Verdict::agree || verdict == Verdict::inexact || judgement.number) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }
-  if (verdict == Verdict::agree || verdict == Verdict::unsupported) return;
+  if (!is_shown(judgement)) return;
   if (counted.example && counted.example->range < range) return;
   const bool generic = !judgement.degenerate && in_general_position(asked.operation, asked.question);
   Finding found{asked.question, judgement, nullptr, asked.index, range, generic};

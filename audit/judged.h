@@ -18,6 +18,9 @@ struct JudgedReply {
 };
 JudgedReply judged_and_kept(const Reply& reply, const Examination& examination, const Declaration& declaration);
 
+/// Whether a case with this judgement may be an example of its way of answering.
+bool is_shown(const Judgement& judgement);
+
 /// A case as it is counted.
 struct Asked {
   const Operation& operation;

@@ -2,7 +2,10 @@
 #include "audit/shrink_examples.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
+#include <numeric>
+#include <set>
 
 #include "audit/generic.h"
 #include "audit/judged.h"
@@ -18,44 +21,73 @@ namespace {
 /// the machine's speed; 300 answers of usual length are a tenth of it.
 constexpr std::size_t most_read_to_shrink = 1 << 20;
 constexpr std::size_t most_families = 4;
+/// Of Metadata::cost. Half a second an operation where 2,000 cases of it are asked; the dearest get a little at any
+/// rate.
+constexpr std::uint64_t effort_of_a_case = 5, least_solves = 100;
+
+/// How much there is to compute of a question, as far as its length says.
+std::uint64_t length(const Question& question) { return 1 + question.numbers.size() + question.words.size(); }
 
 /// One example, and the draw streams around it.
 class Shrinker {
  public:
-  Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way)
-      : shrinking_(shrinking), family_(family), way_(way) {}
+  Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way, Finding& example)
+      : shrinking_(shrinking), family_(family), way_(way), example_(example) {}
 
-  /// `smaller`: otherwise the question stays as drawn and only its answer is added.
-  void shrink(Finding& example, bool smaller) {
-    if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
-    DrawStream draws = case_draws(shrinking_.operation, family_, shrinking_.seed, example.index, true);
-    shrinking_.operation.draw(draws, family_);
-    const auto still_shown = [&](const std::vector<std::uint8_t>& candidate) {
-      if (read_ >= most_read_to_shrink || shrinking_.limit.over()) return false;
-      const std::optional<Finding> found = look(candidate, example.index);
-      return found && found->range <= example.range && found->generic >= example.generic;
-    };
-    const std::vector<std::uint8_t> bytes = shrunk(draws.recorded(), still_shown, smaller ? budget() : 0);
-    std::optional<Finding> least = look(bytes, example.index);
-    // Only to have the answer to the question as it was drawn.
-    if (!least || shown_before(example, *least)) least = look(draws.recorded(), example.index);
-    if (least) example = *std::move(least);
+  const Finding& example() const { return example_; }
+  bool ended() const { return ended_; }
+
+  /// Goes on from what it has until nothing smaller is found, or until it has spent so much; returns how much it spent.
+  /// `smaller`: otherwise the question stays as drawn, and is examined.
+  std::uint64_t shrink(std::uint64_t effort, std::uint64_t usual_length, bool smaller) {
+    ended_ = true;
+    if (shrinking_.limit.over()) return 0;
+    effort_ = effort, usual_length_ = usual_length, spent_ = 0;
+    if (!begun_) begin();
+    if (!smaller) return spent_;
+    draws_ = shrunk(
+        draws_, [&](const auto& candidate) { return still_shown(candidate); }, most_solves_);
+    if (ended_) refused_.clear();
+    return spent_;
   }
 
  private:
-  int budget() const {
+  void begin() {
+    begun_ = true;
+    DrawStream draws = case_draws(shrinking_.operation, family_, shrinking_.seed, example_.index, true);
+    shrinking_.operation.draw(draws, family_);
+    draws_ = draws.recorded();
     const bool slow = way_.verdict == Verdict::invalid && shrinking_.engine != nullptr;
-    return slow ? 20 : shrinking_.engine != nullptr ? 300 : 2000;
+    most_solves_ = slow ? 20 : shrinking_.engine != nullptr ? 300 : 2000;
+    if (std::optional<Finding> drawn = look(draws_)) example_ = *std::move(drawn);
+  }
+
+  bool still_shown(const std::vector<std::uint8_t>& candidate) {
+    if (read_ >= most_read_to_shrink || shrinking_.limit.over() || refused_.count(candidate) > 0) return false;
+    if (spent_ >= effort_) {
+      ended_ = false;
+      return false;
+    }
+    --most_solves_;
+    std::optional<Finding> found = look(candidate);
+    if (!found || found->range > example_.range || found->generic < example_.generic) {
+      refused_.insert(candidate);
+      return false;
+    }
+    if (!shown_before(example_, *found)) example_ = *std::move(found);
+    return true;
   }
 
   /// The question of these draws, where it is answered in the same way.
-  std::optional<Finding> look(const std::vector<std::uint8_t>& bytes, std::uint64_t index) {
+  std::optional<Finding> look(const std::vector<std::uint8_t>& bytes) {
     const Operation& operation = shrinking_.operation;
     Engine* const engine = shrinking_.engine;
     DrawStream replay = DrawStream::replayed(bytes);
     Question question = operation.draw(replay, family_);
     if (engine != nullptr) question = fitted(operation, question, engine->declaration());
-    Finding found{std::move(question), {}, nullptr, index};
+    spent_ += std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(operation.metadata().cost) * length(question) / usual_length_);
+    Finding found{std::move(question), {}, nullptr, example_.index};
     try {
       std::unique_ptr<const Examination> examination = operation.examine(found.question);
       if (shrinking_.robust) {
@@ -84,37 +116,78 @@ class Shrinker {
   const Shrinking& shrinking_;
   std::size_t family_;
   const Way& way_;
+  Finding& example_;
+  std::vector<std::uint8_t> draws_{};
+  std::set<std::vector<std::uint8_t>> refused_{};  ///< not asked again when it goes on
+  int most_solves_ = 0;
+  std::uint64_t effort_ = 0, spent_ = 0, usual_length_ = 1;
   std::size_t read_ = 0;
+  bool begun_ = false, ended_ = false;
 };
 
-struct Task {
-  const Way* way;
-  Finding* example;
-  std::size_t family;  ///< within the operation
-  bool smaller = true;
+/// Examples in the order in which they are made smaller: that of each way which is shown, then of its next families.
+struct Waves {
+  std::vector<Shrinker> shown, others, as_drawn;
 };
+
+Waves waves_of(const Shrinking& shrinking, const std::vector<std::size_t>& families, OperationTally& tally) {
+  std::map<Way, std::vector<Shrinker>> by_way;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    for (auto& [way, counted] : tally.families[f].second.ways)
+      if (counted.example) by_way[way].emplace_back(shrinking, families[f], way, *counted.example);
+  }
+  Waves waves;
+  for (auto& [way, examples] : by_way) {
+    // Indices, as a shrinker refers to its example and stays where it is.
+    std::vector<std::size_t> order(examples.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&, &all = examples](std::size_t a, std::size_t b) {
+      return shown_before(all[a].example(), all[b].example());
+    });
+    for (std::size_t i = 0; i < order.size(); ++i)
+      (i == 0 ? waves.shown : i < most_families ? waves.others : waves.as_drawn).push_back(examples[order[i]]);
+  }
+  return waves;
+}
+
+std::uint64_t mean_length(const Waves& waves) {
+  std::uint64_t sum = 0, n = 0;
+  for (const auto* wave : {&waves.shown, &waves.others, &waves.as_drawn})
+    for (const Shrinker& one : *wave) sum += length(one.example().question), ++n;
+  return n > 0 ? sum / n : 1;
+}
 
 }  // namespace
 
+std::uint64_t effort_to_shrink(const Operation& operation, std::uint64_t cases) {
+  return std::max(least_solves * static_cast<std::uint64_t>(operation.metadata().cost), effort_of_a_case * cases);
+}
+
 void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>& families, OperationTally& tally) {
-  std::map<Way, std::vector<Task>> by_way;
-  for (std::size_t f = 0; f < families.size(); ++f) {
-    for (auto& [way, counted] : tally.families[f].second.ways) {
-      if (counted.example) by_way[way].push_back({&way, &*counted.example, families[f]});
+  Waves waves = waves_of(shrinking, families, tally);
+  const std::uint64_t usual_length = mean_length(waves);
+  const std::size_t all = waves.shown.size() + waves.others.size();
+  const auto cost = static_cast<std::uint64_t>(shrinking.operation.metadata().cost);
+  std::uint64_t left = shrinking.effort;
+  std::atomic<std::size_t> done{0};
+  // One engine is asked one question after the other.
+  const int jobs = shrinking.engine != nullptr ? 1 : shrinking.jobs;
+  for (auto* wave : {&waves.shown, &waves.others, &waves.as_drawn}) {
+    const bool smaller = wave != &waves.as_drawn;
+    std::vector<Shrinker*> open;
+    for (std::size_t i = 0; i < wave->size() && (i + 1) * cost <= left; ++i) open.push_back(&(*wave)[i]);
+    // What one did not need goes to those that had too little. The shares are the same whatever the machine does.
+    for (bool first = true; !open.empty() && left >= open.size() * cost; first = false) {
+      const std::uint64_t share = left / open.size();
+      std::vector<std::uint64_t> spent(open.size());
+      in_parallel(jobs, open.size(), [&](std::size_t i) {
+        if (first && smaller && shrinking.progress) shrinking.progress(++done, all);
+        spent[i] = open[i]->shrink(share, usual_length, smaller);
+      });
+      left -= std::min(left, std::accumulate(spent.begin(), spent.end(), std::uint64_t{0}));
+      std::erase_if(open, [](const Shrinker* one) { return one->ended(); });
     }
   }
-  std::vector<Task> tasks;
-  for (auto& [way, examples] : by_way) {
-    std::stable_sort(examples.begin(), examples.end(),
-                     [](const Task& a, const Task& b) { return shown_before(*a.example, *b.example); });
-    for (std::size_t i = most_families; i < examples.size(); ++i) examples[i].smaller = false;
-    tasks.insert(tasks.end(), examples.begin(), examples.end());
-  }
-  // One engine is asked one question after the other.
-  in_parallel(shrinking.engine != nullptr ? 1 : shrinking.jobs, tasks.size(), [&](std::size_t t) {
-    const auto& [way, example, family, smaller] = tasks[t];
-    Shrinker(shrinking, family, *way).shrink(*example, smaller);
-  });
 }
 
 }  // namespace touchstone::audit

@@ -118,6 +118,7 @@ void require_disjoint(const Tally& a, const Tally& b) {
   if (a.grid.size == 0 && a.grid.shards > 1) {
     if (a.seed != b.seed) throw InvalidInput("seed", "the same in shards of one run");
     if (a.cases != b.cases) throw InvalidInput("cases", "the same in shards of one run");
+    if (a.by_cost != b.by_cost) throw InvalidInput("by_cost", "the same in shards of one run");
   } else if (!share_a_family(a.operations, b.operations)) {
     return;
   } else if (a.grid.size == 0) {

@@ -165,6 +165,7 @@ struct Tally {
   Declaration declaration;
   Repeat repeat;                      ///< of tallies that are merged the first's
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
+  bool by_cost = false;               ///< of operations that cost much there are fewer (audit/cases_of.h)
   Grid grid;
   Limits limits;                        ///< that tell ordinary questions from extreme ones
   double max_surplus = usual_surplus;   ///< of what is apart, the share that lists may hold

@@ -252,19 +252,20 @@ std::string tally_json(const Tally& tally) {
     engine["program"] = tally.repeat.program;
     engine["options"] = tally.repeat.options;
   }
-  const Json json = {{"touchstone", 1},
-                     {"kind", "tally"},
-                     {"version", tally.version},
-                     {"engine", engine},
-                     {"seed", tally.seed},
-                     {"cases", tally.cases},
-                     {"grid", {{"size", tally.grid.size}, {"shards", tally.grid.shards}, {"done", tally.grid.done}}},
-                     {"limits", {{"least", written(tally.limits.least)}, {"most", written(tally.limits.most)}}},
-                     {"max_surplus", written(tally.max_surplus)},
-                     {"interrupted", tally.interrupted},
-                     {"undeclared", tally.undeclared},
-                     {"operations", operations_json(tally.operations, {tally, false})},
-                     {"robust", operations_json(tally.robust, {tally, true})}};
+  Json json = {{"touchstone", 1},
+               {"kind", "tally"},
+               {"version", tally.version},
+               {"engine", engine},
+               {"seed", tally.seed},
+               {"cases", tally.cases},
+               {"grid", {{"size", tally.grid.size}, {"shards", tally.grid.shards}, {"done", tally.grid.done}}},
+               {"limits", {{"least", written(tally.limits.least)}, {"most", written(tally.limits.most)}}},
+               {"max_surplus", written(tally.max_surplus)},
+               {"interrupted", tally.interrupted},
+               {"undeclared", tally.undeclared},
+               {"operations", operations_json(tally.operations, {tally, false})},
+               {"robust", operations_json(tally.robust, {tally, true})}};
+  if (tally.by_cost) json["by_cost"] = true;
   return one_line(json) + "\n";
 }
 
@@ -282,6 +283,7 @@ Tally read_tally(const std::string& text) {
   }
   tally.seed = file.at("seed").count();
   tally.cases = file.at("cases").count();
+  if (json.contains("by_cost")) tally.by_cost = file.at("by_cost").flag();
   tally.grid.size = file.at("grid").at("size").count();
   tally.grid.shards = file.at("grid").at("shards").count();
   file.at("grid").at("done").each([&](const Place& shard) {

@@ -3,7 +3,7 @@
 # scripts in themselves, and the program prints its completion.
 
 set(scripts "")
-foreach(file report/viewer.js report/player.js report/map.js report/sort.js program/completion.bash)
+foreach(file report/drawn_alone.js report/viewer.js report/player.js report/map.js report/sort.js program/completion.bash)
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
   file(READ ${PROJECT_SOURCE_DIR}/${file} script)
   cmake_path(GET file STEM name)

@@ -147,6 +147,8 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   touchstone_script_test(documentation/deck proptests/deck.py ${program})
   touchstone_script_test(documentation/deck_self_check proptests/deck.py --self-check)
   touchstone_script_test(documentation/status proptests/status.py ${program})
+  touchstone_script_test(report/opened_pages proptests/opened_pages.py ${program})
+  touchstone_script_test(report/opened_pages_self_check proptests/opened_pages.py --self-check)
   # A share of the theorems about filters; ./dev proofs proves all.
   touchstone_script_test(proofs robust/proofs/prove.py --share --jobs 1 --work ${PROJECT_BINARY_DIR}/proofs)
   touchstone_script_test(proofs/self_check robust/proofs/prove.py --self-check)
@@ -157,7 +159,8 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   touchstone_script_test(certificates/weakened oracle/certificates/proved/kinds.py --weakened 12 --jobs 1
                          --work ${PROJECT_BINARY_DIR}/weakened)
   touchstone_script_test(certificates/proofs_self_check oracle/certificates/proved/kinds.py --self-check)
-  set_tests_properties(proofs certificates/proved certificates/weakened PROPERTIES SKIP_RETURN_CODE 77)
+  set_tests_properties(proofs certificates/proved certificates/weakened report/opened_pages
+                       report/opened_pages_self_check PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 
 # The launchers of examples/cluster, each where it is installed: otherwise its test is skipped, and says why.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 
@@ -82,9 +83,19 @@ std::optional<Tally> earlier_audit(const AuditCommand& command) {
 
 /// What makes an audit this one.
 Json named(const AuditCommand& command, const Shard& shard) {
-  return {{"audit", command.operations}, {"engine", command.engine},     {"families", command.families},
-          {"cases", command.cases},      {"seed", command.seed},         {"seconds", written(command.seconds)},
-          {"range", command.range},      {"ordinary", command.ordinary}, {"shard", shard.text()}};
+  return {{"audit", command.operations}, {"engine", command.engine}, {"families", command.families},
+          {"cases", command.cases},      {"seed", command.seed},     {"seconds", written(command.seconds)},
+          {"by_cost", command.by_cost},  {"range", command.range},   {"ordinary", command.ordinary},
+          {"shard", shard.text()}};
+}
+
+/// What cannot be written is said of --report.
+void reporting(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const std::runtime_error& failed) {
+    throw UsageError(std::string("--report ") + failed.what());
+  }
 }
 
 constexpr const char* how_to_see_more =
@@ -112,6 +123,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   options.operations = operations_named(command.operations);
   options.families = split(command.families);
   options.cases = command.cases;
+  options.by_cost = command.by_cost;
   options.seed = command.seed;
   options.seconds = command.seconds;
   options.jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
@@ -122,6 +134,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   require_directory(command.report_directory, command.report_seconds);
   EngineNotes notes;
   Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
+  if (options.by_cost) progress.ask_by_cost();
   const Gate gate = gate_of(command.gate);
   const Shard shard = shard_of(command.shard);
   tell(shard, err);
@@ -139,7 +152,23 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   }
   Checkpoint checkpoint(shard.named() ? command.json_file : "", named(command, shard), err);
   if (!checkpoint.found().is_null()) options.counted = read_tally(checkpoint.found().get<std::string>());
-  options.after_operation = [&](const Tally& sum) { checkpoint.keep([&] { return Json(tally_json(sum)); }); };
+  const auto complete = [&](Tally& sum) {
+    sum.max_surplus = command.gate.max_surplus;
+    sum.repeat = repeat_of(command.program, command.engine, command.timeout);
+  };
+  options.smaller = [&](const Operation& of, std::size_t done, std::size_t all) {
+    progress.smaller(of.name(), done, all);
+  };
+  options.after_operation = [&](const Tally& sum) {
+    checkpoint.keep([&] { return Json(tally_json(sum)); });
+    if (command.report_directory.empty()) return;
+    Tally so_far = sum;
+    complete(so_far);
+    reporting([&] {
+      write_so_far(so_far, command.report_directory,
+                   {.before = before ? &*before : nullptr, .expected = progress.operations()});
+    });
+  };
   Tally tally;
   try {
     const Interruptible until_counted;
@@ -152,8 +181,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   }
   progress.end();
   notes.tell(err, command.verbose);
-  tally.max_surplus = command.gate.max_surplus;
-  tally.repeat = repeat_of(command.program, command.engine, command.timeout);
+  complete(tally);
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
   const bool on_terminal = &readable == &std::cout && isatty(STDOUT_FILENO) != 0;
   if (on_terminal && !command.summary && !command.verbose)
@@ -169,16 +197,14 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   checkpoint.remove();
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
-    try {
+    reporting([&] {
       write_report(tally, command.report_directory, options.jobs, for_maps.get(),
                    {"", before ? &*before : nullptr, command.gate.decides() ? gate_in_words(tally, result) : "",
                     [&progress](const std::string& name, std::size_t done, std::size_t all) {
                       progress.step("report", name, done, all);
                     },
                     command.report_seconds});
-    } catch (const std::runtime_error& failed) {
-      throw UsageError(std::string("--report ") + failed.what());
-    }
+    });
     progress.end();
     readable << "report: " << command.report_directory << "/index.html\n";
   }

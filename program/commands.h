@@ -26,6 +26,7 @@ struct AuditCommand {
   std::string operations = "all";      ///< "all" or names with commas
   std::string families;                ///< names with commas; empty: all
   std::uint64_t cases = 20000, seed = 1;
+  bool by_cost = false;  ///< fewer of operations that cost much
   double seconds = 0, timeout = usual_timeout;
   int jobs = 0;       ///< 0: as many as the machine has
   std::string shard;  ///< "I/N"; empty: of the launcher, if one started this

@@ -148,6 +148,9 @@ void add_audit(CLI::App& program, Action& action) {
       ->check(a_command);
   command->add_option("--ops", options->operations, "Operations with commas, or all");
   command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
+  command->add_flag("--by-cost", options->by_cost,
+                    "Of an operation that costs more than ten of the cheapest so many fewer as it costs more, but 100 "
+                    "at least: a first look at all");
   command->add_option("--seconds", options->seconds, "Limit per operation, its findings made smaller included")
       ->check(positive)
       ->default_str("none");

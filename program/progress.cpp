@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "audit/cases_of.h"
 #include "audit/counted.h"
 
 namespace touchstone::program {
@@ -34,18 +35,26 @@ std::string in_words(const Pace& pace) {
 Progress::Progress(std::ostream& err, bool terminal, const std::vector<const Operation*>& operations,
                    std::uint64_t cases, std::function<Clock::time_point()> now)
     : err_(err), terminal_(terminal), cases_(cases), now_(std::move(now)), started_(now_()), last_(started_) {
-  for (const Operation* operation : operations) shares_.push_back({operation, 0, 0});
+  for (const Operation* operation : operations) shares_.push_back({operation});
   share_out();
 }
 
 void Progress::share_out() {
   double whole = 0;
   for (Share& share : shares_) {
-    share.weight = static_cast<double>(share.operation->metadata().cost);
+    share.cases = cases_of(*share.operation, cases_, by_cost_);
+    share.weight = static_cast<double>(share.operation->metadata().cost) *
+                   static_cast<double>(std::max<std::uint64_t>(1, share.cases));
     share.before = whole;
     whole += share.weight;
   }
   for (Share& share : shares_) share.before /= whole, share.weight /= whole;
+}
+
+void Progress::ask_by_cost() {
+  const std::lock_guard lock(mutex_);
+  by_cost_ = true;
+  share_out();
 }
 
 Progress::~Progress() { end(); }
@@ -70,13 +79,25 @@ void Progress::show(const std::string& text, Clock::time_point now) {
   else err_ << "touchstone: " << text << std::endl;
 }
 
-void Progress::operator()(const std::string& operation, std::uint64_t done) {
-  const std::lock_guard lock(mutex_);
+const Progress::Share* Progress::share_of(const std::string& operation) const {
   const auto found = std::find_if(shares_.begin(), shares_.end(),
                                   [&](const Share& share) { return share.operation->name() == operation; });
-  if (ended_ || found == shares_.end()) return;
+  return ended_ || found == shares_.end() ? nullptr : &*found;
+}
+
+void Progress::operator()(const std::string& operation, std::uint64_t done) {
+  const std::lock_guard lock(mutex_);
   const Clock::time_point now = now_();
-  show(line(static_cast<std::size_t>(found - shares_.begin()), done, now), now);
+  if (const Share* share = share_of(operation)) show(line(*share, done, now), now);
+}
+
+void Progress::smaller(const std::string& operation, std::size_t done, std::size_t all) {
+  const std::lock_guard lock(mutex_);
+  const Share* share = share_of(operation);
+  if (share == nullptr) return;
+  show(fmt::format("{}, making {} smaller: {} of {}", place(*share, done_with(*share, 1)), counted(all, "finding"),
+                   done, all),
+       now_());
 }
 
 void Progress::tell(const std::string& text) {
@@ -89,12 +110,15 @@ void Progress::step(const std::string& what, const std::string& name, std::size_
   show(fmt::format("{}: {} of {}, {}", what, done, all, name), now_());
 }
 
-std::string Progress::line(std::size_t operation, std::uint64_t done, Clock::time_point now) const {
-  const Share& share = shares_[operation];
-  const double part = cases_ > 0 ? std::min(1.0, static_cast<double>(done) / static_cast<double>(cases_)) : 0;
-  const double whole = share.before + share.weight * part;
-  std::string text =
-      fmt::format("{:.0f} %, {} ({} of {})", 100 * whole, share.operation->name(), operation + 1, shares_.size());
+std::string Progress::place(const Share& share, double whole) const {
+  return fmt::format("{:.0f} %, {} ({} of {})", 100 * whole, share.operation->name(), &share - shares_.data() + 1,
+                     shares_.size());
+}
+
+std::string Progress::line(const Share& share, std::uint64_t done, Clock::time_point now) const {
+  const double part = share.cases > 0 ? std::min(1.0, static_cast<double>(done) / static_cast<double>(share.cases)) : 0;
+  const double whole = done_with(share, part);
+  std::string text = place(share, whole);
   const Seconds spent = now - started_;
   if (spent >= least_known && whole >= least_done)
     text += ", about " + in_words(spent * ((1 - whole) / whole)) + " left";

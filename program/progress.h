@@ -27,8 +27,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  /// Fewer cases are asked of operations that cost much (audit/cases_of.h).
+  void ask_by_cost();
   /// These operations are not asked after all.
   void leave_out(const std::function<bool(const Operation&)>& not_asked);
+  /// How many are.
+  std::size_t operations() const { return shares_.size(); }
   /// Clears the line of a terminal; of the operations' cases nothing is shown after that.
   void end();
   /// What follows them: "report: 12 of 53, orientation". Ended once more when it is done.
@@ -39,18 +43,26 @@ class Progress {
 
   /// So many cases of an operation are done. May be called from any thread.
   void operator()(const std::string& operation, std::uint64_t done);
+  /// All are, and so many findings are made smaller: "12 %, octree (3 of 84), making 12 findings smaller: 3 of 12".
+  void smaller(const std::string& operation, std::size_t done, std::size_t all);
 
  private:
-  std::string line(std::size_t operation, std::uint64_t done, Clock::time_point now) const;
+  struct Share {
+    const Operation* operation;
+    std::uint64_t cases = 0;
+    double before = 0, weight = 0;  ///< of the whole
+  };
+  /// Its share, unless nothing is to be shown of it.
+  const Share* share_of(const std::string& operation) const;
+  double done_with(const Share& share, double part) const { return share.before + share.weight * part; }
+  /// "12 %, octree (3 of 84)"
+  std::string place(const Share& share, double whole) const;
+  std::string line(const Share& share, std::uint64_t done, Clock::time_point now) const;
 
   void share_out();
   /// If it is time for another line.
   void show(const std::string& text, Clock::time_point now);
 
-  struct Share {
-    const Operation* operation;
-    double before, weight;  ///< of the whole
-  };
   std::ostream& err_;
   bool terminal_;
   std::vector<Share> shares_;
@@ -58,7 +70,7 @@ class Progress {
   std::function<Clock::time_point()> now_;
   Clock::time_point started_, last_;
   std::mutex mutex_;
-  bool ended_ = false, shown_ = false;
+  bool ended_ = false, shown_ = false, by_cost_ = false;
 };
 
 /// "40 s", "12 min", "3 h"

@@ -96,7 +96,7 @@ def shown_output(root, page, program):
             command, *shown = part.rstrip("\n").split("\n")
             run = command.replace(PROGRAM, str(program))
             if terminal:
-                printed = printed_on_terminal(run.replace("./dev audit", f"{program} audit --cases 2000"), root)
+                printed = printed_on_terminal(run.replace("./dev audit", f"{program} audit --cases 2000 --by-cost"), root)
             else:
                 printed = subprocess.run(run, shell=True, cwd=root, text=True, stdout=subprocess.PIPE,
                                          stderr=subprocess.STDOUT).stdout.splitlines()

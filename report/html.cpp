@@ -6,6 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "audit/cases_of.h"
 #include "report/ways.h"
 
 namespace touchstone::report {
@@ -18,6 +19,12 @@ void write_whole_file(const std::string& file, const std::string& bytes) {
 }
 
 namespace {
+
+void make_directory(const std::string& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw std::runtime_error(directory + ": " + error.message());
+}
 
 /// Around which an engine's map may be centred: what was found of it, but for answers that may have taken long.
 std::vector<Question> found_in(const OperationTally& tally) {
@@ -49,11 +56,16 @@ struct Report {
 
 }  // namespace
 
+void write_so_far(const Tally& tally, const std::string& directory, const ReportNotes& notes) {
+  make_directory(directory);
+  const Report report{tally, directory, notes};
+  report.write_index();
+  if (!tally.operations.empty()) report.write_page(tally.operations.size() - 1);
+}
+
 void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine,
                   const ReportNotes& notes) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw std::runtime_error(directory + ": " + error.message());
+  make_directory(directory);
   Report report{tally, directory, notes};
   report.write_index();
   for (std::size_t i = 0; i < tally.operations.size(); ++i) report.write_page(i);
@@ -62,12 +74,14 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
     return notes.seconds > 0 &&
            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() >= notes.seconds;
   };
-  MapEffort effort = notes.seconds > 0 ? MapEffort{16} : MapEffort::of(tally.cases);
+  MapEffort effort{16};
   for (; effort.side <= MapGrid::side && !over(); effort.side *= 2) {
     std::size_t done = 0;
     for (const OperationTally* counted : worst_first(tally)) {
       const auto i = static_cast<std::size_t>(counted - tally.operations.data());
       const Operation* operation = find_operation(counted->operation);
+      if (operation != nullptr && notes.seconds == 0)
+        effort = MapEffort::of(cases_of(*operation, tally.cases, tally.by_cost));
       effort.go_on = [&] {
         if (notes.progress) notes.progress(counted->operation, done, tally.operations.size());
         return !over();

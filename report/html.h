@@ -12,7 +12,7 @@ namespace touchstone::report {
 
 /// What a report contains in addition to the tally.
 struct ReportNotes {
-  std::string command;            ///< the line that was called; empty: one that gives the same tally
+  std::string command{};          ///< the line that was called; empty: one that gives the same tally
   const Tally* before = nullptr;  ///< an earlier audit to be compared with this one, as before and after a fix
   std::string gate{};             ///< what the gate says (audit/gate/gate.h); empty where none decides
   /// Called before each operation's page and while its map is made: its name, how many pages are written, and how many
@@ -21,6 +21,7 @@ struct ReportNotes {
   /// 0: the maps ask about four times as many questions as each operation was asked, so that the same tally gives the
   /// same bytes. Else they begin with 16 x 16 questions and are made finer while fewer seconds than this have passed.
   double seconds = 0;
+  std::size_t expected = 0;  ///< operations of a run that goes on; 0: it is over
 };
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there:
@@ -31,6 +32,9 @@ struct ReportNotes {
 /// failure maps show it too. Throws std::runtime_error naming the file that cannot be written.
 void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr,
                   const ReportNotes& notes = {});
+
+/// Of a run that goes on: writes index.html, and the page of the operation that was counted last, without a map.
+void write_so_far(const Tally& tally, const std::string& directory, const ReportNotes& notes);
 
 using OperationMaps =
     std::vector<std::pair<std::string, std::vector<FailureMap>>>;  ///< by operation, in the tally's order

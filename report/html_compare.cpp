@@ -67,7 +67,8 @@ std::string comparison(const Tally& before, const Tally& after, const std::strin
   if (!operation.empty() && total.before.cases() == 0) return "";
   std::string text = "<h2>Before and now</h2><p class=\"quiet\">Before: " + escaped(subject(before.declaration)) +
                      ". Now: " + escaped(subject(after.declaration)) + ".";
-  if (before.seed != after.seed || before.cases != after.cases || !(before.limits == after.limits)) {
+  if (before.seed != after.seed || before.cases != after.cases || before.by_cost != after.by_cost ||
+      !(before.limits == after.limits)) {
     text += fmt::format(" The two were not asked the same questions: {} and seed {} before, {} and seed {} now.",
                         counted(before.cases, "case"), before.seed, counted(after.cases, "case"), after.seed);
   }

@@ -79,7 +79,8 @@ std::string conditions(const Tally& tally, const Cell& sum) {
   text += tally.grid.size > 0
               ? fmt::format(", every configuration on the {0} \u00d7 {0} grid ({1} of {2})", tally.grid.size,
                             tally.grid.done.size(), counted(tally.grid.shards, "shard"))
-              : ", " + counted(tally.cases, "case") + " each, seed " + std::to_string(tally.seed);
+              : (tally.by_cost ? ", up to " : ", ") + counted(tally.cases, "case") + " each, seed " +
+                    std::to_string(tally.seed);
   if (sum.left_out > 0) text += ", ordinary size only";
   text += ". Boundary convention: " + boundary_word(declared.boundary) + ".";
   if (declared.tolerance > 0) text += fmt::format(" Declared tolerance: {}.", declared.tolerance);
@@ -203,6 +204,15 @@ std::string in_order_of_deck(const Tally& tally) {
                    text + "</ul></details>";
 }
 
+/// Above the numbers of a run that is not over.
+std::string going_on(const Tally& tally, const ReportNotes& notes) {
+  if (notes.expected == 0) return "";
+  return fmt::format(
+      "<p class=\"going-on\">The audit goes on: {} of {} operations are counted so far. Reload this page to see "
+      "more.</p>",
+      tally.operations.size(), notes.expected);
+}
+
 /// The words of the pages that a reader may not know.
 std::string glossary() {
   return "<p class=\"small quiet\" style=\"margin:14px 0 0\">Deck p. is the page of the lecture deck that an "
@@ -300,7 +310,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps, const Repo
   const Cell sum = sum_of(tally.operations);
   std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(headline(tally, sum)) +
                      "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) + "</p><p class=\"quiet\">" +
-                     escaped(conditions(tally, sum)) + "</p></header><main>" + tiles(sum);
+                     escaped(conditions(tally, sum)) + "</p>" + going_on(tally, notes) + "</header><main>" + tiles(sum);
   if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"card\"><pre>" + escaped(notes.gate) + "</pre></div>";
   if (notes.before != nullptr) body += comparison(*notes.before, tally);
   body += "<h2>By operation</h2>" + operations_table(tally, sum) + in_order_of_deck(tally) + gallery(tally, maps);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <map>
+
 #include "report/condition_plot.h"
 #include "report/contract.h"
 #include "report/html.h"
@@ -130,6 +132,20 @@ std::string by_family(const OperationTally& tally) {
          "</div>";
 }
 
+/// What a page says of its operation whatever was audited. Questions are solved for it, so it is made once.
+struct OfOperation {
+  explicit OfOperation(const Operation& operation)
+      : right_case(report::right_case(operation)),
+        search(search_section(operation)),
+        condition(condition_section(operation)) {}
+  std::string right_case, search, condition;
+};
+
+const OfOperation& of_operation(const Operation& operation) {
+  static std::map<const Operation*, OfOperation> made;
+  return made.try_emplace(&operation, operation).first->second;
+}
+
 }  // namespace
 
 std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps,
@@ -144,13 +160,13 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     const std::string matrix = confusion_matrix(
         *known, here.total(), speaker == Speaker::foreign ? tally.declaration.engine : std::string("the formula"));
     if (!matrix.empty()) body += "<h2>Truth and answer</h2>" + matrix;
-    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) + right_case(*known) +
-            search_section(*known);
+    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) +
+            of_operation(*known).right_case + of_operation(*known).search;
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
   }
-  if (known && speaker == Speaker::reference && !tally.declaration.binary32) body += condition_section(*known);
+  if (known && speaker == Speaker::reference && !tally.declaration.binary32) body += of_operation(*known).condition;
   body += "<h2>By family of inputs</h2>" + by_family(here);
   return page("touchstone: " + here.operation, body + "</main>" + page_footer(tally, notes));
 }

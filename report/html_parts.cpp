@@ -57,9 +57,9 @@ std::string with_breaks(const std::string& text, const std::string& after) {
 
 std::string page(const std::string& title, const std::string& body) {
   const bool played = body.find(player_opening) != std::string::npos;
-  const std::string parts = std::string(played || has_space_figure(body) ? viewer_script : "") +
-                            (played ? player_script : "") +
-                            (body.find(map_opening) != std::string::npos ? map_script : "") +
+  const bool mapped = body.find(map_opening) != std::string::npos, viewed = played || has_space_figure(body);
+  const std::string parts = std::string(viewed || mapped ? drawn_alone_script : "") + (viewed ? viewer_script : "") +
+                            (played ? player_script : "") + (mapped ? map_script : "") +
                             (body.find(" sortable\"") != std::string::npos ? sort_script : "");
   const std::string script = parts.empty() ? "" : "\n<script>" + parts + "</script>";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "

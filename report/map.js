@@ -16,10 +16,8 @@ async function indices(uri) {
   return new Uint8Array(await new Response(rows).arrayBuffer());
 }
 
-const escaped = text => text.replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
-
-async function walk(section) {
-  const map = JSON.parse(section.dataset.map), xs = map.xs.split(' '), ys = map.ys.split(' ');
+async function walk(section, map) {
+  const xs = map.xs.split(' '), ys = map.ys.split(' ');
   const side = map.side, wide = imageSide / side;  // squares, and the pixels of one
   const within = n => Math.max(0, Math.min(side - 1, n));
   const images = [...section.querySelectorAll('.map img')];
@@ -121,5 +119,5 @@ async function walk(section) {
 }
 
 if (typeof DecompressionStream === 'undefined') return;
-for (const section of document.querySelectorAll('[data-map]')) walk(section);
+drawnAlone('map', walk);
 })();

@@ -19,7 +19,6 @@ const dashes = ['', '6 3', '2 3', '9 2 2 2'];  // runs differ in dashes as well 
 const colour = i => 'q' + i % 4, dash = i => dashes[(i + Math.floor(i / 4)) % 4];
 const wide = 360, high = 170, margin = {left: 62, right: 10, top: 10, bottom: 20};
 
-const escaped = text => String(text).replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
 const short = x => x === 0 ? '0' :
     Math.abs(x) >= 0.001 && Math.abs(x) < 1e6 ? String(+x.toPrecision(6)) : x.toExponential(2);
 const minus = text => text.replaceAll('-', '\u2212');
@@ -307,4 +306,4 @@ function show(place, data) {
 return {extent, figures, drawn, plot, show};
 })();
 
-for (const place of document.querySelectorAll('[data-player]')) player.show(place, JSON.parse(place.dataset.player));
+drawnAlone('player', player.show);

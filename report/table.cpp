@@ -188,7 +188,8 @@ std::string heading(const Tally& tally) {
     text += fmt::format("; every configuration on the {0} x {0} grid, {1} of {2}", tally.grid.size,
                         tally.grid.done.size(), counted(tally.grid.shards, "shard"));
   } else {
-    text += "; " + counted(tally.cases, "case") + " per operation, seed " + std::to_string(tally.seed);
+    text += (tally.by_cost ? "; up to " : "; ") + counted(tally.cases, "case") + " per operation, seed " +
+            std::to_string(tally.seed);
   }
   if (sum_of(tally.operations).left_out > 0) text += ", ordinary size only";
   if (!tally.undeclared.empty()) {

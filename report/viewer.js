@@ -15,7 +15,8 @@
 //   remarks  further lines below
 //   lens     a second model, of what is around a gap too narrow to be seen (report/space_lens.cpp), with
 //              mark, the place of the gap among the points of the first; reach, how far from its middle it shows;
-//              turn, its first view; of each figure places, where its label may stand
+//              turn, its first view; of each figure places, where its label may stand; none are its points where the
+//              lens holds nothing of it
 // Points are integers, 100,000 from the middle of the figures to the end of their longest side: coordinates between
 // 5e-324 and 1e308 are brought to them exactly, before they get here.
 'use strict';
@@ -31,7 +32,6 @@ const firstTurn = {cosYaw: 15 / 17, sinYaw: 8 / 17, cosPitch: 12 / 13, sinPitch:
 
 const tenths = v => Math.floor(10 * v + 0.5) / 10;
 const pair = (x, y) => tenths(x) + ' ' + tenths(y);
-const escaped = text => text.replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
 const plus = (p, v, times = 1) => p.map((x, i) => x + times * v[i]);
 const minus = (p, q) => p.map((x, i) => x - q[i]);
 const length = v => Math.sqrt(v.reduce((sum, x) => sum + x * x, 0));
@@ -56,6 +56,7 @@ class Strokes {
       this.empty = this.node && !figure.entered;
       this.style = this.node ? 'node' + ['', ' deep', ' deepest'][Math.min(2, figure.node >> 1)]
           : {truth: 'truth', answer: 'said'}[figure.whose] ?? (figure.label ? 'q' + part % 4 : 'aid');
+      if (!figure.points.length) continue;  // a lens holds nothing of it
       const middles = this[figure.kind](figure, figure.points);
       const places = (figure.places ?? middles).slice(0, mostPlaces);
       // The first element of a list bears its name, the others their numbers; of a long list the first alone is named.
@@ -388,4 +389,4 @@ function turning(svg, group, drawing, first) {
 return {firstTurn, Strokes, picture, show};
 })();
 
-for (const place of document.querySelectorAll('[data-space]')) viewer.show(place, JSON.parse(place.dataset.space));
+drawnAlone('space', viewer.show);

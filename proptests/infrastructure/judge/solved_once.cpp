@@ -5,6 +5,7 @@
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
 #include "audit/gate/shown.h"
+#include "audit/shrink_examples.h"
 #include "audit/tally_json.h"
 #include "catalogue/judge/environment.h"
 #include "catalogue/operation/explained.h"
@@ -129,6 +130,42 @@ TEST_CASE("solved once: the shrinker hands over the examination that it made las
   }
   CHECK(shown > 0);
   CHECK(counts.solved == until_then);
+}
+
+TEST_CASE("solved once: findings are made smaller within a budget of solves, the smaller the more an operation costs") {
+  // The effort is 100 solves where one costs 50, and 2,000, which is 5 a case, where it costs 1.
+  for (const auto& [cost, most] : {std::pair(50, 100), std::pair(1, 2000)}) {
+    RowFunctions row = counting();
+    Metadata metadata = *row.metadata;
+    metadata.cost = cost;
+    row.metadata = &metadata;
+    const Operation altered(row);
+    CHECK(effort_to_shrink(altered, 400) == static_cast<std::uint64_t>(most) * static_cast<std::uint64_t>(cost));
+    AuditOptions options;
+    options.operations = {&altered};
+    options.cases = 400;
+    std::vector<std::size_t> told;
+    options.smaller = [&](const Operation& of, std::size_t done, std::size_t all) {
+      CHECK(&of == &altered);
+      CHECK(done <= all);
+      told.push_back(done);
+    };
+    counts = {};
+    const Tally tally = run_audit(options, false, [](const std::string&, std::uint64_t) {});
+    const int solved = counts.solved - 400;
+    INFO("cost " << cost << ", " << solved << " solves");
+    CHECK(solved > most / 4);
+    CHECK(solved <= most + most / 2);
+    CHECK_FALSE(told.empty());
+    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == i + 1);
+    // What was not made smaller has the answer that was counted.
+    for (const auto& [family, cell] : tally.operations[0].families)
+      for (const auto& [way, counted] : cell.ways)
+        if (counted.example) CHECK_FALSE(counted.example->answer.is_null());
+    options.jobs = 3;
+    options.smaller = nullptr;
+    CHECK(tally_json(run_audit(options, false, [](const std::string&, std::uint64_t) {})) == tally_json(tally));
+  }
 }
 
 TEST_CASE("solved once: what the oracle refuses is not solved again") {

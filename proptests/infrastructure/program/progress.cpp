@@ -75,6 +75,18 @@ TEST_CASE("progress: nothing is written of a run that is shorter than ten second
   CHECK(err.str().empty());
 }
 
+TEST_CASE("progress: once the cases are asked, it says how many findings are made smaller") {
+  Told told;
+  told.now += milliseconds(10'000);
+  told.progress.smaller("line_line", 3, 12);
+  told.progress.smaller("polygon_convexity", 1, 1);  // too soon
+  told.now += milliseconds(10'000);
+  told.progress.smaller("polygon_convexity", 1, 1);
+  CHECK(told.err.str() ==
+        "touchstone: 40 %, line_line (2 of 3), making 12 findings smaller: 3 of 12\n"
+        "touchstone: 100 %, polygon_convexity (3 of 3), making 1 finding smaller: 1 of 1\n");
+}
+
 TEST_CASE("progress: times are told as people tell them") {
   using Seconds = std::chrono::duration<double>;
   CHECK(in_words(Seconds(0.2)) == "1 s");

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // As much of a browser as the scripts of a report's pages need.
+import {readFileSync} from 'node:fs';
 
 export const plain = html => html.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, n) => String.fromCharCode(n))
     .replace(/&quot;/g, '"').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+
+// What the script of a page defines with these names, made of these files of report/, with this document.
+export const defined = (names, files, document) => {
+  const text = name => readFileSync(new URL('../../../report/' + name, import.meta.url), 'utf8');
+  return new Function('document', files.map(text).join('') + `\nreturn [${names}];`)(document);
+};
 
 export class Element {
   constructor(width = 0) {
@@ -19,6 +26,7 @@ export class Element {
   }
   append(child) { this.child = child; }
   closest() { return this.frame; }
+  insertAdjacentHTML(_, html) { this.innerHTML += html; }
   getAttribute(name) { return this.attributes[name]; }
   setAttribute(name, value) { this.attributes[name] = value; }
   get src() { return this.attributes.src; }

@@ -142,6 +142,25 @@ TEST_CASE("pages: a report can be read before the first map is made, then the wo
   std::filesystem::remove_all(directory);
 }
 
+TEST_CASE("pages: of a run that goes on, the index says how far it is, and the last operation has its page") {
+  Tally tally = tally_of({{"orientation", cell_of_orientation()}});
+  const std::filesystem::path directory = std::filesystem::temp_directory_path() / "touchstone_pages_so_far";
+  const auto bytes = [&](const char* name) {
+    std::ifstream file(directory / name);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string so_far = "The audit goes on: 1 of 2 operations are counted so far.";
+  write_so_far(tally, directory, {.expected = 2});
+  CHECK_THAT(bytes("index.html"), ContainsSubstring(so_far) && ContainsSubstring("href=\"orientation.html\""));
+  CHECK_THAT(bytes("orientation.html"), ContainsSubstring("on it where it is right"));
+  tally.operations.push_back(tally_of({{"line_line", {}}}).operations[0]);
+  write_so_far(tally, directory, {.expected = 2});
+  CHECK_THAT(bytes("line_line.html"), ContainsSubstring("</html>"));
+  write_report(tally, directory, 1);
+  CHECK_THAT(bytes("index.html"), !ContainsSubstring("The audit goes on"));
+  std::filesystem::remove_all(directory);
+}
+
 TEST_CASE("pages: an operation's page quotes its contract, formulas on lines of their own") {
   const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
   const std::string page = operation_page(tally, 0, {});

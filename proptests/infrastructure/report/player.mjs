@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What report/player.js shows of runs, and how it plays them.
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
 import test from 'node:test';
-import {Element, documentOf, plain} from './browser.mjs';
+import {Element, defined, documentOf, plain} from './browser.mjs';
 
-const text = name => readFileSync(new URL('../../../report/' + name, import.meta.url), 'utf8');
-const [viewer, player] = new Function('document', text('viewer.js') + text('player.js') + '\nreturn [viewer, player];')(
-    documentOf({}));
+const [viewer, player] = defined('viewer, player', ['drawn_alone.js', 'viewer.js', 'player.js'], documentOf({}));
 const count = (svg, pattern) => (svg.match(new RegExp(pattern, 'g')) ?? []).length;
 const all = {velocities: true, trails: true}, bare = {velocities: false, trails: false};
 

@@ -2,12 +2,10 @@
 // What report/viewer.js draws of a model, and how it turns. Expected places follow from its projection: from before, x
 // is to the right and y up, and what is farthest from the middle is 134 pixels from it.
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
 import test from 'node:test';
-import {Element, documentOf, plain} from './browser.mjs';
+import {Element, defined, documentOf, plain} from './browser.mjs';
 
-const script = readFileSync(new URL('../../../report/viewer.js', import.meta.url), 'utf8');
-const viewer = new Function('document', script + '\nreturn viewer;')(documentOf({}));
+const files = ['drawn_alone.js', 'viewer.js'], [viewer] = defined('viewer', files, documentOf({}));
 const fromBefore = {cosYaw: 1, sinYaw: 0, cosPitch: 1, sinPitch: 0};
 const end = 100000, o = [0, 0, 0], x = [end, 0, 0], y = [0, end, 0], z = [0, 0, end];
 
@@ -142,6 +140,34 @@ test('viewer: labels do not cover one another', () => {
 test('viewer: a mesh is drawn without a face that names no vertex', () => {
   const mesh = figure('mesh', [o, x], {faces: [[0, 1, 7]]});
   assert.deepEqual(strokes(drawn([mesh])), {...none, dots: 2});
+});
+
+test('viewer: of what a lens holds nothing, nothing is drawn; what follows keeps its colour', () => {
+  const kinds = ['point', 'segment', 'arrow', 'plane', 'polygon', 'box', 'sphere', 'mesh'];
+  for (const kind of kinds) {
+    const svg = drawn([figure(kind, [], {radius: end, faces: [], places: []}), figure('point', [x], {label: 'seen'})]);
+    assert.deepEqual([strokes(svg), texts(svg)], [{...none, dots: 1}, [['q1', 'seen']]], kind);
+  }
+});
+
+test('viewer: a figure that cannot be drawn says so, in words too, and the figures after it are drawn', () => {
+  const place = (space, words) => {
+    const made = Object.assign(new Element(), {dataset: {space}});
+    made.parts.noscript = [{textContent: words}];
+    return made;
+  };
+  const whole = JSON.stringify(modelOf(tetrahedron));
+  const places = [place(whole, 'A'), place('{"figures":[{}]}', '<p>B</p>'), place(whole, 'C')], told = [];
+  const {error} = console;
+  console.error = failed => told.push(failed);
+  defined('viewer', files, documentOf({'[data-space]': places}));
+  return new Promise(setImmediate).then(() => {
+    console.error = error;
+    assert.deepEqual(places.map(one => count(one.innerHTML, ' face"')), [4, 0, 4]);
+    assert.match(plain(places[1].innerHTML), /^This could not be drawn: TypeError: .*\.B$/);
+    assert.doesNotMatch(places[0].innerHTML + places[2].innerHTML, /could not/);
+    assert.deepEqual(told.map(failed => failed.name), ['TypeError']);
+  });
 });
 
 test('viewer: what is too small to see gets a dot, and one point alone is in the middle', () => {
