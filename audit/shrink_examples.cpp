@@ -26,7 +26,7 @@ constexpr std::size_t most_families = 4;
 constexpr std::uint64_t effort_of_a_case = 5, least_solves = 100;
 
 /// How much there is to compute of a question, as far as its length says.
-std::uint64_t length(const Question& question) { return 1 + question.numbers.size() + question.words.size(); }
+std::uint64_t numbers_in(const Question& question) { return 1 + question.numbers.size() + question.words.size(); }
 
 /// One example, and the draw streams around it.
 class Shrinker {
@@ -86,7 +86,7 @@ class Shrinker {
     Question question = operation.draw(replay, family_);
     if (engine != nullptr) question = fitted(operation, question, engine->declaration());
     spent_ += std::max<std::uint64_t>(
-        1, static_cast<std::uint64_t>(operation.metadata().cost) * length(question) / usual_length_);
+        1, static_cast<std::uint64_t>(operation.metadata().cost) * numbers_in(question) / usual_length_);
     Finding found{std::move(question), {}, nullptr, example_.index};
     try {
       std::unique_ptr<const Examination> examination = operation.examine(found.question);
@@ -127,7 +127,7 @@ class Shrinker {
 
 /// Examples in the order in which they are made smaller: that of each way which is shown, then of its next families.
 struct Waves {
-  std::vector<Shrinker> shown, others, as_drawn;
+  std::vector<Shrinker> shown, others, rest;
 };
 
 Waves waves_of(const Shrinking& shrinking, const std::vector<std::size_t>& families, OperationTally& tally) {
@@ -145,15 +145,15 @@ Waves waves_of(const Shrinking& shrinking, const std::vector<std::size_t>& famil
       return shown_before(all[a].example(), all[b].example());
     });
     for (std::size_t i = 0; i < order.size(); ++i)
-      (i == 0 ? waves.shown : i < most_families ? waves.others : waves.as_drawn).push_back(examples[order[i]]);
+      (i == 0 ? waves.shown : i < most_families ? waves.others : waves.rest).push_back(examples[order[i]]);
   }
   return waves;
 }
 
 std::uint64_t mean_length(const Waves& waves) {
   std::uint64_t sum = 0, n = 0;
-  for (const auto* wave : {&waves.shown, &waves.others, &waves.as_drawn})
-    for (const Shrinker& one : *wave) sum += length(one.example().question), ++n;
+  for (const auto* wave : {&waves.shown, &waves.others, &waves.rest})
+    for (const Shrinker& one : *wave) sum += numbers_in(one.example().question), ++n;
   return n > 0 ? sum / n : 1;
 }
 
@@ -172,8 +172,8 @@ void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>&
   std::atomic<std::size_t> done{0};
   // One engine is asked one question after the other.
   const int jobs = shrinking.engine != nullptr ? 1 : shrinking.jobs;
-  for (auto* wave : {&waves.shown, &waves.others, &waves.as_drawn}) {
-    const bool smaller = wave != &waves.as_drawn;
+  for (auto* wave : {&waves.shown, &waves.others, &waves.rest}) {
+    const bool smaller = wave != &waves.rest;
     std::vector<Shrinker*> open;
     for (std::size_t i = 0; i < wave->size() && (i + 1) * cost <= left; ++i) open.push_back(&(*wave)[i]);
     // What one did not need goes to those that had too little. The shares are the same whatever the machine does.

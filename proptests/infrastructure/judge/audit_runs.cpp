@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "audit/audit_run.h"
+#include "audit/cases_of.h"
 #include "audit/generic.h"
 #include "audit/tally_json.h"
 #include "proptests/catch.h"
@@ -310,6 +311,31 @@ TEST_CASE("audit_runs: what the engine does not declare is not asked, and is nam
   CHECK_THAT(text_table(tally),
              ContainsSubstring("\ndeclared: orientation\nnot declared, so not asked: ray_segment\n"));
   CHECK(read_tally(tally_json(tally)).undeclared == tally.undeclared);
+}
+
+TEST_CASE("audit_runs: by cost, fewer cases are asked of what costs more than ten of the cheapest, and it is said") {
+  const auto of_cost = [](int cost, std::uint64_t cases) {
+    RowFunctions row = find_operation("orientation")->row();
+    Metadata metadata = *row.metadata;
+    metadata.cost = cost;
+    row.metadata = &metadata;
+    return cases_of(Operation(row), cases, true);
+  };
+  CHECK(of_cost(1, 2000) == 2000);
+  CHECK(of_cost(10, 2000) == 2000);
+  CHECK(of_cost(40, 2000) == 500);
+  CHECK(of_cost(1000, 2000) == 100);
+  CHECK(of_cost(1000, 40) == 40);
+  CHECK(cases_of(*find_operation("triangle_triangle"), 340, false) == 340);
+  REQUIRE(find_operation("triangle_triangle")->metadata().cost == 17);
+  AuditOptions options;
+  options.operations = {find_operation("triangle_triangle")};
+  options.cases = 340, options.by_cost = true;
+  const Tally tally = run_audit(options, false, [](const std::string&, std::uint64_t) {});
+  const Cell total = tally.operations[0].total();
+  CHECK(total.cases() + total.refused == 200);
+  CHECK(read_tally(tally_json(tally)).by_cost);
+  CHECK_THAT(text_table(tally), ContainsSubstring("; up to 340 cases per operation, seed 1"));
 }
 
 TEST_CASE("audit_runs: of an ordinary range no extreme question reaches the engine") {
