@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/meshes.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
+#include "audit/counted.h"
 #include "audit/meshes/reading.h"
 #include "catalogue/codec/expected.h"
 #include "geometry/invalid_input.h"
@@ -24,25 +26,19 @@ std::string printable(std::string name) {
 }
 
 bool ends_with(std::string_view name, std::string_view ending) {
-  if (name.size() < ending.size()) return false;
-  const std::string_view end = name.substr(name.size() - ending.size());
-  for (std::size_t i = 0; i < end.size(); ++i) {
-    const char c = end[i] >= 'A' && end[i] <= 'Z' ? static_cast<char>(end[i] - 'A' + 'a') : end[i];
-    if (c != ending[i]) return false;
-  }
-  return true;
+  return name.size() >= ending.size() && meshes::lower(name.substr(name.size() - ending.size())) == ending;
 }
 
-using Reader = MeshFile (*)(const std::string&, std::string_view);
+struct Format {
+  std::string_view ending;
+  bool (*recognised)(std::string_view bytes);  ///< among those that follow as well
+  MeshFile (*read)(const std::string& name, std::string_view bytes);
+};
 
-Reader reader_of(const std::string& name) {
-  constexpr std::array<std::pair<const char*, Reader>, 4> readers{
-      {{".obj", meshes::read_obj}, {".ply", meshes::read_ply}, {".off", meshes::read_off}, {".stl", meshes::read_stl}}};
-  for (const auto& [ending, reader] : readers) {
-    if (ends_with(name, ending)) return reader;
-  }
-  throw InvalidInput(printable(name), "a name that ends with .obj, .ply, .off or .stl");
-}
+constexpr std::array<Format, 4> formats{{{".ply", meshes::is_ply, meshes::read_ply},
+                                         {".off", meshes::is_off, meshes::read_off},
+                                         {".stl", meshes::is_stl, meshes::read_stl},
+                                         {".obj", meshes::is_obj, meshes::read_obj}}};
 
 /// Devices and pipes need not end; nor is the length that a file system tells of a file a promise.
 std::string content(const std::string& path) {
@@ -66,13 +62,41 @@ Meshd cut(MeshFile file) { return robust::polygon_mesh(std::move(file.vertices),
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::string& path) {
-  const Reader reader = reader_of(path);
-  return reader(printable(path), content(path));
-}
+MeshFile read_mesh_file(const std::string& path) { return parse_mesh_file(path, content(path)); }
 
 MeshFile parse_mesh_file(const std::string& name, std::string_view bytes) {
-  return reader_of(name)(printable(name), bytes);
+  const auto named =
+      std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return ends_with(name, f.ending); });
+  const auto recognised =
+      std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.recognised(bytes); });
+  const auto format = recognised != formats.end() ? recognised : named;
+  if (format == formats.end())
+    throw InvalidInput(printable(name), "OBJ, PLY, OFF or STL: neither its content nor its name tells that it is one");
+  MeshFile mesh = format->read(printable(name), bytes);
+  if (named != formats.end() && named != format)
+    mesh.notes.insert(mesh.notes.begin(), "the content is " + mesh.format + ", whatever the name says");
+  return mesh;
+}
+
+std::vector<std::string> reading_of(const MeshFile& mesh) {
+  std::map<std::size_t, std::size_t> faces_with;
+  std::vector<bool> named(mesh.vertices.size());
+  for (const std::vector<Index>& face : mesh.faces) {
+    ++faces_with[face.size()];
+    for (const Index corner : face) named[corner] = true;
+  }
+  std::string counts = mesh.format + ": " + meshes::vertices(mesh.vertices.size());
+  for (const auto& [corners, count] : faces_with)
+    counts += ", " + counted(count, "face") + " of " + std::to_string(corners) + " corners";
+  std::vector<std::string> lines{counts};
+  if (const auto unnamed = std::count(named.begin(), named.end(), false); unnamed > 0)
+    lines.push_back(meshes::vertices(static_cast<std::size_t>(unnamed)) + " in no face");
+  lines.insert(lines.end(), mesh.notes.begin(), mesh.notes.end());
+  std::string over;
+  for (const auto& [keyword, count] : mesh.passed_over)
+    over += (over.empty() ? "passed over: " : ", ") + grouped(count) + " " + keyword;
+  if (!over.empty()) lines.push_back(over);
+  return lines;
 }
 
 Meshd read_mesh(const std::string& path) { return cut(read_mesh_file(path)); }

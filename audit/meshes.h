@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,18 +27,23 @@ struct MeshFile {
   std::vector<std::size_t> vertex_lines, face_lines;
   /// The number that the format gives to the first vertex and the first face: 1 in OBJ, 0 elsewhere.
   std::size_t first_number = 0;
-  /// What a user should know of the reading: corners that were merged, what was passed over, one sentence each.
+  /// What a user should know of the reading, one clause each: corners that were merged, bytes behind the last triangle.
   std::vector<std::string> notes;
+  /// What says nothing of the surface, by keyword or element, and how often it was there.
+  std::map<std::string, std::size_t> passed_over;
 };
 
-/// The mesh in a file, whose ending tells the format, in capitals or not: .obj (Wavefront), .ply (ascii, binary of
-/// either byte order), .off, .stl (ascii or binary).
+/// The mesh in a file: OBJ (Wavefront), PLY (ascii, binary of either byte order), OFF, or STL (ascii or binary).
 ///
-/// A number in text becomes the double nearest to it, whatever type the file declares. STL has no vertices but only corners: those with equal coordinates
-/// become one vertex, in order of appearance. Normals, colours, materials, groups and other elements are passed over,
-/// lines and points too; a line of OBJ that begins with another word is refused, curved surfaces with it. A text may
-/// begin with the byte order mark of UTF-8. All vertices are finite and all indices those of vertices; nothing else is
-/// promised of the mesh: which meshes an operation takes is its own affair.
+/// The content tells the format; where it does not, the ending of the name does, in capitals or not. A name that says
+/// something else than the content is noted.
+///
+/// A number in text becomes the double nearest to it, whatever type the file declares. STL has no vertices but only
+/// corners: those with equal coordinates become one vertex, in order of appearance. Normals, colours, materials, groups
+/// and other elements are passed over, lines and points too; a line of OBJ that begins with another word is refused,
+/// curved surfaces with it. A text may begin with the byte order mark of UTF-8. There is at least one face, all vertices
+/// are finite and all indices those of vertices; nothing else is promised of the mesh: which meshes an operation takes
+/// is its own affair.
 ///
 /// Throws InvalidInput, the field being the file and where in it ("cube.obj:12", for binary "cube.stl: byte 84"), where
 /// the file cannot be read, is no regular file (a device, a pipe), is too large, breaks a rule of its format or ends
@@ -46,6 +52,10 @@ MeshFile read_mesh_file(const std::string& path);
 
 /// The same of the bytes of a file of that name.
 MeshFile parse_mesh_file(const std::string& name, std::string_view bytes);
+
+/// What was read, a line each: the format, how many vertices and faces of how many corners, the notes, and what was
+/// passed over.
+std::vector<std::string> reading_of(const MeshFile& mesh);
 
 /// Faces of more than three corners are polygons with their cut (robust/structures/polygon_mesh.h), or refused.
 Meshd read_mesh(const std::string& path);

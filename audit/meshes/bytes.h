@@ -21,7 +21,9 @@ class Bytes {
   Bytes(std::string name, std::string_view all, std::endian order, std::size_t at = 0)
       : name_(std::move(name)), all_(all), order_(order), at_(at), began_(at) {}
 
-  bool done() const { return at_ == all_.size(); }
+  std::size_t left() const { return all_.size() - at_; }
+  /// Whether nothing but blanks and line ends is left.
+  bool blank() const { return all_.find_first_not_of(std::string_view(" \t\r\n\0", 5), at_) == all_.npos; }
   void skip(std::size_t count) { take(count); }
 
   template <class Number>

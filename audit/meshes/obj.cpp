@@ -9,12 +9,12 @@ namespace touchstone::audit::meshes {
 namespace {
 
 /// Keywords of lines that say nothing of the surface: coordinates of textures, normals, groups, names, lines and
-/// points, materials, and how all this is displayed. Curved surfaces are none of these: a mesh without them would be
-/// another one.
+/// points, materials, weights of bones (vw, tinyobj), creases of subdivision (t, OpenSubdiv), and how all this is
+/// displayed. Curved surfaces are none of these: a mesh without them would be another one.
 bool passed_over(std::string_view keyword) {
-  constexpr std::array<std::string_view, 19> all{
-      "vt",     "vn",     "vp",     "g",     "s",        "mg",       "o",   "l",          "p",        "usemtl",
-      "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
+  constexpr std::array<std::string_view, 21> all{
+      "vt",     "vn",     "vp",     "vw",     "g",     "s",        "mg",       "o",   "l",          "p",        "t",
+      "usemtl", "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
   return std::find(all.begin(), all.end(), keyword) != all.end();
 }
 
@@ -33,6 +33,17 @@ long long corner(const Text& text, std::string_view word, std::size_t vertices) 
 }
 
 }  // namespace
+
+/// The first line that is not passed over holds three numbers or three corners.
+bool is_obj(std::string_view bytes) {
+  Text text("", bytes);
+  while (text.next_words('#')) {
+    const auto& words = text.words();
+    if (passed_over(words[0])) continue;
+    return words.size() > 3 && (words[0] == "v" ? nearest_double(words[1]).has_value() : words[0] == "f");
+  }
+  return false;
+}
 
 MeshFile read_obj(const std::string& name, std::string_view bytes) {
   Text text(name, bytes);
@@ -60,7 +71,9 @@ MeshFile read_obj(const std::string& name, std::string_view bytes) {
       if (words.size() < 3) text.refuse("at least 3 corners");
       faces.first.push_back(faces.corners.size()), mesh.face_lines.push_back(line);
       for (const std::string_view word : words) faces.corners.push_back(corner(text, word, mesh.vertices.size()));
-    } else if (!passed_over(keyword)) {
+    } else if (passed_over(keyword)) {
+      ++mesh.passed_over[std::string(keyword)];
+    } else {
       text.refuse(line, "v, f or another keyword of polygons in OBJ, got " + catalogue::excerpt(keyword, 20));
     }
   }
@@ -74,7 +87,8 @@ MeshFile read_obj(const std::string& name, std::string_view bytes) {
     }
     mesh.faces.push_back(std::move(corners));
   }
-  return mesh;
+  const std::size_t lines = mesh.passed_over.contains("l") ? mesh.passed_over["l"] : 0;
+  return with_faces(std::move(mesh), lines);
 }
 
 }  // namespace touchstone::audit::meshes

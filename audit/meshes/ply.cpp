@@ -3,97 +3,16 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
-#include <optional>
+#include <limits>
 
+#include "audit/counted.h"
 #include "audit/meshes/bytes.h"
-#include "audit/meshes/reading.h"
+#include "audit/meshes/ply_header.h"
 
 namespace touchstone::audit::meshes {
 namespace {
 
-enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-struct Property {
-  std::string name;
-  Type type;
-  std::optional<Type> count;  ///< of a list
-};
-
-struct Element {
-  std::string name;
-  long long count;
-  std::vector<Property> properties;
-  std::size_t line;
-};
-
-enum class Format { ascii, little, big };
-
-const char* spelled(Format format) {
-  if (format == Format::ascii) return "ascii";
-  return format == Format::little ? "binary, little-endian" : "binary, big-endian";
-}
-
-struct Header {
-  Format format = Format::ascii;
-  std::vector<Element> elements;
-};
-
-bool whole(Type type) { return type != Type::float32 && type != Type::float64; }
-
-Type type_of(const Text& text, std::string_view word) {
-  constexpr std::array<std::array<const char*, 2>, 8> names{{{"char", "int8"},
-                                                             {"uchar", "uint8"},
-                                                             {"short", "int16"},
-                                                             {"ushort", "uint16"},
-                                                             {"int", "int32"},
-                                                             {"uint", "uint32"},
-                                                             {"float", "float32"},
-                                                             {"double", "float64"}}};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (word == names[i][0] || word == names[i][1]) return static_cast<Type>(i);
-  }
-  text.refuse("type of a property: char, uchar, short, ushort, int, uint, float, double or as int8");
-}
-
-Property property_of(const Text& text) {
-  const auto& words = text.words();
-  if (words.size() == 5 && words[1] == "list") {
-    const Type count = type_of(text, words[2]), type = type_of(text, words[3]);
-    if (!whole(count)) text.refuse("whole numbers as the counts of a list");
-    return {std::string(words[4]), type, count};
-  }
-  if (words.size() != 3) text.refuse("property TYPE NAME or property list TYPE TYPE NAME");
-  return {std::string(words[2]), type_of(text, words[1]), std::nullopt};
-}
-
-Header read_header(Text& text) {
-  if (!text.next() || text.line() != "ply") text.refuse("ply in the first line");
-  Header header;
-  bool formatted = false;
-  for (;;) {
-    if (!text.next()) text.refuse("end_header: the file ends too early");
-    const auto& words = text.words();
-    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
-    if (words[0] == "end_header") break;
-    if (words[0] == "format" && words.size() == 3) {
-      formatted = true;
-      if (words[1] == "ascii") header.format = Format::ascii;
-      else if (words[1] == "binary_little_endian") header.format = Format::little;
-      else if (words[1] == "binary_big_endian") header.format = Format::big;
-      else text.refuse("format ascii, binary_little_endian or binary_big_endian");
-    } else if (words[0] == "element" && words.size() == 3) {
-      const long long count = text.whole(words[2]);
-      if (count < 0) text.refuse("count >= 0");
-      header.elements.push_back({std::string(words[1]), count, {}, text.number()});
-    } else if (words[0] == "property" && !header.elements.empty()) {
-      header.elements.back().properties.push_back(property_of(text));
-    } else {
-      text.refuse("format, element, property, comment, obj_info or end_header");
-    }
-  }
-  if (!formatted) text.refuse("a line with the format");
-  return header;
-}
+using ply::Element, ply::Property, ply::Type;
 
 /// The values behind the header, one after another, in either form.
 class Values {
@@ -102,12 +21,16 @@ class Values {
   virtual double number(Type type) = 0;
   virtual long long whole(Type type) = 0;
   virtual void skip(Type type) = 0;
-  /// To the row of an element; the line on which it begins, where there are lines.
+  /// To the next row of an element; the line on which it begins, where there are lines.
   virtual std::optional<std::size_t> begin_row() = 0;
+  /// Whether the file ends here.
   virtual bool done() = 0;
+  /// What was passed over that is no property of an element.
+  virtual std::string passed_over() const = 0;
   [[noreturn]] virtual void refuse(const std::string& rule) = 0;
 };
 
+/// A row begins on a line of its own, and may go on on further lines.
 class TextValues : public Values {
  public:
   explicit TextValues(Text& text) : text_(text) {}
@@ -115,14 +38,31 @@ class TextValues : public Values {
   long long whole(Type) override { return text_.whole(text_.word()); }
   void skip(Type) override { text_.word(); }
   std::optional<std::size_t> begin_row() override {
-    text_.more_words();
+    end_row();
+    if (!text_.next_words('\0')) text_.refuse("more numbers: the file ends too early");
+    in_row_ = true;
     return text_.number();
   }
-  bool done() override { return !text_.more_words(); }
+  bool done() override {
+    end_row();
+    return !text_.next_words('\0');
+  }
+  std::string passed_over() const override {
+    if (longer_ == 0) return "";
+    return counted(longer_, "row") + " longer than the header says, the first on line " +
+           std::to_string(first_longer_) + ": the rest of each is passed over";
+  }
   [[noreturn]] void refuse(const std::string& rule) override { text_.refuse(rule); }
 
  private:
+  void end_row() {
+    if (in_row_ && text_.words_left() > 0 && longer_++ == 0) first_longer_ = text_.number();
+    in_row_ = false;
+  }
+
   Text& text_;
+  bool in_row_ = false;
+  std::size_t longer_ = 0, first_longer_ = 0;
 };
 
 class BinaryValues : public Values {
@@ -140,15 +80,21 @@ class BinaryValues : public Values {
       case Type::int16: return bytes_.number<std::int16_t>();
       case Type::uint16: return bytes_.number<std::uint16_t>();
       case Type::int32: return bytes_.number<std::int32_t>();
-      default: return bytes_.number<std::uint32_t>();
+      case Type::uint32: return bytes_.number<std::uint32_t>();
+      case Type::int64: return bytes_.number<std::int64_t>();
+      default: break;
     }
+    const auto value = bytes_.number<std::uint64_t>();
+    if (value > std::uint64_t{std::numeric_limits<long long>::max()}) refuse("whole number of less than 64 bits");
+    return static_cast<long long>(value);
   }
   void skip(Type type) override {
-    constexpr std::array<std::size_t, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+    constexpr std::array<std::size_t, 10> sizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
     bytes_.skip(sizes[static_cast<std::size_t>(type)]);
   }
   std::optional<std::size_t> begin_row() override { return std::nullopt; }
-  bool done() override { return bytes_.done(); }
+  bool done() override { return bytes_.blank(); }
+  std::string passed_over() const override { return ""; }
   [[noreturn]] void refuse(const std::string& rule) override { bytes_.refuse(rule); }
 
  private:
@@ -161,7 +107,7 @@ std::size_t place_of(const Text& text, const Element& element, std::initializer_
     const Property& property = element.properties[i];
     for (const char* name : names) {
       if (property.name != name || property.count.has_value() != list) continue;
-      if (list && !whole(property.type)) text.refuse(element.line, "whole numbers as indices");
+      if (list && !ply::integral(property.type)) text.refuse(element.line, "whole numbers as indices");
       return i;
     }
   }
@@ -194,30 +140,53 @@ void read_vertices(const Text& text, Values& values, const Element& element, Mes
   }
 }
 
-void read_faces(const Text& text, Values& values, const Element& element, MeshFile& mesh) {
+/// The list of indices in each row, and where the row begins. What stands in it besides is passed over.
+template <class TakeIndices>
+void each_list(const Text& text, Values& values, const Element& element, TakeIndices take) {
   const std::size_t place = place_of(text, element, {"vertex_indices", "vertex_index"}, true);
   for (long long row = 0; row < element.count; ++row) {
-    if (const auto line = values.begin_row()) mesh.face_lines.push_back(*line);
+    const auto line = values.begin_row();
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const Property& property = element.properties[i];
-      if (i != place) {
-        skip(values, property);
-        continue;
-      }
-      const long long count = count_of(values, *property.count);
-      if (count < 3) values.refuse("at least 3 corners");
-      std::vector<Index> corners;
-      for (long long k = 0; k < count; ++k) {
-        const long long index = values.whole(property.type);
-        if (index < 0 || index >= static_cast<long long>(mesh.vertices.size())) values.refuse("index of a vertex");
-        corners.push_back(static_cast<Index>(index));
-      }
-      mesh.faces.push_back(std::move(corners));
+      if (i != place) skip(values, property);
+      else take(count_of(values, *property.count), property.type, line);
     }
   }
 }
 
-MeshFile read_body(const Text& text, const Header& header, Values& values) {
+Index index_of(Values& values, long long index, const MeshFile& mesh) {
+  if (index < 0 || index >= static_cast<long long>(mesh.vertices.size())) values.refuse("index of a vertex");
+  return static_cast<Index>(index);
+}
+
+void read_faces(const Text& text, Values& values, const Element& element, MeshFile& mesh) {
+  each_list(text, values, element, [&](long long count, Type type, std::optional<std::size_t> line) {
+    if (count < 3) values.refuse("at least 3 corners");
+    std::vector<Index> corners;
+    for (long long k = 0; k < count; ++k) corners.push_back(index_of(values, values.whole(type), mesh));
+    mesh.faces.push_back(std::move(corners));
+    if (line) mesh.face_lines.push_back(*line);
+  });
+}
+
+/// Each row holds strips of triangles, one behind another, with -1 between them.
+void read_strips(const Text& text, Values& values, const Element& element, MeshFile& mesh) {
+  std::size_t left_out = 0;
+  each_list(text, values, element, [&](long long count, Type type, std::optional<std::size_t> line) {
+    std::vector<Index> strip;
+    for (long long k = 0; k < count; ++k) {
+      const long long index = values.whole(type);
+      if (index != -1) strip.push_back(index_of(values, index, mesh));
+      if (index != -1 && k + 1 < count) continue;
+      left_out += append_strip(strip, mesh.faces);
+      strip.clear();
+    }
+    if (line) mesh.face_lines.resize(mesh.faces.size(), *line);
+  });
+  mesh.notes.push_back(strips_as_faces(left_out));
+}
+
+MeshFile read_body(const Text& text, const ply::Header& header, Values& values) {
   MeshFile mesh;
   mesh.name = text.name(), mesh.format = "PLY (" + std::string(spelled(header.format)) + ")";
   bool vertices = false;
@@ -227,31 +196,39 @@ MeshFile read_body(const Text& text, const Header& header, Values& values) {
     if (element.name == "vertex") {
       if (vertices) text.refuse(element.line, "element vertex once");
       vertices = true, read_vertices(text, values, element, mesh);
-    } else if (element.name == "face") {
-      if (!vertices) text.refuse(element.line, "element vertex before element face");
-      read_faces(text, values, element, mesh);
+    } else if (element.name == "face" || element.name == "tristrips") {
+      if (!vertices) text.refuse(element.line, "element vertex before element " + element.name);
+      (element.name == "face" ? read_faces : read_strips)(text, values, element, mesh);
     } else {
+      if (element.count > 0) mesh.passed_over[element.name] += static_cast<std::size_t>(element.count);
       for (long long row = 0; row < element.count; ++row) {
+        values.begin_row();
         for (const Property& property : element.properties) skip(values, property);
       }
     }
   }
   if (!vertices) text.refuse("element vertex");
   if (!values.done()) values.refuse("nothing behind the last element");
-  return mesh;
+  if (const std::string over = values.passed_over(); !over.empty()) mesh.notes.push_back(over);
+  const std::size_t edges = mesh.passed_over.contains("edge") ? mesh.passed_over["edge"] : 0;
+  return with_faces(std::move(mesh), edges);
 }
 
 }  // namespace
 
+bool is_ply(std::string_view bytes) {
+  Text text("", bytes);
+  return text.next() && text.line() == "ply";
+}
+
 MeshFile read_ply(const std::string& name, std::string_view bytes) {
   Text text(name, bytes);
-  const Header header = read_header(text);
-  if (header.format == Format::ascii) {
+  const ply::Header header = ply::read_header(text);
+  if (header.format == ply::Format::ascii) {
     TextValues values(text);
-    text.next();
     return read_body(text, header, values);
   }
-  const std::endian order = header.format == Format::little ? std::endian::little : std::endian::big;
+  const std::endian order = header.format == ply::Format::little ? std::endian::little : std::endian::big;
   BinaryValues values(Bytes(name, bytes, order, bytes.size() - text.rest().size()));
   return read_body(text, header, values);
 }

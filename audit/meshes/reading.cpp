@@ -7,6 +7,7 @@
 #include <limits>
 #include <system_error>
 
+#include "audit/counted.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::audit::meshes {
@@ -93,10 +94,8 @@ void Text::split(char comment) {
   }
 }
 
-bool Text::more_words() { return used_ < words_.size() || next_words('\0'); }
-
 std::string_view Text::word() {
-  if (!more_words()) refuse("more numbers: the file ends too early");
+  if (words_left() == 0 && !next_words('\0')) refuse("more numbers: the file ends too early");
   return words_[used_++];
 }
 
@@ -125,6 +124,39 @@ Point3d Text::position(std::size_t skipped) const {
   if (words_.size() < skipped + 3) refuse("three coordinates");
   const double x = number(words_[skipped]), y = number(words_[skipped + 1]), z = number(words_[skipped + 2]);
   return {x, y, z};
+}
+
+std::string lower(std::string_view word) {
+  std::string made(word);
+  for (char& c : made) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return made;
+}
+
+std::string vertices(std::size_t count) { return grouped(count) + (count == 1 ? " vertex" : " vertices"); }
+
+std::size_t append_strip(const std::vector<Index>& strip, std::vector<std::vector<Index>>& faces) {
+  std::size_t left_out = 0;
+  for (std::size_t k = 0; k + 2 < strip.size(); ++k) {
+    const Index a = strip[k + k % 2], b = strip[k + 1 - k % 2], c = strip[k + 2];
+    if (a == b || b == c || c == a) ++left_out;
+    else faces.push_back({a, b, c});
+  }
+  return left_out;
+}
+
+std::string strips_as_faces(std::size_t left_out) {
+  return "strips of triangles are read as faces" +
+         (left_out == 0 ? "" : ", without " + counted(left_out, "triangle") + " that name a vertex twice");
+}
+
+MeshFile with_faces(MeshFile mesh, std::size_t lines) {
+  if (!mesh.faces.empty()) return mesh;
+  std::string held = "nothing";
+  if (lines > 0) held = vertices(mesh.vertices.size()) + " and " + counted(lines, "line");
+  else if (!mesh.vertices.empty()) held = counted(mesh.vertices.size(), "point");
+  throw InvalidInput(mesh.name, "at least one face: the file holds " + held);
 }
 
 }  // namespace touchstone::audit::meshes

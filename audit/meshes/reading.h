@@ -26,8 +26,8 @@ class Text {
   bool next_words(char comment);
   /// The next word of this line or, beyond its end, of those that follow; refuses the end of the file.
   std::string_view word();
-  /// Whether there is one.
-  bool more_words();
+  /// How many words of this line are left.
+  std::size_t words_left() const { return words_.size() - used_; }
 
   const std::vector<std::string_view>& words() const { return words_; }
   std::string_view line() const { return line_; }
@@ -56,6 +56,28 @@ class Text {
 /// The double nearest to a decimal number, which may have a sign; infinity beyond the greatest; empty where the text is
 /// none.
 std::optional<double> nearest_double(std::string_view text);
+
+/// ASCII letters in lower case.
+std::string lower(std::string_view word);
+
+/// "1 vertex", "1,234 vertices"
+std::string vertices(std::size_t count);
+
+/// Appends the triangles of a strip, whose directions alternate, so that all face the same side. A strip names a vertex
+/// twice where it turns or jumps: what is no triangle is left out. Returns how many that are.
+std::size_t append_strip(const std::vector<Index>& strip, std::vector<std::vector<Index>>& faces);
+
+/// The note of strips that are now faces, of which so many were left out.
+std::string strips_as_faces(std::size_t left_out);
+
+/// The mesh, unless it has no faces: then refuses, saying what the file holds instead.
+MeshFile with_faces(MeshFile mesh, std::size_t lines = 0);
+
+/// Whether the content is of that format, and surely of none of those that meshes.cpp tries later.
+bool is_obj(std::string_view bytes);
+bool is_off(std::string_view bytes);
+bool is_ply(std::string_view bytes);
+bool is_stl(std::string_view bytes);
 
 MeshFile read_obj(const std::string& name, std::string_view bytes);
 MeshFile read_off(const std::string& name, std::string_view bytes);

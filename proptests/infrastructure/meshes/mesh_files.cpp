@@ -9,6 +9,7 @@ using audit::MeshFile;
 using audit::parse_mesh_file;
 using Faces = std::vector<std::vector<Index>>;
 using Lines = std::vector<std::size_t>;
+using Notes = std::vector<std::string>;
 
 }  // namespace
 
@@ -63,8 +64,7 @@ TEST_CASE("mesh files: STL tells how many corners became one vertex") {
   CHECK(read.faces == Faces{{0, 1, 2, 3}, {0, 3, 4}});
   CHECK(read.vertex_lines == Lines{4, 5, 6, 7, 14});
   CHECK(read.face_lines == Lines{2, 10});
-  CHECK(read.notes ==
-        std::vector<std::string>{"7 corners have 5 different positions: those with equal positions are one vertex"});
+  CHECK(read.notes == Notes{"7 corners merged into 5 vertices where positions are equal"});
 }
 
 }  // namespace touchstone::proptests::mesh_files_tests

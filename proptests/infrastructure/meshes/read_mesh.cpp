@@ -2,12 +2,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -15,6 +11,7 @@
 #include "audit/meshes.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
+#include "proptests/infrastructure/meshes/binary.h"
 
 namespace touchstone::proptests::read_mesh_tests {
 namespace {
@@ -36,14 +33,6 @@ void check_tetrahedron(const Meshd& mesh) {
   CHECK(mesh.vertices[0] == Point3d{0, 0, 0});
   CHECK(mesh.vertices[3] == Point3d{0, 0, 0.5});
   CHECK(mesh.faces == std::vector<Face>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
-}
-
-template <class Number>
-void append(std::string& bytes, Number value, bool big = false) {
-  std::array<char, sizeof(Number)> raw{};
-  std::memcpy(raw.data(), &value, sizeof(Number));
-  if (big != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
-  bytes.append(raw.data(), raw.size());
 }
 
 const double corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}};
@@ -97,13 +86,15 @@ TEST_CASE("meshes: a byte order mark in front of a text is no part of it") {
   const Meshd obj = parse_mesh("a.obj", mark + "v 7 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   REQUIRE(obj.vertices.size() == 3);
   CHECK(obj.vertices[0] == Point3d{7, 0, 0});
-  CHECK(parse_mesh("a.off", mark + "OFF\n1 0\n7 0 0\n").vertices[0].x == 7);
+  CHECK(parse_mesh("a.off", mark + "OFF\n1 1\n7 0 0\n3 0 0 0\n").vertices[0].x == 7);
   CHECK(parse_mesh("a.stl", mark + "solid x\nfacet\nouter loop\nvertex 7 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
                                    "endfacet\nendsolid\n")
             .vertices[0]
             .x == 7);
-  CHECK(parse_mesh("a.ply", mark + "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                                   "property float z\nend_header\n7 0 0\n")
+  CHECK(parse_mesh(
+            "a.ply",
+            mark + "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                   "property float z\nelement face 1\nproperty list int int vertex_index\nend_header\n7 0 0\n3 0 0 0\n")
             .vertices[0]
             .x == 7);
   CHECK(refusal("a.obj", "v 0 0 0\n" + mark + "v 7 0 0\n") ==
@@ -137,7 +128,7 @@ TEST_CASE("meshes: what is no regular file is refused before it is read, and a f
   CHECK(refused() == "cannot be read: it is no file");
   std::filesystem::remove(path);
   CHECK(refused() == "cannot be read: no such file or directory");
-  std::ofstream(path) << "v 1 2 3\n";
+  std::ofstream(path) << "v 1 2 3\nf 1 1 1\n";
   CHECK(refused() == "accepted");
   std::filesystem::resize_file(path, audit::most_bytes_of_a_mesh + 1);
   CHECK(refused() == "at most 256 MiB");
@@ -177,7 +168,9 @@ TEST_CASE("meshes: STL as text and binary, equal corners are one vertex") {
 }
 
 TEST_CASE("meshes: numbers are the nearest doubles, however small or long") {
-  const auto x = [](const std::string& number) { return parse_mesh("a.obj", "v " + number + " 0 0").vertices[0].x; };
+  const auto x = [](const std::string& number) {
+    return parse_mesh("a.obj", "v " + number + " 0 0\nf 1 1 1").vertices[0].x;
+  };
   CHECK(x("0.1") == 0.1);
   CHECK(x("-15554.2597999999998137355") == -15554.2598);
   CHECK(x("1e-400") == 0);
@@ -196,7 +189,7 @@ TEST_CASE("meshes: numbers are the nearest doubles, however small or long") {
 }
 
 TEST_CASE("meshes: a refusal names the file, the place and the rule in one line") {
-  CHECK(refusal("a.txt", "") == "a.txt: a name that ends with .obj, .ply, .off or .stl");
+  CHECK(refusal("a.txt", "") == "a.txt: OBJ, PLY, OFF or STL: neither its content nor its name tells that it is one");
   CHECK(refusal("a\nb.obj", "v 0") == "a?b.obj:1: three coordinates");
   CHECK_THROWS_AS(audit::read_mesh("/no/such/file.obj"), InvalidInput);
   CHECK_THROWS_AS(audit::read_mesh("."), InvalidInput);
@@ -254,7 +247,8 @@ TEST_CASE("meshes: hostile PLY and STL files are refused, whatever they count") 
   const std::string stl = stl_binary("x");
   for (std::size_t length = 0; length < stl.size(); ++length)
     CHECK(refusal("a.stl", stl.substr(0, length)).ends_with("the file ends too early"));
-  CHECK(refusal("a.stl", stl + "x") == "a.stl: byte 282: nothing behind the last triangle");
+  CHECK(refusal("a.stl", stl + std::string(50, 'x')) ==
+        "a.stl: byte 282: as many triangles as the header counts, 4: there is room for 5");
   std::string nan = stl;
   nan.replace(96, 4, "\xff\xff\xff\x7f");
   CHECK(refusal("a.stl", nan) == "a.stl: byte 96: finite number");
