@@ -7,7 +7,7 @@ from itertools import combinations
 from math import lcm
 
 from simplest_truth_polyhedra import cross, truth_point_in_polyhedron, volume
-from simplest_truth_reading import dot, minus, point
+from simplest_truth_reading import dot, minus, point, triangles
 from simplest_truth_triangles import at, common_interval
 
 
@@ -33,6 +33,13 @@ def meet(vertices, s, t):
     return False
 
 
+def along_a_diagonal(faces, cuts, i, j):
+    """A side of a triangle of one is a side of one of the other, but no edge of both faces."""
+    sides = [{frozenset(side) for t in cuts[k] for side in combinations(t, 2)} for k in (i, j)]
+    edges = [set(map(frozenset, zip(faces[k], faces[k][1:] + faces[k][:1]))) for k in (i, j)]
+    return bool(sides[0] & sides[1] - edges[0] & edges[1])
+
+
 def boxes_meet(s, t):
     return all(max(a) >= min(b) and max(b) >= min(a) for a, b in zip(zip(*s), zip(*t)))
 
@@ -45,14 +52,19 @@ def truth_polyhedron_complexity(question):
 def answer_of(mesh):
     mesh = json.loads(mesh)
     given, faces = [point(v) for v in mesh["vertices"]], [tuple(face) for face in mesh["faces"]]
+    left = iter(map(tuple, triangles(mesh)))
+    cuts = [[next(left) for _ in face[2:]] for face in faces]
     scale = lcm(*(x.denominator for v in given for x in v))  # integers are quicker
     vertices = [tuple(int(x * scale) for x in v) for v in given]
-    corners = [[vertices[v] for v in face] for face in faces]
-    directed = [(f[k], f[(k + 1) % 3]) for f in faces for k in range(3)]
+    places = [[[vertices[v] for v in t] for t in cut] for cut in cuts]
+    corners = [triangle for cut in places for triangle in cut]
+    directed = [edge for f in faces for edge in zip(f, f[1:] + f[:1])]
+    around = [(v, {before, after}) for f in faces for before, v, after in zip(f[-1:] + f[:-1], f, f[1:] + f[:1])]
     used, edges = sorted({v for f in faces for v in f}), sorted({tuple(sorted(edge)) for edge in directed})
     times = {edge: (directed.count(edge), directed.count(edge[::-1])) for edge in edges}
-    parts = [[f for f in faces if f[0] in piece] for piece in pieces(faces)]
-    components = sorted(parts, key=lambda part: faces.index(part[0]))
+    parts = [[t for f, cut in zip(faces, cuts) if f[0] in piece for t in cut] for piece in pieces(faces)]
+    flattened = [t for cut in cuts for t in cut]
+    components = sorted(parts, key=lambda part: flattened.index(part[0]))
 
     def first(candidates):
         return next(iter(candidates), None)
@@ -63,11 +75,14 @@ def answer_of(mesh):
         "open_edge": first(list(edge) for edge, both in times.items() if sum(both) % 2 != 0),
         "turned_edge": first(list(edge) for edge, (forth, back) in times.items() if abs(forth - back) > 1),
         "crowded_edge": first(list(edge) for edge, both in times.items() if sum(both) > 2),
-        "pinched_vertex": first(v for v in used if len(pieces(set(f) - {v} for f in faces if v in f)) > 1),
-        "flat_face": first(i for i, (a, b, c) in enumerate(corners) if not any(cross(minus(b, a), minus(c, a))))}
+        "pinched_vertex": first(v for v in used if len(pieces(ends for u, ends in around if u == v)) > 1),
+        "flat_face": first(i for i, cut in enumerate(places) for a, b, c in cut
+                           if not any(cross(minus(b, a), minus(c, a))))}
     if answer["flat_face"] is None:
-        answer["meeting_faces"] = first([i, j] for i, j in combinations(range(len(faces)), 2)
-                                        if boxes_meet(corners[i], corners[j]) and meet(vertices, faces[i], faces[j]))
+        answer["meeting_faces"] = first(
+            [i, j] for i, j in combinations(range(len(faces)), 2)
+            if any(boxes_meet(places[i][s], places[j][t]) and meet(vertices, cuts[i][s], cuts[j][t])
+                   for s in range(len(cuts[i])) for t in range(len(cuts[j]))) or along_a_diagonal(faces, cuts, i, j))
     words = {"closed": ["open_edge"], "oriented": ["turned_edge"], "edge_manifold": ["crowded_edge"],
              "vertex_manifold": ["crowded_edge", "pinched_vertex"], "embedded": ["flat_face", "meeting_faces"]}
     for word, witnesses in words.items():
@@ -77,7 +92,7 @@ def answer_of(mesh):
         six_times = sum(volume(vertices[0], *face) for face in corners)
         answer["volume"] = "positive" if six_times > 0 else "negative" if six_times < 0 else "zero"
     if answer["closed"] and answer["embedded"]:
-        answer["splitting_face"] = first(splits(vertices, used, corners))
+        answer["splitting_face"] = first(splits(vertices, used, [cut[0] for cut in places]))
         answer["convex"] = answer["splitting_face"] is None
         answer["nesting"] = [
             [i, j] for i, outer in enumerate(components) for j, inner in enumerate(components)

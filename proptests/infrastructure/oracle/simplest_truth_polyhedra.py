@@ -7,7 +7,7 @@ from functools import cache
 from itertools import combinations, count
 from math import lcm
 
-from simplest_truth_reading import dot, minus, point
+from simplest_truth_reading import dot, minus, point, triangles
 
 WITHOUT = {
     "polyhedron_polyhedron": "fractions take too long; nef_solids.cpp compares it with CGAL's Nef polyhedra",
@@ -77,7 +77,7 @@ def truth_point_in_polyhedron(question):
     mesh, given = question["mesh"], [point(v) for v in [question["point"], *question["mesh"]["vertices"]]]
     scale = lcm(*(x.denominator for v in given for x in v))  # integers are quicker
     p, *vertices = (tuple(int(x * scale) for x in v) for v in given)
-    faces = [tuple(vertices[i] for i in face) for face in mesh["faces"]]
+    faces = [tuple(vertices[i] for i in face) for face in triangles(mesh)]
     margin = min(squared_distance_of_face(p, face) for face in faces) / Fraction(scale**2)
     if margin == 0:
         return {"location": "boundary"}, margin

@@ -15,6 +15,11 @@ def point(value):
     return tuple(map(number, value))
 
 
+def triangles(mesh):
+    """Where faces are polygons, those of their cut."""
+    return mesh.get("cut", mesh["faces"])
+
+
 def minus(p, q):
     return tuple(x - y for x, y in zip(p, q))
 

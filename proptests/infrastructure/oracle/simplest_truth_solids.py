@@ -5,7 +5,7 @@ from itertools import combinations
 
 import simplest_truth_sweeps
 from simplest_truth_polyhedra import cross
-from simplest_truth_reading import Root, dot, minus, point
+from simplest_truth_reading import Root, dot, minus, point, triangles
 
 
 def solved(matrix, right):
@@ -80,7 +80,7 @@ def truth_convex_distance(q):
     way = shortest([minus(v, w) for v in a for w in b])
     moved = [plus(w, (1, way)) for w in b]
     level = (way, min(dot(way, v) for v in a))
-    x = first_in(level, sorted({*planes(a, q["a"]["faces"]), *planes(moved, q["b"]["faces"])}), a[0])
+    x = first_in(level, sorted({*planes(a, triangles(q["a"])), *planes(moved, triangles(q["b"]))}), a[0])
     square = dot(way, way)
     return {"relation": "apart", "on_a": [str(n) for n in x], "on_b": [str(n) for n in minus(x, way)],
             "squared_distance": str(square), "distance": Root(square, 1)}, margin

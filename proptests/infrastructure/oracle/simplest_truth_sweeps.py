@@ -5,7 +5,7 @@ from itertools import combinations
 from math import lcm
 
 from simplest_truth_polyhedra import cross
-from simplest_truth_reading import dot, minus, number, point
+from simplest_truth_reading import dot, minus, number, point, triangles
 
 
 class FirstRoot:
@@ -105,9 +105,9 @@ def truth_swept_convex_polyhedra(q):
         return {minus(points[j], points[i]) for f in faces for i, j in (f[:2], f[1:], f[::2])}
 
     axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
-    parts = [edges(a, q["a"]["faces"]), edges(b, q["b"]["faces"]), velocity, axes]
+    parts = [edges(a, triangles(q["a"])), edges(b, triangles(q["b"])), velocity, axes]
     normals = {cross(u, v) for one, other in combinations(parts, 2) for u in one for v in other} | set(axes)
-    for points, faces in ((a, q["a"]["faces"]), (b, q["b"]["faces"])):
+    for points, faces in ((a, triangles(q["a"])), (b, triangles(q["b"]))):
         normals |= {cross(minus(points[j], points[i]), minus(points[k], points[i])) for i, j, k in faces}
     first, last, beyond = Fraction(0), Fraction(1), []
     for n in normals - {(0, 0, 0)}:
