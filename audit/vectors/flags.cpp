@@ -18,11 +18,11 @@ bool has_closed_ring(const Operation& operation, const Question& question) {
     void word(const Shape&, const Cursor<double>&) {}
   } pass;
   Cursor<double> at(question);
-  for (const auto& [name, shape] : operation.question_shape().parts) {
+  for (const Shape::Part& part : operation.question_shape().parts) {
     const double* first = at.number;
-    const bool plane = shape->name == "Polygon2<double>", space = shape->name == "Polygon3<double>";
+    const bool plane = part.shape->name == "Polygon2<double>", space = part.shape->name == "Polygon3<double>";
     if (operation.question_shape().kind != Shape::Kind::record) return false;  // no polygon is among alternatives
-    walk_encoded(*shape, at, pass);
+    walk_encoded(*part.shape, at, pass);
     const std::ptrdiff_t axes = plane ? 2 : 3;
     if ((plane || space) && at.number - first > axes && std::equal(first, first + axes, at.number - axes)) return true;
   }
