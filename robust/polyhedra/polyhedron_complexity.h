@@ -17,7 +17,7 @@ namespace touchstone::robust {
 /// repeated positions first. Contract: reference/polyhedra/polyhedron_complexity.h.
 ///
 /// Time: n log n, and a look at each pair of triangles whose boxes meet; of those around a vertex of many, whose
-/// directions from there meet (robust/structures/near_faces.h). A closed embedded mesh that is not convex costs one look
+/// directions from there meet (robust/structures/near_faces.h). A closed embedded mesh that is not convex costs a look
 /// at all vertices for each face before the first that has vertices on both sides; one of several components a look at
 /// the faces of each for every component whose box meets its own.
 PolyhedronComplexity<double> polyhedron_complexity(const Meshd& mesh);

@@ -15,8 +15,8 @@ namespace touchstone::robust::structures {
 std::optional<Index> first_flat_face(const Meshd& mesh);
 
 /// The first pair of faces, in ascending order, that meet elsewhere; all faces have areas. Looks at the pairs of
-/// robust/structures/near_faces.h. Of these, most are held apart by a plane across an axis or by the plane of one of the
-/// two; the others cost some microseconds each, in GMP's integers: neighbours in one plane that is askew, and those
+/// robust/structures/near_faces.h. Of these, most are held apart by a plane across an axis or by the plane of one of
+/// them; the others cost some microseconds each, in GMP's integers: neighbours in one plane that is askew, and those
 /// around the vertex of a saddle.
 std::optional<IndexPair> first_meeting_faces(const Meshd& mesh);
 

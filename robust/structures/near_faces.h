@@ -11,8 +11,8 @@
 /// Which triangles of a mesh are to be looked at in pairs, also where many of them share a vertex.
 namespace touchstone::robust::structures {
 
-/// Calls look(i, j), i < j, once for each pair of triangles that may have more in common than one vertex that both name.
-/// All have areas; boxes: of each triangle the least that holds it.
+/// Calls look(i, j), i < j, once for each pair of triangles that may have more in common than one vertex which both
+/// name. All have areas; boxes: of each triangle the least that holds it.
 ///
 /// Triangles whose boxes are apart have nothing in common. The boxes of triangles around a vertex all hold it, so those
 /// around a vertex of many triangles are compared by the directions in which they leave it: a triangle that has this
