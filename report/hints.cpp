@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 
-#include "audit/counted.h"
 #include "report/wording.h"
 
 namespace touchstone::report {
@@ -43,15 +42,18 @@ std::string about_touches(const Findings& findings) {
 }
 
 std::string about_digits(const Findings& findings) {
-  std::size_t numbers = 0, single = 0;
+  std::size_t numbers = 0, single = 0, others = 0;
   for (const Finding* finding : findings) {
-    if (!finding->judgement.number) continue;
+    if (!finding->judgement.number) {
+      others += finding->judgement.verdict == Verdict::invalid ? 0 : 1;  // infinite, beyond the range of floats
+      continue;
+    }
     const auto& [exact, answered] = *finding->judgement.number;
     if (!(std::abs(exact) >= least_float && std::abs(exact) <= most_float)) continue;
     const double off = std::abs(answered - exact) / std::abs(exact);
     ++numbers, single += off <= six_digits && off >= double_digits ? 1 : 0;
   }
-  const bool most = single >= fewest && single * 4 >= numbers * 3 && numbers * 2 >= findings.size();
+  const bool most = single >= fewest && single * 4 >= numbers * 3 && numbers >= others;
   return most ? "The wrong numbers are right to six digits or seven: are they computed in single precision? Then "
                 "declare "
                 "\"number\": \"binary32\"."
