@@ -11,7 +11,7 @@ namespace {
 
 using WordList = std::vector<std::string>;
 
-constexpr std::size_t longest_name = 80, shortest_word_of_a_question = 4;
+constexpr std::size_t longest_question = 80, shortest_word_of_a_question = 4;
 constexpr int for_a_place = 3, for_a_word_of_a_phrase = 40, for_a_word_of_a_name = 24, for_a_word_of_a_question = 2;
 
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
@@ -58,7 +58,7 @@ bool has_word(const WordList& words, const std::string& word) {
 }  // namespace
 
 std::vector<std::string> nearest_operations(std::string_view name, std::size_t most) {
-  if (name.size() > longest_name) return {};
+  if (name.size() > longest_question) return {};
   const WordList words = words_of(name);
   std::map<std::string, int> merits;
   for (const auto& [phrase, operations] : synonyms()) {
