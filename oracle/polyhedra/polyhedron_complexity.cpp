@@ -194,10 +194,12 @@ Pairs paired(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& 
   Pairs pairs;
   for (Index i = 0; i < cuts.size(); ++i) {
     for (Index j = i + 1; j < cuts.size(); ++j) {
+      const std::size_t of_earlier_faces = pairs.normals.size();
       for (const Index s : cuts[i]) {
         for (const Index t : cuts[j]) {
           if (!meet(list, cloud, surface, {i, j}, {s, t}, pairs)) continue;
           found.meeting_faces = IndexPair{i, j};
+          pairs.normals.resize(of_earlier_faces);  // of these faces one pair of triangles is enough
           return pairs;
         }
       }
