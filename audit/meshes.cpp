@@ -32,13 +32,22 @@ bool ends_with(std::string_view name, std::string_view ending) {
 struct Format {
   std::string_view ending;
   bool (*recognised)(std::string_view bytes);  ///< among those that follow as well
-  MeshFile (*read)(const std::string& name, std::string_view bytes);
+  MeshFile (*read)(const std::string& name, std::string_view bytes, const meshes::Beside& beside);
 };
 
-constexpr std::array<Format, 4> formats{{{".ply", meshes::is_ply, meshes::read_ply},
-                                         {".off", meshes::is_off, meshes::read_off},
-                                         {".stl", meshes::is_stl, meshes::read_stl},
-                                         {".obj", meshes::is_obj, meshes::read_obj}}};
+/// A reader that needs no file but its own.
+template <MeshFile (*read)(const std::string&, std::string_view)>
+MeshFile alone(const std::string& name, std::string_view bytes, const meshes::Beside&) {
+  return read(name, bytes);
+}
+
+constexpr std::array<Format, 7> formats{{{".glb", meshes::is_gltf, meshes::read_gltf},
+                                         {".gltf", meshes::is_gltf, meshes::read_gltf},
+                                         {".3mf", meshes::is_3mf, alone<meshes::read_3mf>},
+                                         {".ply", meshes::is_ply, alone<meshes::read_ply>},
+                                         {".off", meshes::is_off, alone<meshes::read_off>},
+                                         {".stl", meshes::is_stl, alone<meshes::read_stl>},
+                                         {".obj", meshes::is_obj, alone<meshes::read_obj>}}};
 
 /// Devices and pipes need not end; nor is the length that a file system tells of a file a promise.
 std::string content(const std::string& path) {
@@ -58,24 +67,35 @@ std::string content(const std::string& path) {
   return bytes;
 }
 
-Meshd cut(MeshFile file) { return robust::polygon_mesh(std::move(file.vertices), std::move(file.faces)); }
-
-}  // namespace
-
-MeshFile read_mesh_file(const std::string& path) { return parse_mesh_file(path, content(path)); }
-
-MeshFile parse_mesh_file(const std::string& name, std::string_view bytes) {
+MeshFile read(const std::string& name, std::string_view bytes, const meshes::Beside& beside) {
   const auto named =
       std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return ends_with(name, f.ending); });
   const auto recognised =
       std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.recognised(bytes); });
   const auto format = recognised != formats.end() ? recognised : named;
   if (format == formats.end())
-    throw InvalidInput(printable(name), "OBJ, PLY, OFF or STL: neither its content nor its name tells that it is one");
-  MeshFile mesh = format->read(printable(name), bytes);
-  if (named != formats.end() && named != format)
+    throw InvalidInput(printable(name),
+                       "OBJ, PLY, OFF, STL, glTF or 3MF: neither its content nor its name tells that it is one");
+  MeshFile mesh = format->read(printable(name), bytes, beside);
+  if (named != formats.end() && named->read != format->read)
     mesh.notes.insert(mesh.notes.begin(), "the content is " + mesh.format + ", whatever the name says");
   return mesh;
+}
+
+Meshd cut(MeshFile file) { return robust::polygon_mesh(std::move(file.vertices), std::move(file.faces)); }
+
+}  // namespace
+
+MeshFile read_mesh_file(const std::string& path) {
+  return read(path, content(path), [&](const std::string& name) {
+    return content((std::filesystem::path(path).parent_path() / name).string());
+  });
+}
+
+MeshFile parse_mesh_file(const std::string& name, std::string_view bytes) {
+  return read(name, bytes, [&](const std::string& beside) -> std::string {
+    throw InvalidInput(printable(name), "all in one file: " + printable(beside) + " is not at hand");
+  });
 }
 
 std::vector<std::string> reading_of(const MeshFile& mesh) {

@@ -33,7 +33,8 @@ struct MeshFile {
   std::map<std::string, std::size_t> passed_over;
 };
 
-/// The mesh in a file: OBJ (Wavefront), PLY (ascii, binary of either byte order), OFF, or STL (ascii or binary).
+/// The mesh in a file: OBJ (Wavefront), PLY (ascii, binary of either byte order), OFF, STL (ascii or binary), glTF 2.0
+/// (.glb, or .gltf with buffers in base64 or in files of the same folder) or 3MF.
 ///
 /// The content tells the format; where it does not, the ending of the name does, in capitals or not. A name that says
 /// something else than the content is noted.
@@ -41,13 +42,16 @@ struct MeshFile {
 /// A number in text becomes the double nearest to it, whatever type the file declares. STL has no vertices but only
 /// corners: those with equal coordinates become one vertex, in order of appearance. Normals, colours, materials, groups
 /// and other elements are passed over, lines and points too; a line of OBJ that begins with another word is refused,
-/// curved surfaces with it. A text may begin with the byte order mark of UTF-8. There is at least one face, all vertices
-/// are finite and all indices those of vertices; nothing else is promised of the mesh: which meshes an operation takes
-/// is its own affair.
+/// curved surfaces with it. A mesh of glTF is there once for each node of the scene that shows it, an object of 3MF for
+/// each item that builds it, its faces reversed where it is mirrored; a transform by which a position would be rounded
+/// is refused, as are compressed positions. Units, skins and animations are passed over. A text may
+/// begin with the byte order mark of UTF-8. There is at least one face, all vertices are finite and all indices those
+/// of vertices; nothing else is promised of the mesh: which meshes an operation takes is its own affair.
 ///
 /// Throws InvalidInput, the field being the file and where in it ("cube.obj:12", for binary "cube.stl: byte 84"), where
 /// the file cannot be read, is no regular file (a device, a pipe), is too large, breaks a rule of its format or ends
-/// too early. No count in a file is taken on trust: memory is in proportion to the file's size.
+/// too early. No count in a file is taken on trust: memory is in proportion to the file's size or, where parts are
+/// placed many times, to some millions of vertices.
 MeshFile read_mesh_file(const std::string& path);
 
 /// The same of the bytes of a file of that name.

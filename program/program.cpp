@@ -127,7 +127,8 @@ void add_ask(CLI::App& program, Action& action) {
   add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
   command
       ->add_option("--mesh", options->meshes,
-                   "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF or STL file; lines may be {}")
+                   "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines "
+                   "may be {}")
       ->allow_extra_args(false)
       ->default_str("");
   auto* wkt = command->add_flag("--wkt", options->wkt,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/version.h"
 
+#include <expat.h>
 #include <fmt/core.h>
 #include <gmp.h>
 #include <mpfr.h>
@@ -37,6 +38,8 @@ std::string version() {
   add(std::string("CLI11 ") + CLI11_VERSION, "BSD-3-Clause", "https://github.com/CLIUtils/CLI11");
   add(std::string("libpng ") + PNG_LIBPNG_VER_STRING, "libpng-2.0", "http://www.libpng.org/pub/png");
   add(std::string("zlib ") + ZLIB_VERSION, "Zlib", "https://zlib.net");
+  add(fmt::format("Expat {}.{}.{}", XML_MAJOR_VERSION, XML_MINOR_VERSION, XML_MICRO_VERSION), "MIT",
+      "https://libexpat.github.io");
   add("headers of CGAL's kernel", "LGPL-3.0-or-later", "https://www.cgal.org");
   add(fmt::format("Boost {}.{} (headers)", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000), "BSL-1.0",
       "https://www.boost.org");

@@ -26,6 +26,13 @@ class Bytes {
   bool blank() const { return all_.find_first_not_of(std::string_view(" \t\r\n\0", 5), at_) == all_.npos; }
   void skip(std::size_t count) { take(count); }
 
+  std::string_view take(std::size_t count) {
+    began_ = at_;
+    if (count > all_.size() - at_) refuse("more bytes: the file ends too early");
+    at_ += count;
+    return all_.substr(began_, count);
+  }
+
   template <class Number>
   Number number() {
     std::array<char, sizeof(Number)> raw{};
@@ -46,13 +53,6 @@ class Bytes {
   }
 
  private:
-  std::string_view take(std::size_t count) {
-    began_ = at_;
-    if (count > all_.size() - at_) refuse("more bytes: the file ends too early");
-    at_ += count;
-    return all_.substr(began_, count);
-  }
-
   std::string name_;
   std::string_view all_;
   std::endian order_;

@@ -148,7 +148,7 @@ std::size_t append_strip(const std::vector<Index>& strip, std::vector<std::vecto
 
 std::string strips_as_faces(std::size_t left_out) {
   return "strips of triangles are read as faces" +
-         (left_out == 0 ? "" : ", without " + counted(left_out, "triangle") + " that name a vertex twice");
+         (left_out == 0 ? "" : ", without " + counted(left_out, "triangle") + " with a vertex named twice");
 }
 
 MeshFile with_faces(MeshFile mesh, std::size_t lines) {

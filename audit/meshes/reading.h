@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,6 +58,9 @@ class Text {
 /// none.
 std::optional<double> nearest_double(std::string_view text);
 
+/// The content of a file in the folder of the one that is read, by its name; refuses what cannot be read.
+using Beside = std::function<std::string(const std::string& name)>;
+
 /// ASCII letters in lower case.
 std::string lower(std::string_view word);
 
@@ -74,11 +78,15 @@ std::string strips_as_faces(std::size_t left_out);
 MeshFile with_faces(MeshFile mesh, std::size_t lines = 0);
 
 /// Whether the content is of that format, and surely of none of those that meshes.cpp tries later.
+bool is_3mf(std::string_view bytes);
+bool is_gltf(std::string_view bytes);
 bool is_obj(std::string_view bytes);
 bool is_off(std::string_view bytes);
 bool is_ply(std::string_view bytes);
 bool is_stl(std::string_view bytes);
 
+MeshFile read_3mf(const std::string& name, std::string_view bytes);
+MeshFile read_gltf(const std::string& name, std::string_view bytes, const Beside& beside);
 MeshFile read_obj(const std::string& name, std::string_view bytes);
 MeshFile read_off(const std::string& name, std::string_view bytes);
 MeshFile read_ply(const std::string& name, std::string_view bytes);

@@ -133,7 +133,7 @@ TEST_CASE("habits: strips of PLY become triangles that all face the same side") 
   // 0 1 3, then 1 3 2 turned: 3 1 2; behind -1 anew: 0 3 1, then 3 1 1 and 1 1 2, which are no triangles
   CHECK(read.faces == Faces{{0, 1, 3}, {3, 1, 2}, {0, 3, 1}});
   CHECK(read.face_lines == std::vector<std::size_t>{14, 14, 14});
-  CHECK(read.notes == Notes{"strips of triangles are read as faces, without 2 triangles that name a vertex twice"});
+  CHECK(read.notes == Notes{"strips of triangles are read as faces, without 2 triangles with a vertex named twice"});
   CHECK(refusal("a.ply", "ply\nformat ascii 1.0\n" + ply_vertices +
                              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + four_rows +
                              "3 0 1 -2\n") == "a.ply:14: index of a vertex");
@@ -213,7 +213,7 @@ TEST_CASE("habits: the content decides, and a name that says something else is n
     }
   }
   CHECK(refusal("a.dat", "x y z\n") ==
-        "a.dat: OBJ, PLY, OFF or STL: neither its content nor its name tells that it is one");
+        "a.dat: OBJ, PLY, OFF, STL, glTF or 3MF: neither its content nor its name tells that it is one");
 }
 
 TEST_CASE("habits: binary files that are cut anywhere are refused in one line") {

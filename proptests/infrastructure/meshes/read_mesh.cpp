@@ -189,7 +189,8 @@ TEST_CASE("meshes: numbers are the nearest doubles, however small or long") {
 }
 
 TEST_CASE("meshes: a refusal names the file, the place and the rule in one line") {
-  CHECK(refusal("a.txt", "") == "a.txt: OBJ, PLY, OFF or STL: neither its content nor its name tells that it is one");
+  CHECK(refusal("a.txt", "") ==
+        "a.txt: OBJ, PLY, OFF, STL, glTF or 3MF: neither its content nor its name tells that it is one");
   CHECK(refusal("a\nb.obj", "v 0") == "a?b.obj:1: three coordinates");
   CHECK_THROWS_AS(audit::read_mesh("/no/such/file.obj"), InvalidInput);
   CHECK_THROWS_AS(audit::read_mesh("."), InvalidInput);

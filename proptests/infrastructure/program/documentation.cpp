@@ -80,7 +80,7 @@ TEST_CASE("documentation: the version names licence, compiler, and of the librar
   CHECK(version.code == nothing_found);
   CHECK_THAT(version.out, StartsWith("touchstone 0.") && ContainsSubstring("\ncompiler: ") &&
                               ContainsSubstring("\nlicence: Apache-2.0\n"));
-  for (const char* library : {"GMP", "MPFR", "nlohmann-json", "{fmt}", "CLI11", "libpng", "zlib"}) {
+  for (const char* library : {"GMP", "MPFR", "nlohmann-json", "{fmt}", "CLI11", "libpng", "zlib", "Expat"}) {
     INFO(library);
     const std::size_t at = version.out.find(std::string("\n  ") + library + " ");
     REQUIRE(at != std::string::npos);

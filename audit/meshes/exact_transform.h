@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "geometry/space.h"
+
+namespace touchstone::audit::meshes {
+
+/// An affine map: the first three entries of a row times the coordinates, plus the fourth, without rounding.
+struct ExactTransform {
+  std::array<std::array<double, 4>, 3> rows{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  friend bool operator==(const ExactTransform&, const ExactTransform&) = default;
+};
+
+/// First `inner`, then `outer`; empty where an entry of the two together is no double.
+std::optional<ExactTransform> composed(const ExactTransform& outer, const ExactTransform& inner);
+
+/// Whether right-handed corners become left-handed ones.
+bool mirrors(const ExactTransform& transform);
+
+/// The image of a point; empty where a coordinate of it is no double.
+std::optional<Point3d> image(const ExactTransform& transform, const Point3d& point);
+
+}  // namespace touchstone::audit::meshes
