@@ -13,7 +13,7 @@ namespace touchstone::audit::meshes {
 namespace {
 
 using gltf::Document, gltf::Elements, gltf::Value;
-using Faces = std::vector<std::vector<Index>>;
+using FaceList = std::vector<std::vector<Index>>;
 
 /// Numbers of glTF's types of components and modes of primitives.
 constexpr std::size_t uint8 = 5121, uint16 = 5123, uint32 = 5125, float32 = 5126;
@@ -175,9 +175,9 @@ class Scene {
     return indices;
   }
 
-  Faces faces_of(const Value& primitive, std::size_t mode, std::size_t vertices) {
+  FaceList faces_of(const Value& primitive, std::size_t mode, std::size_t vertices) {
     const std::vector<Index> indices = indices_of(primitive, vertices);
-    Faces faces;
+    FaceList faces;
     if (mode == strip) {
       strips_ = true;
       left_out_ += append_strip(indices, faces);
