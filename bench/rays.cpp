@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/codec/nearest_double.h"
 #include "catalogue/families/draw_stream.h"
 #include "catalogue/families/named_meshes.h"
 #include "robust/kernel/integers.h"
@@ -160,7 +161,8 @@ Meshd read_obj(const std::filesystem::path& path) {
     std::istringstream words(line);
     std::string kind, a, b, c;
     words >> kind >> a >> b >> c;
-    if (kind == "v") mesh.vertices.push_back({std::stod(a), std::stod(b), std::stod(c)});
+    const auto number = [](const std::string& word) { return catalogue::nearest_double(word).value(); };
+    if (kind == "v") mesh.vertices.push_back({number(a), number(b), number(c)});
     const auto index = [](const std::string& word) { return static_cast<Index>(std::stoul(word) - 1); };
     if (kind == "f") mesh.faces.push_back({index(a), index(b), index(c)});
   }
@@ -218,10 +220,11 @@ int run(double seconds, const char* folder, std::uint64_t seed) {
 }  // namespace touchstone::bench
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 4 || !(std::atof(argv[1]) > 0)) {
+  const double seconds = argc < 2 ? 0 : touchstone::catalogue::nearest_double(argv[1]).value_or(0);
+  if (argc > 4 || !(seconds > 0)) {
     std::fprintf(stderr, "usage: rays SECONDS [FOLDER [SEED]]\n");
     return 2;
   }
-  return touchstone::bench::run(std::atof(argv[1]), argc > 2 ? argv[2] : nullptr,
+  return touchstone::bench::run(seconds, argc > 2 ? argv[2] : nullptr,
                                 argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
 }

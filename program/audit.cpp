@@ -43,17 +43,12 @@ void require_known_families(const AuditOptions& options) {
 
 /// "LEAST,MOST", decimal or hexadecimal.
 Limits limits_named(const std::string& text) {
-  Limits limits;
-  char* rest = nullptr;
-  limits.least = std::strtod(text.c_str(), &rest);
-  const bool two = rest != text.c_str() && *rest == ',';
-  const char* const second = rest + 1;
-  if (two) limits.most = std::strtod(second, &rest);
-  if (!two || rest == second || *rest != 0 || !(limits.least > 0) || !(limits.least <= limits.most) ||
-      !std::isfinite(limits.most)) {
+  const std::size_t comma = std::min(text.find(','), text.size());
+  const auto least = nearest_double(std::string_view(text).substr(0, comma), true),
+             most = nearest_double(std::string_view(text).substr(std::min(comma + 1, text.size())), true);
+  if (!least || !most || !(*least > 0) || !(*least <= *most) || std::isinf(*most))
     throw UsageError("--ordinary " + text + ": LEAST,MOST, two positive numbers, the first not above the second");
-  }
-  return limits;
+  return {*least, *most};
 }
 
 /// The directory of the report is made, and can be written into, before the first question.

@@ -67,6 +67,9 @@ std::ifstream opened_to_read(const std::string& file, const std::string& option)
 
 std::string text_of_file(const std::string& file, const std::string& option) {
   std::ifstream opened = opened_to_read(file, option);
+  std::error_code unknown;
+  if (std::filesystem::is_character_file(file, unknown) || std::filesystem::is_block_file(file, unknown))
+    throw UsageError((option.empty() ? "" : option + " ") + file + ": cannot be read: is a device");
   return std::string(std::istreambuf_iterator<char>(opened), {});
 }
 

@@ -48,7 +48,7 @@ void write_file(const std::string& option, const std::string& file, const std::s
 
 /// A file that can be read. Throws UsageError, which begins with what was given: the option, or nothing, and the name.
 std::ifstream opened_to_read(const std::string& file, const std::string& option = "");
-/// All of it.
+/// All of it. A device is refused as well: it may have no end.
 std::string text_of_file(const std::string& file, const std::string& option = "");
 
 /// What stands before every complaint about a line.

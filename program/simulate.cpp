@@ -57,7 +57,22 @@ std::vector<std::string> runs_named(const std::string& names) {
       throw UsageError("--runs: no run " + name + "; expected float, double, robust");
     runs.push_back(name);
   }
+  if (runs.empty()) throw UsageError("--runs: at least one of float, double, robust");
   return runs;
+}
+
+/// Nothing is written over the scene, nor the page over the trajectory.
+void require_apart(const SimulateCommand& command) {
+  const auto same = [](const std::string& one, const std::string& other) {
+    std::error_code error;
+    if (one.empty() || !(std::filesystem::is_regular_file(one, error) || !std::filesystem::exists(one, error)))
+      return false;
+    return std::filesystem::weakly_canonical(one, error) == std::filesystem::weakly_canonical(other, error) ||
+           std::filesystem::equivalent(one, other, error);
+  };
+  if (same(command.file, command.trajectory)) throw UsageError("--trajectory: " + command.trajectory + " is the scene");
+  if (same(command.file, command.page)) throw UsageError("--page: " + command.page + " is the scene");
+  if (same(command.page, command.trajectory)) throw UsageError("--page: " + command.page + " is the trajectory, too");
 }
 
 /// A trajectory's file, written as the steps are made.
@@ -70,6 +85,7 @@ class Trajectory {
     if (csv_ || file_.empty() || is_standard_output(file_))
       throw UsageError("--resume: needs --trajectory with a file of JSON lines");
     if (!std::filesystem::exists(file_)) return;
+    if (!std::filesystem::is_regular_file(file_)) throw UsageError("--resume: " + file_ + " is no regular file");
     std::uint64_t length = 0;
     try {
       std::ifstream in = opened_to_read(file_, "--trajectory");
@@ -112,6 +128,7 @@ int simulate_command(const SimulateCommand& command, std::ostream& out, std::ost
   const Json json = read_or_refuse(command.file, [&] { return parse_line(text_of_file(command.file)); });
   if (simulate::gas::is_gas(json)) return gas_command(command, json, out, err);
   const auto scene = read_or_refuse(command.file, [&] { return simulate::read_scene(json); });
+  require_apart(command);
   Simulation simulation(scene, runs_named(command.runs));
   if (command.resume && !command.engines.empty()) throw UsageError("--resume: an engine cannot go on from a file");
   for (const std::string& engine : command.engines)

@@ -53,6 +53,8 @@ FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision
 FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
 CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
 CGAL_MAY_BE_PEER = ("proptests/", "bench/", "engines/")
+# They refuse subnormal numbers or read what the locale says; catalogue/codec/nearest_double.h does neither.
+OTHER_READER = re.compile(r"\b(?:sto(?:d|f|ld)|strto(?:d|f|ld)|atof)\b(?= *\()")
 # A family draws its choices from `c`: handed on, or a member called.
 CALL = re.compile(r"\b(?!(?:for|if|while|switch|return)\b)\w+(?:<[\w:]+>)?\(")
 DRAW = re.compile(r"[(,] *c *[,)]|\bc\.\w+\(")
@@ -245,6 +247,13 @@ def reach(sees, start):
     return reached
 
 
+def readers(tree):
+    for name, text in tree.text.items():
+        found = OTHER_READER.search(COMMENT.sub("", text)) if name.endswith((".h", ".cpp")) else None
+        if found:
+            yield f"{name}: {found.group(0)}, another reader of numbers than nearest_double"
+
+
 def lengths(tree):
     for name, text in tree.text.items():
         lines = text.count("\n")
@@ -264,6 +273,7 @@ def defects(root, operations):
     yield from public_headers(tree)
     yield from circles(tree)
     yield from draws(tree)
+    yield from readers(tree)
     yield from lengths(tree)
 
 
@@ -328,6 +338,7 @@ PLANTED = [
     ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
     ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
     ("catalogue/shape/shape.h", '#include "catalogue/operation/row.h"\n', "catalogue/shape: a circle"),
+    ("program/main.cpp", "double x = std::stod(text);\n", "program/main.cpp: stod, another reader of numbers"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),

@@ -8,13 +8,14 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "catalogue/codec/nearest_double.h"
 #include "catalogue/families/draw_stream.h"
 
 namespace touchstone::proptests {
 
 int scaled(int usual) {
   const char* factor = std::getenv("TOUCHSTONE_CASES");
-  const double wanted = factor == nullptr ? usual : usual * std::strtod(factor, nullptr);
+  const double wanted = factor == nullptr ? usual : usual * catalogue::nearest_double(factor).value_or(0);
   return static_cast<int>(std::clamp(wanted, 1.0, 1e9));
 }
 

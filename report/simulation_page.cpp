@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "catalogue/codec/nearest_double.h"
 #include "report/html_parts.h"
 #include "report/wording.h"
 
@@ -19,8 +20,11 @@ using simulate::State;
 
 constexpr std::size_t most_frames = 2000;
 
-/// To so many digits: pages are for the eye.
-Json number(double x, int digits = 6) { return std::stod(fmt::format("{:.{}g}", x, digits)); }
+/// To so many digits: pages are for the eye. Where these are beyond the range, all of them.
+Json number(double x, int digits = 6) {
+  const double shorter = catalogue::nearest_double(fmt::format("{:.{}g}", x, digits)).value_or(x);
+  return std::isfinite(shorter) ? shorter : x;
+}
 template <class Triple>
 Json three(const Triple& v) {
   return Json::array({number(v.x), number(v.y), number(v.z)});

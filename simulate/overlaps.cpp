@@ -17,7 +17,8 @@ bool overlaps(const Json& answer) {
 std::optional<BrokenRule> overlap_at_start(const Scene& scene) {
   const World<Robust> world(scene);
   const State<double> start = scene.start();
-  for (const Touch& touch : world.all_touches()) {
+  Nearby nearby;
+  for (const Touch& touch : world.touches(start, start, nearby, BroadPhase::tree)) {
     Log log;
     if (!world.meet(touch, start, &log) || !overlaps(log[0].answer)) continue;
     const std::string& other = touch.wall ? scene.walls[touch.other].name : scene.bodies[touch.body].name;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/step.h"
 
+#include <algorithm>
+
+#include "catalogue/numbers/kept_digits.h"
+#include "reference/response/impact_step.h"
 #include "simulate/drawn_point.h"
 
 namespace touchstone::simulate {
@@ -115,9 +119,30 @@ class Step {
       const Real time = Real(moment->time * left);
       state_ = moved(time);
       left = Real(left - time);
-      answer(moment->touch, moment->normal, state_, gone());
+      Vector3<Real> normal = moment->normal;
+      if (!impacts_.empty()) {
+        left = reference::between_moments(left);
+        if (shorten(moment->touch)) normal = world_.normal(moment->touch, state_).value_or(normal);
+      }
+      answer(moment->touch, normal, state_, gone());
     }
     state_ = moved(left);
+  }
+
+  /// Keeps 53 digits of what bodies of the touch have from earlier moments of this step, as impact_step does, or digits
+  /// would multiply with every bounce; numbers of 53 digits stay. Whether there was any to shorten.
+  bool shorten(const Touch& touch) {
+    const auto shortened = [this](std::size_t body) {
+      const auto met = [body](const Impact& impact) {
+        return impact.touch.body == body || (!impact.touch.wall && impact.touch.other == body);
+      };
+      if (std::none_of(impacts_.begin(), impacts_.end(), met)) return false;
+      auto& [p, v] = state_[body];
+      for (Real* x : {&p.x, &p.y, &p.z, &v.x, &v.y, &v.z}) *x = reference::between_moments(*x);
+      return true;
+    };
+    const bool first = shortened(touch.body);
+    return (!touch.wall && shortened(touch.other)) || first;
   }
 
   std::optional<Moment> first_moment(const Real& left) const {

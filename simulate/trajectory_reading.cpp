@@ -55,7 +55,7 @@ Impact impact_of(const Place& place, const Scene& scene) {
   return {touch, place.at("time").number(), place.at("point").three<Point3d>(), place.at("normal").three<Vector3d>()};
 }
 
-/// Checks the hashes, and that the drift is the change of energy.
+/// Checks the hashes, and that the drift is the change of energy: nothing at the start.
 Snapshot snapshot_of(const Place& place, const Scene& scene, const Snapshot* before) {
   Snapshot then;
   const Place bodies = place.at("bodies"), contacts = place.at("contacts"), drift = place.at("drift");
@@ -71,8 +71,12 @@ Snapshot snapshot_of(const Place& place, const Scene& scene, const Snapshot* bef
   place.at("energy").require(catalogue::written(then.energy).get<std::string>());
   place.at("hash").require(in_digits(then.hash));
   place.at("chain").require(in_digits(then.chain));
-  if (before != nullptr && then.energy - before->energy != then.drift.total())
+  if (before == nullptr) {
+    for (const char* part : {"scheme", "decision", "rounding"})
+      if (sgn(drift.at(part).rational()) != 0) throw InvalidInput(drift.at(part).path, "0 before the first step");
+  } else if (then.energy - before->energy != then.drift.total()) {
     throw InvalidInput(drift.path, "its parts add up to the change of energy");
+  }
   return then;
 }
 

@@ -96,8 +96,14 @@ std::vector<Touch> World<By>::all_touches() const {
 
 template <class By>
 const std::vector<Touch>& World<By>::touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const {
+  return touches(from, to, nearby, settings_.broad_phase);
+}
+
+template <class By>
+const std::vector<Touch>& World<By>::touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
+                                             BroadPhase broad_phase) const {
   auto& [boxes, planes, tree, touches] = nearby;
-  if (settings_.broad_phase == BroadPhase::all_pairs) return touches = all_touches();
+  if (broad_phase == BroadPhase::all_pairs) return touches = all_touches();
   boxes.clear(), planes.clear(), touches.clear();
   for (std::size_t i = 0; i < bodies(); ++i) {
     Aabb3d box{};
@@ -114,7 +120,7 @@ const std::vector<Touch>& World<By>::touches(const State<Real>& from, const Stat
   const auto add = [this, &list = touches](std::size_t i, std::size_t j) {
     if (!solids_[i].fixed || !solids_[j].fixed) list.push_back({false, i, j});
   };
-  if (settings_.broad_phase == BroadPhase::tree && all_finite(boxes)) {
+  if (broad_phase == BroadPhase::tree && all_finite(boxes)) {
     for (const auto& [i, j] : tree.pairs(boxes)) add(i, j);
   } else {
     for (const auto& [i, j] : near_pairs(boxes)) add(i, j);

@@ -43,14 +43,15 @@ class World {
   const Real& timestep() const { return timestep_; }
   const Real& restitution() const { return restitution_; }
 
-  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls.
-  std::vector<Touch> all_touches() const;
-  /// Of these, pairs whose boxes meet on the way between the two states, and walls that a box reaches, if the scene has
+  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls; of these, pairs whose boxes meet on the way between the two states, and walls that a box reaches, if the scene has
   /// a broad phase; all otherwise. The boxes are wider than the bodies by 2^-20 of their coordinates, which is more
   /// than float's formulas for two bodies at rest are wrong by (their contracts), so that with option 1 the steps are
   /// the same. Formulas for moving bodies may see contacts far off: these are not asked then. The list stands in
   /// `nearby`, until the next call with it.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const;
+  /// The same as if the scene had that broad phase.
+  const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
+                                    BroadPhase broad_phase) const;
 
   /// Whether they have a common point in these positions (p. 22, 44-50).
   bool meet(const Touch& touch, const State<Real>& at, Log* log) const;
@@ -65,6 +66,7 @@ class World {
   void respond(const Touch& touch, State<Real>& state, const Vector3<Real>& normal) const;
 
  private:
+  std::vector<Touch> all_touches() const;
   Sphere3<Real> ball(std::size_t body, const State<Real>& at) const {
     return {at[body].position, solids_[body].radius};
   }

@@ -4,6 +4,7 @@
 
 #include "audit/meshes/reading.h"
 #include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/nearest_double.h"
 
 namespace touchstone::audit::meshes {
 namespace {

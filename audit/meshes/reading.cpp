@@ -4,53 +4,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <system_error>
 
 #include "audit/counted.h"
+#include "catalogue/codec/nearest_double.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::audit::meshes {
-namespace {
-
-bool digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether a decimal number is at least 1: where its first digit that counts stands, moved by the exponent.
-bool at_least_one(std::string_view text) {
-  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
-  const std::string_view digits = text.substr(0, e);
-  const std::size_t dot = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
-  if (first == digits.npos) return false;
-  const long long place = first < dot ? static_cast<long long>(dot - first) - 1 : -static_cast<long long>(first - dot);
-  long long exponent = 0;
-  if (e < text.size()) {
-    std::string_view power = text.substr(e + 1);
-    const bool negative = power.starts_with('-');
-    if (negative || power.starts_with('+')) power.remove_prefix(1);
-    const long long huge = std::numeric_limits<long long>::max() / 2;
-    if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec != std::errc() || exponent > huge)
-      exponent = huge;
-    if (negative) exponent = -exponent;
-  }
-  return place + exponent >= 0;
-}
-
-}  // namespace
-
-std::optional<double> nearest_double(std::string_view text) {
-  const bool negative = text.starts_with('-');
-  if (negative || text.starts_with('+')) text.remove_prefix(1);
-  if (text.empty() || !(digit(text[0]) || text[0] == '.')) return std::nullopt;  // from_chars takes "inf" and "-1"
-  double value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (stop != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) {
-    value = at_least_one(text) ? std::numeric_limits<double>::infinity() : 0.0;
-  } else if (error != std::errc()) {
-    return std::nullopt;
-  }
-  return negative ? -value : value;
-}
 
 std::string_view without_mark(std::string_view bytes) {
   constexpr std::string_view mark = "\xef\xbb\xbf";

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,10 +52,6 @@ class Text {
   std::vector<std::string_view> words_;
   std::size_t number_ = 0, used_ = 0;
 };
-
-/// The double nearest to a decimal number, which may have a sign; infinity beyond the greatest; empty where the text is
-/// none.
-std::optional<double> nearest_double(std::string_view text);
 
 /// The content of a file in the folder of the one that is read, by its name; refuses what cannot be read.
 using Beside = std::function<std::string(const std::string& name)>;

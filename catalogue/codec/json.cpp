@@ -2,14 +2,13 @@
 #include "catalogue/codec/json.h"
 
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <set>
-#include <system_error>
 
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
+#include "catalogue/codec/nearest_double.h"
 
 namespace touchstone::catalogue {
 namespace {
@@ -93,22 +92,12 @@ Token number_token(const Json& value, const std::string& field) {
 }
 
 double nearest(const Token& token, const std::string& field, const Json& typed) {
-  double value = 0;
-  const auto format = token.hexadecimal ? std::chars_format::hex : std::chars_format::general;
-  const char* end = token.text.data() + token.text.size();
-  const auto [stop, error] = std::from_chars(token.text.data(), end, value, format);
-  if (error == std::errc::result_out_of_range) {
-    // Out of range at either end: what is below half of the least subnormal is 0, what is beyond the greatest double is
-    // refused. The C library tells which, whatever the size of the exponent.
-    const bool minus = token.text[0] == '-';
-    const std::string spelled =
-        (minus ? "-" : "") + std::string(token.hexadecimal ? "0x" : "") + token.text.substr(minus ? 1 : 0);
-    const double value_or_infinity = std::strtod(spelled.c_str(), nullptr);
-    if (std::isinf(value_or_infinity)) throw InvalidInput(field, "finite number");
-    return value_or_infinity;
-  }
-  if (error != std::errc() || stop != end) throw InvalidInput(field, expected("a number", typed));
-  return value;
+  const std::size_t sign = token.text[0] == '-' ? 1 : 0;
+  const auto value = token.hexadecimal ? nearest_double((sign == 1 ? "-0x" : "0x") + token.text.substr(sign), true)
+                                       : nearest_double(token.text);
+  if (!value) throw InvalidInput(field, expected("a number", typed));
+  if (std::isinf(*value)) throw InvalidInput(field, "finite number");
+  return *value;
 }
 
 mpq_class power(unsigned base, long exponent) {

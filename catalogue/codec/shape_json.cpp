@@ -126,7 +126,11 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
       if (reached > furthest) complaint.emplace(refused), furthest = reached;
     }
   }
-  throw InvalidInput(*complaint);
+  if (named) throw InvalidInput(*complaint);
+  std::string first_fields;
+  for (const Shape::Part& part : shape.parts)
+    first_fields += (first_fields.empty() ? "" : ", ") + std::string(part.shape->parts[0].name);
+  throw InvalidInput(path, expected("an object with one of " + first_fields, json));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "robust/kernel/dyadic.h"
 #include "robust/kernel/one_root.h"
 #include "robust/kernel/pushes_at_a_root.h"
+#include "robust/kernel/rational_pushes.h"
 #include "robust/kernel/valid_bodies.h"
 
 namespace touchstone::robust {
@@ -251,11 +252,29 @@ class Step {
     }
     return kernel::impulses_of(program);
   }
+  /// At a moment that is rational. Bodies are counted in the order in which contacts name them.
+  std::vector<OneRoot> rational_impulses(const std::vector<Met>& group) const {
+    std::vector<PointBody<Rational>> bodies;
+    std::map<std::size_t, Index> index;
+    const auto index_of = [&](std::size_t place) {
+      const auto [at, fresh] = index.try_emplace(place, static_cast<Index>(bodies.size()));
+      if (fresh && is_wall(place)) bodies.push_back({0, {0, 0, 0}});
+      else if (fresh) bodies.push_back({flights_[place].inverse_mass, flights_[place].velocity});
+      return at->second;
+    };
+    std::vector<BodyContact<Rational>> contacts;
+    for (const Met& c : group) {
+      const Index a = index_of(c.pair.body), b = index_of(c.pair.other);
+      contacts.push_back({a, b, {c.normal.x.p, c.normal.y.p, c.normal.z.p}});
+    }
+    const std::vector<Rational> found = kernel::impulses_of(bodies, contacts, bounce_);
+    return {found.begin(), found.end()};
+  }
 
   void answer(const OneRoot& t, const std::vector<std::vector<Met>>& groups, const std::vector<Pair>& all) {
     std::map<std::size_t, Vector3<OneRoot>> after;
     for (const auto& group : groups) {
-      const std::vector<OneRoot> found = impulses(group);
+      const std::vector<OneRoot> found = t.rational() ? rational_impulses(group) : impulses(group);
       for (std::size_t k = 0; k < group.size(); ++k) {
         const Met& c = group[k];
         for (const std::size_t place : {c.pair.body, c.pair.other}) {

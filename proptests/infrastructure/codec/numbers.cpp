@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "catalogue/codec/json.h"
+#include "catalogue/codec/nearest_double.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
@@ -114,6 +115,19 @@ TEST_CASE("numbers: NaN and infinities name their field") {
   CHECK(answered("0.25") == 0.25);
   CHECK(written(std::nan("")) == "nan");
   CHECK(written(-HUGE_VAL) == "-inf");
+}
+
+TEST_CASE("numbers: the one reader reads subnormal numbers, tells infinity from 0, and takes nothing but a number") {
+  CHECK(nearest_double("1e-310") == 1e-310);
+  CHECK(nearest_double("+.5") == 0.5);
+  CHECK(nearest_double("-1e400") == -HUGE_VAL);
+  CHECK(nearest_double("0.0001e99999999999999999999") == HUGE_VAL);
+  CHECK(nearest_double("100e-99999999999999999999") == 0);
+  CHECK(nearest_double("-0x1.8p+1", true) == -3);
+  CHECK(nearest_double("0xep1024", true) == HUGE_VAL);
+  CHECK(nearest_double("0x.0001p-2000", true) == 0);
+  for (const char* none : {"", "-", ".", "+-1", "1e", "inf", "nan", "0x1", " 1", "1 "}) CHECK(!nearest_double(none));
+  for (const char* none : {"0x", "0x-1", "0xinf", "0x1p", "--0x1"}) CHECK(!nearest_double(none, true));
 }
 
 TEST_CASE("numbers: what is no number is refused as one") {

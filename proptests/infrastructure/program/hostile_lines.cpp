@@ -50,6 +50,14 @@ TEST_CASE("program: a vector nested 100,000 deep is complained about, and the ot
   CHECK(call.out == "2 vectors, 2 refused\n");
 }
 
+TEST_CASE("program: an object without fields, where one of several is meant, is told what each begins with") {
+  const TextFile line("commands.jsonl", R"({"boxes":[],"commands":[{}]})"
+                                        "\n");
+  require_refused(called({"ask", "broad_phase", line.path()}), bad_usage,
+                  "commands[0]: expected an object with one of insert, move, remove, ask, in_box, at_point, along_ray, "
+                  "got {}");
+}
+
 TEST_CASE("program: a key of a line is shown without control characters, and of a long one the beginning") {
   const TextFile escape("escape.jsonl", "{\"\\u001b[2J\\u0000\\u009b\":1}\n{\"a\":{\"\\u0007\":1,\"\\u0007\":2}}\n");
   const Called escaped = called({"ask", "segment_segment", escape.path()});

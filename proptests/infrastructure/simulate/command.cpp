@@ -78,6 +78,41 @@ TEST_CASE("simulate: what cannot be done is told in one line") {
                   "an exact gas has no steps");
 }
 
+TEST_CASE("simulate: an empty list of runs, and a file for two things, are wrong usage, and nothing is written") {
+  require_refused(called({"simulate", two_balls, "--runs", ""}), bad_usage,
+                  "--runs: at least one of float, double, robust");
+  const std::string text = text_in("simulate/scenes/projectile.json");
+  const TextFile scene("scene.json", text);
+  const std::string elsewhere =
+      (std::filesystem::path(scene.path()).parent_path() / "." / std::filesystem::path(scene.path()).filename())
+          .string();
+  for (const char* option : {"--trajectory", "--page"})
+    for (const char* name : {scene.path(), elsewhere.c_str()})
+      require_refused(called({"simulate", scene.path(), option, name}), bad_usage,
+                      option + std::string(": ") + name + " is the scene");
+  CHECK(text_in(scene.path()) == text);
+  const std::string made = elsewhere + ".out";
+  require_refused(called({"simulate", scene.path(), "--trajectory", made.c_str(), "--page", made.c_str()}), bad_usage,
+                  "is the trajectory, too");
+  CHECK(!std::filesystem::exists(made));
+}
+
+TEST_CASE("simulate: a device, which may have no end, is not read") {
+  require_refused(called({"simulate", "/dev/zero"}), bad_usage, "/dev/zero: cannot be read: is a device");
+  require_refused(called({"simulate", two_balls, "--trajectory", "/dev/zero", "--resume"}), bad_usage,
+                  "--resume: /dev/zero is no regular file");
+}
+
+TEST_CASE("simulate: a page is written where numbers are subnormal, or near the end of the range") {
+  const TextFile page("page.html", "");
+  const TextFile scene("small.json", R"({"touchstone_scene":1,"advance":{"timestep":1,"option":1},"bodies":[)" +
+                                         particle("[1e-310,0,0]", "[1.797693e308,0,0]") + "]}");
+  const Called call = called({"simulate", scene.path(), "--steps", "0", "--page", page.path()});
+  CHECK(call.code == nothing_found);
+  CHECK(call.err.empty());
+  CHECK_THAT(text_in(page.path()), ContainsSubstring("1e-310,0,0,1.79769e+308"));
+}
+
 TEST_CASE("simulate: a run that cannot go on ends with what was made until then") {
   const TextFile scene("far.json", R"({"touchstone_scene":1,"advance":{"timestep":1,"option":1},"bodies":[)" +
                                        particle("[1e308,0,0]", "[6e307,0,0]") + "]}");

@@ -121,6 +121,22 @@ TEST_CASE("scene files: bodies may touch at the start, and not overlap; a subnor
   CHECK(refusal_of(two("0.9999999999999999")) == "bodies[1].position: overlaps bodies[0] at the start");
 }
 
+TEST_CASE("scene files: of many bodies only those that are near each other are compared for an overlap") {
+  // All pairs of these would take minutes.
+  constexpr int n = 30'000;
+  const auto text = [](int last) {
+    std::string balls;
+    for (int i = 0; i <= n; ++i) {
+      const int at = i < n ? i : last;
+      balls += (i == 0 ? "" : ",") +
+               sphere(0.25, "[" + std::to_string(at % 100) + "," + std::to_string(at / 100) + ",0]", "[0,0,0]");
+    }
+    return scene_text(step, "\"bodies\":[" + balls + "]");
+  };
+  CHECK(refusal_of(text(n)) == "read");
+  CHECK(refusal_of(text(777)) == "bodies[30000].position: overlaps bodies[777] at the start");
+}
+
 TEST_CASE("scene files: springs hold particles alone; option 2 has spheres or boxes") {
   const std::string ball = sphere(1, "[0,5,0]", "[0,0,0]");
   const std::string box = R"({"shape":{"box":{"half_extents":[1,1,1]}},"position":[9,9,9]})";

@@ -218,16 +218,20 @@ TEST_CASE("scenes: two balls in a box: float decides otherwise at step 279, doub
   CHECK(simulation.partings()[2].step > 500);
 }
 
-TEST_CASE("scenes: a billiard break loses no energy by its scheme, and float's runs of contacts part") {
+TEST_CASE(
+    "scenes: a billiard break loses no energy by its scheme but what several contacts of a ball in one step round, "
+    "and float's runs of contacts part") {
   const Scene scene = shipped("billiard_break");
   Simulation simulation(scene, every);
-  std::size_t pairs = 0;
+  unsigned long pairs = 0;
   while (simulation.step() < scene.settings.steps) {
     simulation.advance();
     for (const auto& impact : simulation.run(2).now().impacts) pairs += impact.touch.wall ? 0 : 1;
   }
   CHECK(pairs > 20);
-  for (std::size_t i = 0; i < every.size(); ++i) CHECK(simulation.run(i).drift().scheme == 0);
+  // A number of 53 digits is off by 2^-53 of itself at most, and an energy by little more than twice that.
+  const mpq_class once = simulation.run(2).now().energy / (1L << 51);
+  for (std::size_t i = 0; i < every.size(); ++i) CHECK(abs(simulation.run(i).drift().scheme) < pairs * once);
   REQUIRE(!simulation.partings().empty());
   CHECK(simulation.partings()[0].first == "float");
 }

@@ -177,6 +177,19 @@ TEST_CASE("impact_step: several contacts at one moment, by hand") {
                         {state(1, 0, 0, 0), state(3, 0, 2, 0), state(1, 9, 0, 0), state(3, 9, 2, 0)}));
 }
 
+TEST_CASE("impact_step: two hundred balls in a row that touch, one of them moving, are answered by robust at once") {
+  constexpr int n = 200;
+  std::vector<StepBodyd> row;
+  for (int i = 0; i < n; ++i) row.push_back(ball(i, 0, 0.5, i == 0 ? 2 : 0, 0));
+  const ImpactStepd step = robust::impact_step(row, {}, 1, 0.5);
+  REQUIRE(step.moments.size() == 1);
+  CHECK(step.moments[0].contacts.size() == n - 1);
+  // The others move together at u, away from the first at 2, and the sum is 2: n u - 2 = 2.
+  REQUIRE(step.bodies.has_value());
+  CHECK((*step.bodies)[0].velocity.x == -1.98);
+  for (int i = 1; i < n; ++i) CHECK((*step.bodies)[i].velocity.x == 0.02);
+}
+
 TEST_CASE("impact_step: where a step is not finished") {
   // To and fro between x = 0 and x = 1: 1/64, then every 1/32.
   Moments moments;
