@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 
 #include "audit/repeat.h"
 #include "catalogue/codec/plain.h"
+#include "oracle/exact/surd.h"
 #include "report/viewport.h"
 
 namespace touchstone::report {
@@ -20,11 +22,24 @@ bool is_exact_value(const std::string& text) {
          std::count(text.begin(), text.end(), '/') <= 1;
 }
 
+/// The number of a text with a root, to as many digits as anybody reads; empty where it is none.
+std::optional<mpq_class> number_with_root(const std::string& text) {
+  constexpr long bits = 1074 + 200;
+  if (text.find("sqrt(") == std::string::npos) return std::nullopt;
+  try {
+    return oracle::surd_of(text).enclosure(bits).low;
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
 /// Long exact values made short.
 Json abbreviated(const Json& answer, std::size_t most, std::size_t digits_kept) {
   if (answer.is_string()) {
     const std::string& text = answer.get_ref<const std::string&>();
-    if (text.size() > most && is_exact_value(text)) return readable(mpq_class(text), most, digits_kept);
+    if (text.size() <= most) return answer;
+    if (is_exact_value(text)) return readable(mpq_class(text), most, digits_kept);
+    if (const auto number = number_with_root(text)) return readable(*number, most, digits_kept);
     return answer;
   }
   if (!answer.is_structured()) return answer;

@@ -279,4 +279,14 @@ TEST_CASE("reports: a point a hair beside an edge of a polygon is seen in a seco
   CHECK(drawing_svg(drawing, "spike").find("around polygon, ") != std::string::npos);
 }
 
+TEST_CASE("reports: long exact numbers are abbreviated, roots too, and other long words are not") {
+  const std::string one = "1" + std::string(60, '0') + "1/1" + std::string(61, '0');
+  const auto said = [](const std::string& text) { return readable(Json{{"distance", text}}, 48, 6)["distance"]; };
+  CHECK(said(one) == "about 1");
+  CHECK(said(one + "*sqrt(2)") == "about 1.41421");
+  CHECK(said("3/2*sqrt(2)") == "3/2*sqrt(2)");
+  const std::string word = "sqrt(" + std::string(60, 'x') + ")";
+  CHECK(said(word) == word);
+}
+
 }  // namespace touchstone::proptests::reports_tests
