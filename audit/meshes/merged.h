@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "audit/meshes.h"
+
+/// Vertices of a mesh that are one by their positions.
+namespace touchstone::audit {
+
+/// Tolerances beyond it would merge what a mesh shows.
+inline constexpr double most_to_merge = 0.01;
+
+struct Merging {
+  std::vector<Index> into;  ///< of each vertex the first of those that are one with it, which may be itself
+  std::size_t merged = 0;   ///< how many are one with an earlier vertex
+  double largest = 0;       ///< the largest distance of a vertex from the one that it becomes
+};
+
+/// The longest side of the box that holds the vertices, its sides along the axes.
+double size_of(const std::vector<Point3d>& vertices);
+
+/// Which vertices are one. Tolerance 0: those in equal positions. Tolerance t > 0, at most `most_to_merge`: those nearer
+/// than t times the size, and those that a chain of such pairs joins (single linkage). Distances are those of double
+/// arithmetic. The time is that of sorting, as long as few vertices are near one another.
+Merging merging_of(const std::vector<Point3d>& vertices, double tolerance);
+
+/// Visits each pair of vertices nearer than t times the size that are not in one position; of equal positions only the
+/// first vertex takes part. `merging_of` says of which tolerances and in what time.
+using VisitPair = std::function<void(Index, Index, double distance)>;
+void each_near_pair(const std::vector<Point3d>& vertices, double tolerance, const VisitPair& visit);
+
+}  // namespace touchstone::audit
