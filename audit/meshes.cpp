@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "audit/counted.h"
+#include "audit/meshes/prepared.h"
 #include "audit/meshes/reading.h"
 #include "catalogue/codec/expected.h"
 #include "geometry/invalid_input.h"
-#include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::audit {
 namespace {
@@ -82,8 +82,6 @@ MeshFile read(const std::string& name, std::string_view bytes, const meshes::Bes
   return mesh;
 }
 
-Meshd cut(MeshFile file) { return robust::polygon_mesh(std::move(file.vertices), std::move(file.faces)); }
-
 }  // namespace
 
 MeshFile read_mesh_file(const std::string& path) {
@@ -119,8 +117,10 @@ std::vector<std::string> reading_of(const MeshFile& mesh) {
   return lines;
 }
 
-Meshd read_mesh(const std::string& path) { return cut(read_mesh_file(path)); }
+Meshd read_mesh(const std::string& path) { return prepared(read_mesh_file(path), {}).mesh; }
 
-Meshd parse_mesh(const std::string& name, std::string_view bytes) { return cut(parse_mesh_file(name, bytes)); }
+Meshd parse_mesh(const std::string& name, std::string_view bytes) {
+  return prepared(parse_mesh_file(name, bytes), {}).mesh;
+}
 
 }  // namespace touchstone::audit

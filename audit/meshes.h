@@ -61,7 +61,7 @@ MeshFile parse_mesh_file(const std::string& name, std::string_view bytes);
 /// passed over.
 std::vector<std::string> reading_of(const MeshFile& mesh);
 
-/// Faces of more than three corners are polygons with their cut (robust/structures/polygon_mesh.h), or refused.
+/// Faces of more than three corners are polygons with their cut, or refused (`prepared`, audit/meshes/prepared.h).
 Meshd read_mesh(const std::string& path);
 Meshd parse_mesh(const std::string& name, std::string_view bytes);
 

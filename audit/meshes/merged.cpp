@@ -118,4 +118,17 @@ Merging merging_of(const std::vector<Point3d>& vertices, double tolerance) {
   return result;
 }
 
+std::vector<std::vector<Index>> faces_after(const std::vector<std::vector<Index>>& faces, const Merging& merging) {
+  std::vector<std::vector<Index>> result;
+  result.reserve(faces.size());
+  for (const std::vector<Index>& face : faces) {
+    std::vector<Index>& corners = result.emplace_back();
+    for (const Index v : face)
+      if (corners.empty() || corners.back() != merging.into[v]) corners.push_back(merging.into[v]);
+    while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
+    if (corners.size() < 3) corners.clear();
+  }
+  return result;
+}
+
 }  // namespace touchstone::audit

@@ -27,6 +27,10 @@ double size_of(const std::vector<Point3d>& vertices);
 /// arithmetic. The time is that of sorting, as long as few vertices are near one another.
 Merging merging_of(const std::vector<Point3d>& vertices, double tolerance);
 
+/// The faces of the merged mesh, over the vertices of the old one. Corners that are then named twice in a row are named
+/// once; a face with fewer than three left has none.
+std::vector<std::vector<Index>> faces_after(const std::vector<std::vector<Index>>& faces, const Merging& merging);
+
 /// Visits each pair of vertices nearer than t times the size that are not in one position; of equal positions only the
 /// first vertex takes part. `merging_of` says of which tolerances and in what time.
 using VisitPair = std::function<void(Index, Index, double distance)>;

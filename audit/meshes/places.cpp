@@ -48,9 +48,4 @@ std::string place_of_face(const MeshFile& file, std::size_t face) {
   return file.face_lines.empty() ? file.name : file.name + ":" + std::to_string(file.face_lines[face]);
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  if (count == 1) return "1 " + noun;
-  return std::to_string(count) + " " + (noun == "vertex" ? "vertices" : noun + "s");
-}
-
 }  // namespace touchstone::audit

@@ -19,7 +19,5 @@ std::string faces_in_words(const MeshFile& file, std::size_t one,
 std::string edge_in_words(const MeshFile& file, std::size_t from, std::size_t to);
 /// "notch.obj:17" where the face stands; of a binary file its name.
 std::string place_of_face(const MeshFile& file, std::size_t face);
-/// "1 face", "3 faces"
-std::string counted(std::size_t count, const std::string& noun);
 
 }  // namespace touchstone::audit

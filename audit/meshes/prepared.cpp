@@ -7,8 +7,10 @@
 #include <utility>
 #include <variant>
 
+#include "audit/counted.h"
 #include "audit/meshes/askew.h"
 #include "audit/meshes/merged.h"
+#include "audit/meshes/reading.h"
 #include "catalogue/codec/json.h"
 #include "geometry/invalid_input.h"
 #include "robust/kernel/polygon_faces.h"
@@ -67,18 +69,11 @@ class Preparing {
       }
     }
     tell_merging(merging);
-    std::vector<Corners> faces;
+    std::vector<Corners> faces = faces_after(file_.faces, merging);
     std::vector<std::size_t> gone, smaller;
-    for (std::size_t i = 0; i < file_.faces.size(); ++i) {
-      Corners& corners = faces.emplace_back();
-      for (const Index v : file_.faces[i])
-        if (corners.empty() || corners.back() != place[v]) corners.push_back(place[v]);
-      while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
-      if (corners.size() < 3) {
-        gone.push_back(i), corners.clear();
-      } else if (corners.size() < file_.faces[i].size()) {
-        smaller.push_back(i);
-      }
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      for (Index& corner : faces[i]) corner = place[corner];
+      if (faces[i].size() < file_.faces[i].size()) (faces[i].empty() ? gone : smaller).push_back(i);
     }
     tell_faces(gone, "with fewer than three corners left dropped");
     tell_faces(smaller, "left without the corners that would stand twice in a row");
@@ -94,8 +89,8 @@ class Preparing {
       return;
     }
     const std::string moved = merging.largest > 0 ? ", the largest distance being " + decimal(merging.largest) : "";
-    made_.done.push_back(counted(merging.merged, "vertex") + " merged into others, those " + which + moved + "; " +
-                         counted(mesh().vertices.size(), "vertex") + " left");
+    made_.done.push_back(meshes::vertices(merging.merged) + " merged into others, those " + which + moved + "; " +
+                         meshes::vertices(mesh().vertices.size()) + " left");
   }
 
   void tell_faces(const std::vector<std::size_t>& faces, const std::string& what) {
@@ -154,7 +149,7 @@ class Preparing {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Index one = corners[k], next = corners[(k + 1) % corners.size()];
       if (!(mesh().vertices[one] == mesh().vertices[next])) continue;
-      row_ = defects_.empty() ? std::pair{made_.vertex_in_file[one], made_.vertex_in_file[next]} : row_;
+      if (defects_.empty()) row_ = {made_.vertex_in_file[one], made_.vertex_in_file[next]};
       note(one == next ? Defect::repeated_corner : Defect::repeated_position, face);
       return true;
     }
@@ -199,8 +194,8 @@ class Preparing {
           rule += ", and " + counted(count - 1, "face") + " more " + (count == 2 ? "is" : "are") +
                   " not planar, the worst " + face_in_words(file_, worst) + ", by " + decimal(most);
         }
-        return refuse(
-            face, rule + "; --planar TOLERANCE or --cut fan|shortest makes a solid of " + (count == 1 ? "it" : "them"));
+        rule += "; --planar TOLERANCE or --cut fan|shortest makes a solid of ";
+        refuse(face, rule + (count == 1 ? "it" : "them"));
       case Defect::crossing_projection:
         rule = "planar: it is not, and as seen along an axis it crosses itself or encloses no area; --cut fan cuts it";
         break;
