@@ -116,6 +116,14 @@ struct SimulateCommand {
   double timeout = usual_timeout;
 };
 
+struct MeshCommand {
+  std::vector<std::string> files;
+  std::optional<double> merge, planar;
+  std::optional<std::string> cut;  ///< "fan" or "shortest"
+  std::string repair, page;        ///< files; empty: none
+  bool json = false;
+};
+
 int ops_command(bool json, std::ostream& out);
 /// docs/operations.md: each operation's C++ signature, JSON fields and words.
 int operations_page_command(std::ostream& out);
@@ -136,6 +144,9 @@ int vectors_write_command(const std::string& directory, const std::string& opera
 int check_engine_command(const CheckEngineCommand& command, std::ostream& out, std::ostream& err);
 int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
+
+/// What meshes are, what is wrong with them and what would mend it: one in words, several as a table.
+int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& err);
 
 int simulate_command(const SimulateCommand& command, std::ostream& out, std::ostream& err);
 

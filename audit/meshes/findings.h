@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/meshes/diagnosis.h"
+#include "audit/meshes/merged.h"
+#include "audit/meshes/shorter_faces.h"
+#include "audit/meshes/surface.h"
+#include "audit/meshes/turning.h"
+
+/// What a diagnosis finds, each kind in words.
+namespace touchstone::audit::meshes {
+
+struct Examined {
+  const MeshFile& file;                   ///< as it was read: its numbers are those of all words
+  MeshFile mesh;                          ///< with its faces as they are after merging; vertices keep their places
+  std::vector<std::size_t> face_in_file;  ///< of each face of `mesh`
+  Surface surface;
+};
+
+/// few_faces, and faces that are no polygons.
+std::vector<Found> defects_of_faces(const Examined& examined, const Preparation& how);
+/// repeated_face to pinched_vertex.
+std::vector<Found> defects_of_surface(const Examined& examined);
+/// flat_face and meeting_faces.
+std::vector<Found> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
+                                    const PolyhedronComplexity<double>& complexity);
+/// one_sided to filled_cavity.
+std::vector<Found> defects_of_turning(const Examined& examined, const Turning& turning);
+
+/// "face 3 (line 12)", "faces 3 (line 12), 5 (line 14), 6 (line 15) and 4 more"
+std::string faces_listed(const MeshFile& file, const std::vector<std::size_t>& faces);
+/// "16 of 24 vertices merged into others in equal positions"
+std::string merging_in_words(const Merging& merging);
+
+}  // namespace touchstone::audit::meshes

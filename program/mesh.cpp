@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "audit/meshes/in_words.h"
+#include "audit/meshes/repair.h"
+#include "program/commands.h"
+#include "program/names.h"
+#include "program/progress.h"
+#include "report/mesh_page.h"
+
+namespace touchstone::program {
+namespace {
+
+Preparation preparation_of(const MeshCommand& command) {
+  Preparation how;
+  if (command.cut) how.cut = *command.cut == "fan" ? Preparation::Cut::fan : Preparation::Cut::shortest;
+  how.planar = command.planar, how.merge = command.merge;
+  return how;
+}
+
+void require_other_file(const std::string& option, const std::string& written, const std::string& read) {
+  std::error_code unknown;
+  if (written == read || std::filesystem::equivalent(written, read, unknown))
+    throw UsageError(option + ": " + written + ": is the mesh that is read");
+}
+
+/// What a file turned out to be.
+struct Row {
+  MeshFile file;
+  std::optional<Diagnosis> diagnosis;  ///< empty where the file cannot be read
+};
+
+/// What is certain of a repair, and what it leaves.
+struct Mended {
+  Repaired repaired;
+  Diagnosis left;
+};
+
+Mended mended(const MeshFile& file, const Preparation& how, const TellStep& tell) {
+  Mended result{repaired(file, how, tell), {}};
+  result.left = diagnosed(result.repaired.mesh, {how.cut, how.planar, std::nullopt}, tell);
+  return result;
+}
+
+void print_words(const Row& row, std::ostream& out) {
+  const std::vector<std::string> lines = description_of(row.file, *row.diagnosis);
+  for (const std::string& line : lines) out << (&line == &lines[0] ? "" : "  ") << line << '\n';
+  out << verdict_of(*row.diagnosis) << '\n';
+  for (const Found& found : row.diagnosis->found) {
+    out << "- " << found.what << '\n';
+    if (!found.where.empty()) out << "  " << found.where << '\n';
+    out << "  to mend: " << found.mend << '\n';
+  }
+}
+
+void print_repair(const MeshCommand& command, const Mended& mended, std::ostream& out) {
+  const std::vector<std::string>& changes = mended.repaired.changes;
+  if (command.repair.empty()) {
+    if (changes.empty()) return;
+    out << "--repair OUT would do this:\n";
+  } else {
+    out << command.repair << ": written, " << (changes.empty() ? "with no change\n" : "with these changes:\n");
+  }
+  for (const std::string& change : changes) out << "- " << change << '\n';
+  out << "After that: " << defects_in_short(mended.left) << '\n';
+}
+
+/// Columns as wide as they have to be, numbers to the right.
+void print_table(const std::vector<Row>& rows, std::ostream& out) {
+  std::vector<std::array<std::string, 6>> cells{{"file", "vertices", "faces", "parts", "solid", "the worst"}};
+  for (const Row& row : rows) {
+    if (!row.diagnosis) {
+      cells.push_back({row.file.name, "", "", "", "", "cannot be read"});
+      continue;
+    }
+    const Diagnosis& found = *row.diagnosis;
+    cells.push_back({row.file.name, std::to_string(found.vertices), std::to_string(found.faces),
+                     std::to_string(found.components), found.solid() ? "yes" : "no",
+                     found.solid() ? "" : found.found[0].what});
+  }
+  std::array<std::size_t, 6> width{};
+  for (const auto& row : cells)
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  for (const auto& row : cells) {
+    std::string line = fmt::format("{:{}}  {:>{}}  {:>{}}  {:>{}}  {:{}}  {}", row[0], width[0], row[1], width[1], row[2],
+                                   width[2], row[3], width[3], row[4], width[4], row[5]);
+    out << line.erase(line.find_last_not_of(' ') + 1) << '\n';
+  }
+}
+
+Json json_of(const Row& row, const MeshCommand& command, const std::optional<Mended>& mended) {
+  Json json = json_of(row.file, *row.diagnosis);
+  if (!mended) return json;
+  json["repair"] = {{"changes", mended->repaired.changes}, {"left", json_of(mended->repaired.mesh, mended->left)}};
+  if (!command.repair.empty()) json["repair"]["file"] = command.repair;
+  return json;
+}
+
+void require_usage(const MeshCommand& command) {
+  for (const auto& [option, written] : {std::pair{"--repair", &command.repair}, std::pair{"--page", &command.page}}) {
+    if (written->empty()) continue;
+    if (command.files.size() > 1) throw UsageError(std::string(option) + ": of one mesh, and there are several files");
+    require_other_file(option, *written, command.files[0]);
+  }
+  if (!command.repair.empty()) text_of_mesh({}, command.repair);
+  if (!command.repair.empty() && command.repair == command.page)
+    throw UsageError("--page: " + command.page + ": is the file of --repair");
+}
+
+}  // namespace
+
+int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& err) {
+  require_usage(command);
+  const Preparation how = preparation_of(command);
+  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  const bool alone = command.files.size() == 1;
+  std::vector<Row> rows;
+  bool refused = false, found_any = false;
+  for (const std::string& name : command.files) {
+    const TellStep tell = [&](const std::string& step) { progress.tell(name + ": " + step); };
+    Row& row = rows.emplace_back();
+    row.file.name = excerpt(name, 200);
+    std::optional<Mended> repair;
+    try {
+      tell("reading");
+      row.file = read_mesh_file(name);
+      row.diagnosis = diagnosed(row.file, how, tell);
+      if (!command.repair.empty() || (alone && !row.diagnosis->solid())) repair = mended(row.file, how, tell);
+    } catch (const InvalidInput& wrong) {
+      err << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
+      refused = true;
+      continue;
+    }
+    if (!command.repair.empty()) write_file("--repair", command.repair, text_of_mesh(repair->repaired.mesh, command.repair));
+    if (!command.page.empty()) write_file("--page", command.page, report::mesh_page(row.file, *row.diagnosis));
+    progress.end();
+    found_any = found_any || !(command.repair.empty() ? *row.diagnosis : repair->left).solid();
+    if (command.json) {
+      out << one_line(json_of(row, command, repair)) << '\n';
+    } else if (alone) {
+      print_words(row, out);
+      if (repair) print_repair(command, *repair, out);
+    }
+    MeshFile named;  // what the table needs
+    named.name = row.file.name;
+    row.file = std::move(named);
+  }
+  if (!command.json && !alone) print_table(rows, out);
+  return refused ? bad_usage : found_any ? findings : nothing_found;
+}
+
+}  // namespace touchstone::program
