@@ -18,7 +18,7 @@ namespace {
 
 /// Triangles around a vertex of no more than that many are compared by their boxes alone. An estimate: the answer does
 /// not depend on it.
-constexpr std::size_t few = 32;
+constexpr std::size_t few_faces = 32;
 
 constexpr Aabb3d all_directions{{-1, -1, -1}, {1, 1, 1}};
 
@@ -74,8 +74,8 @@ void look_at_near_faces(const Meshd& mesh, const std::vector<Aabb3d>& boxes,
   for (const Face& f : mesh.faces) {
     const auto fewer = [&degrees](Index v, Index w) { return degrees[v] < degrees[w]; };
     const Index hub = std::max({f.a, f.b, f.c}, fewer);
-    if (degrees[hub] > few) groups[hub].push_back(static_cast<Index>(hubs.size()));
-    hubs.push_back(degrees[hub] > few ? std::optional(hub) : std::nullopt);
+    if (degrees[hub] > few_faces) groups[hub].push_back(static_cast<Index>(hubs.size()));
+    hubs.push_back(degrees[hub] > few_faces ? std::optional(hub) : std::nullopt);
   }
   const Group others = without_group(hubs);
   const auto look_at_pairs = [&look](const Group& faces, const std::vector<Aabb3d>& of_faces) {
