@@ -9,6 +9,8 @@ std::string grouped(std::uint64_t n) {
   return digits;
 }
 
-std::string counted(std::uint64_t n, const std::string& noun) { return grouped(n) + " " + noun + (n == 1 ? "" : "s"); }
+std::string counted(std::uint64_t n, const std::string& noun) {
+  return grouped(n) + " " + (n == 1 ? noun : noun == "vertex" ? "vertices" : noun + "s");
+}
 
 }  // namespace touchstone::audit

@@ -3,10 +3,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "audit/meshes/in_words.h"
 #include "audit/meshes/repair.h"
+#include "catalogue/codec/excerpt.h"
+#include "geometry/invalid_input.h"
 #include "program/commands.h"
 #include "program/names.h"
 #include "program/progress.h"
@@ -50,15 +53,15 @@ void print_words(const Row& row, std::ostream& out) {
   const std::vector<std::string> lines = description_of(row.file, *row.diagnosis);
   for (const std::string& line : lines) out << (&line == &lines[0] ? "" : "  ") << line << '\n';
   out << verdict_of(*row.diagnosis) << '\n';
-  for (const Found& found : row.diagnosis->found) {
+  for (const FoundDefect& found : row.diagnosis->found) {
     out << "- " << found.what << '\n';
     if (!found.where.empty()) out << "  " << found.where << '\n';
     out << "  to mend: " << found.mend << '\n';
   }
 }
 
-void print_repair(const MeshCommand& command, const Mended& mended, std::ostream& out) {
-  const std::vector<std::string>& changes = mended.repaired.changes;
+void print_repair(const MeshCommand& command, const Mended& repair, std::ostream& out) {
+  const std::vector<std::string>& changes = repair.repaired.changes;
   if (command.repair.empty()) {
     if (changes.empty()) return;
     out << "--repair OUT would do this:\n";
@@ -66,12 +69,13 @@ void print_repair(const MeshCommand& command, const Mended& mended, std::ostream
     out << command.repair << ": written, " << (changes.empty() ? "with no change\n" : "with these changes:\n");
   }
   for (const std::string& change : changes) out << "- " << change << '\n';
-  out << "After that: " << defects_in_short(mended.left) << '\n';
+  out << "After that: " << defects_in_short(repair.left) << '\n';
 }
 
 /// Columns as wide as they have to be, numbers to the right.
 void print_table(const std::vector<Row>& rows, std::ostream& out) {
-  std::vector<std::array<std::string, 6>> cells{{"file", "vertices", "faces", "parts", "solid", "the worst"}};
+  using Cells = std::array<std::string, 6>;
+  std::vector<Cells> cells{Cells{"file", "vertices", "faces", "parts", "solid", "the worst"}};
   for (const Row& row : rows) {
     if (!row.diagnosis) {
       cells.push_back({row.file.name, "", "", "", "", "cannot be read"});
@@ -86,16 +90,16 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
   for (const auto& row : cells)
     for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
   for (const auto& row : cells) {
-    std::string line = fmt::format("{:{}}  {:>{}}  {:>{}}  {:>{}}  {:{}}  {}", row[0], width[0], row[1], width[1], row[2],
-                                   width[2], row[3], width[3], row[4], width[4], row[5]);
+    std::string line = fmt::format("{:{}}  {:>{}}  {:>{}}  {:>{}}  {:{}}  {}", row[0], width[0], row[1], width[1],
+                                   row[2], width[2], row[3], width[3], row[4], width[4], row[5]);
     out << line.erase(line.find_last_not_of(' ') + 1) << '\n';
   }
 }
 
-Json json_of(const Row& row, const MeshCommand& command, const std::optional<Mended>& mended) {
+Json json_of(const Row& row, const MeshCommand& command, const std::optional<Mended>& repair) {
   Json json = json_of(row.file, *row.diagnosis);
-  if (!mended) return json;
-  json["repair"] = {{"changes", mended->repaired.changes}, {"left", json_of(mended->repaired.mesh, mended->left)}};
+  if (!repair) return json;
+  json["repair"] = {{"changes", repair->repaired.changes}, {"left", json_of(repair->repaired.mesh, repair->left)}};
   if (!command.repair.empty()) json["repair"]["file"] = command.repair;
   return json;
 }
@@ -135,7 +139,8 @@ int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& er
       refused = true;
       continue;
     }
-    if (!command.repair.empty()) write_file("--repair", command.repair, text_of_mesh(repair->repaired.mesh, command.repair));
+    if (!command.repair.empty())
+      write_file("--repair", command.repair, text_of_mesh(repair->repaired.mesh, command.repair));
     if (!command.page.empty()) write_file("--page", command.page, report::mesh_page(row.file, *row.diagnosis));
     progress.end();
     found_any = found_any || !(command.repair.empty() ? *row.diagnosis : repair->left).solid();

@@ -8,12 +8,12 @@
 #include <iostream>
 
 #include "audit/engines/engine.h"
-#include "audit/meshes/merged.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/command_tree.h"
 #include "program/commands.h"
 #include "program/documentation.h"
 #include "program/map.h"
+#include "program/mesh_options.h"
 #include "program/regression_test.h"
 
 namespace touchstone::program {
@@ -341,44 +341,6 @@ void add_simulate(CLI::App& program, Action& action) {
   command->add_option("--page", options->page,
                       "Write an HTML page that plays the runs into this file; - is standard output");
   command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
-}
-
-/// Of --merge, which may stand alone before the next option.
-double tolerance_of(const std::string& text) {
-  double value = 0;
-  if (text.empty() || (CLI::detail::lexical_cast(text, value) && value >= 0 && value <= most_to_merge)) return value;
-  throw UsageError("--merge: expected a number from 0 to 0.01, got " + text + " (files come before --merge, or write --merge=0)");
-}
-
-void add_mesh(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand(
-      "mesh", "What a mesh is, what is wrong with it, where, and what would mend it (docs/meshes.md)");
-  auto options = std::make_shared<MeshCommand>();
-  auto merge = std::make_shared<std::string>(), cut = std::make_shared<std::string>();
-  command->add_option("file", options->files, "OBJ, PLY, OFF or STL files; several are shown as a table")->required();
-  auto* merged = command
-                     ->add_option("--merge", *merge,
-                                  "Make vertices one first: those in equal positions, or those nearer than so many "
-                                  "times the size of the mesh, at most 0.01")
-                     ->expected(0, 1)
-                     ->default_str("0");
-  command
-      ->add_option("--planar", options->planar,
-                   "Faces whose corners are at most so far off a plane, in the file's unit, are cut as if they were in it")
-      ->check(positive)
-      ->default_str("");
-  command->add_option("--cut", *cut, "How faces are cut that are not planar: fan or shortest")
-      ->check(CLI::IsMember({"fan", "shortest"}))
-      ->default_str("");
-  command->add_option("--repair", options->repair,
-                      "Write the mesh with what is certain mended into this file (.obj, .off, .ply)");
-  command->add_option("--page", options->page, "Write an HTML page with a picture into this file; - is standard output");
-  command->add_flag("--json", options->json, "One line for each file, as JSON");
-  command->callback([=, &action] {
-    if (merged->count() > 0) options->merge = tolerance_of(*merge);
-    if (!cut->empty()) options->cut = *cut;
-    action = [=] { return mesh_command(*options, std::cout, std::cerr); };
-  });
 }
 
 /// In one line, whatever names of files and fields it quotes.

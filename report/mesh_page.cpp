@@ -22,7 +22,7 @@ void add(std::vector<double>& numbers, const Point3d& p) { numbers.insert(number
 /// the order of the file.
 std::vector<std::size_t> faces_drawn(const MeshFile& file, const Diagnosis& diagnosis) {
   std::vector<bool> near(file.vertices.size()), named(file.faces.size());
-  for (const Found& found : diagnosis.found) {
+  for (const FoundDefect& found : diagnosis.found) {
     for (const PlaceInMesh& place : found.first) {
       for (const std::size_t v : place.vertices) near[v] = true;
       for (const std::size_t i : place.faces) {
@@ -63,13 +63,14 @@ SpaceFigure mesh_figure(const MeshFile& file, const std::vector<std::size_t>& fa
 }
 
 /// Edges and vertices where there are any, else the faces, each with the number that the file gives it.
-void add_places(Drawing& drawing, const MeshFile& file, const Found& found) {
+void add_places(Drawing& drawing, const MeshFile& file, const FoundDefect& found) {
   const auto number = [&file](std::size_t i) { return std::to_string(i + file.first_number); };
   for (const PlaceInMesh& place : found.first) {
     if (!place.vertices.empty()) {
       const bool edge = place.vertices.size() == 2;
       SpaceFigure figure{edge ? SpaceFigure::Kind::segment : SpaceFigure::Kind::point, "", {}, {}};
-      figure.label = edge ? "edge " + number(place.vertices[0]) + "-" + number(place.vertices[1]) : "vertex " + number(place.vertices[0]);
+      figure.label = edge ? "edge " + number(place.vertices[0]) + "-" + number(place.vertices[1])
+                          : "vertex " + number(place.vertices[0]);
       for (const std::size_t v : place.vertices) add(figure.numbers, file.vertices[v]);
       drawing.space.push_back(std::move(figure));
       continue;
@@ -88,9 +89,10 @@ std::string mesh_page(const MeshFile& file, const Diagnosis& diagnosis) {
   Drawing drawing;
   const std::vector<std::size_t> faces = faces_drawn(file, diagnosis);
   drawing.space.push_back(mesh_figure(file, faces));
-  for (const Found& found : diagnosis.found) add_places(drawing, file, found);
+  for (const FoundDefect& found : diagnosis.found) add_places(drawing, file, found);
   const std::vector<std::string> lines = description_of(file, diagnosis);
-  std::string body = "<header><p class=\"kicker\">touchstone mesh</p><h1>" + escaped(file.name) + "</h1><p class=\"lead\">" +
+  std::string body = "<header><p class=\"kicker\">touchstone mesh</p><h1>" + escaped(file.name) +
+                     "</h1><p class=\"lead\">" +
                      escaped(diagnosis.solid() ? "It bounds a solid." : "It bounds no solid.") + "</p></header><main>" +
                      space_figure(drawing, file.name);
   if (faces.size() < file.faces.size())
@@ -100,9 +102,10 @@ std::string mesh_page(const MeshFile& file, const Diagnosis& diagnosis) {
   for (const std::string& line : lines) body += "<li>" + escaped(line) + "</li>";
   body += "</ul>";
   if (!diagnosis.solid()) body += "<h2>What is wrong, the worst first</h2><ol>";
-  for (const Found& found : diagnosis.found)
+  for (const FoundDefect& found : diagnosis.found)
     body += "<li><strong>" + escaped(found.what) + "</strong>" +
-            (found.where.empty() ? "" : "<br>" + escaped(found.where)) + "<br>To mend: " + escaped(found.mend) + "</li>";
+            (found.where.empty() ? "" : "<br>" + escaped(found.where)) + "<br>To mend: " + escaped(found.mend) +
+            "</li>";
   if (!diagnosis.solid()) body += "</ol>";
   return page(file.name, body + "</main>");
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "audit/counted.h"
 #include "audit/meshes/findings.h"
 #include "audit/meshes/turning.h"
 #include "geometry/invalid_input.h"
@@ -66,7 +67,7 @@ std::optional<PreparedMesh> prepared_or_found(const meshes::Examined& mesh, cons
     diagnosis.done.insert(diagnosis.done.end(), cut.done.begin(), cut.done.end());
     return cut;
   } catch (const InvalidInput& refused) {
-    diagnosis.found.push_back({Defect::askew_face, 1, {}, "a face cannot be cut", refused.rule(), "another --cut"});
+    diagnosis.found.push_back({MeshDefect::askew_face, 1, {}, "a face cannot be cut", refused.rule(), "another --cut"});
     return std::nullopt;
   }
 }
@@ -96,7 +97,7 @@ Diagnosis diagnosed(const MeshFile& file, const Preparation& how, const TellStep
     diagnosis.volume = complexity->volume;
     diagnosis.nesting = complexity->nesting.value_or(std::vector<IndexPair>{});
   }
-  const auto add = [&diagnosis](std::vector<Found> more) {
+  const auto add = [&diagnosis](std::vector<FoundDefect> more) {
     diagnosis.found.insert(diagnosis.found.end(), std::make_move_iterator(more.begin()),
                            std::make_move_iterator(more.end()));
   };
@@ -112,7 +113,7 @@ Diagnosis diagnosed(const MeshFile& file, const Preparation& how, const TellStep
     for (const std::size_t i : *faces) diagnosis.reversed.push_back(mesh.face_in_file[i]);
   std::sort(diagnosis.reversed.begin(), diagnosis.reversed.end());
   std::stable_sort(diagnosis.found.begin(), diagnosis.found.end(),
-                   [](const Found& one, const Found& other) { return one.defect < other.defect; });
+                   [](const FoundDefect& one, const FoundDefect& other) { return one.defect < other.defect; });
   if (const std::size_t unused = file.vertices.size() - mesh.surface.vertices; unused > 0 && !how.merge)
     diagnosis.notes.push_back(unused == 1 ? "1 vertex is in no face" : counted(unused, "vertex") + " are in no face");
   return diagnosis;

@@ -17,35 +17,35 @@ namespace touchstone::audit {
 /// Why a mesh bounds no solid, the worst first: faces that are no polygons, so that nothing else can be decided; faces
 /// that are there once too often, which cause much of what follows; holes; places where the surface branches, meets
 /// itself, or turns both ways; and what reversing faces mends.
-enum class Defect {
-  few_faces,       ///< fewer than 4
-  askew_face,      ///< its corners are not in one plane
-  no_ring,         ///< a face of more than three corners encloses no area, crosses or touches itself
-  repeated_corner, ///< a triangle names a vertex twice, or a face does so in a row
-  flat_face,       ///< a triangle without area
-  repeated_face,   ///< the same corners in the same order as an earlier face
-  opposed_face,    ///< the same corners in the opposite order
-  open_edge,       ///< in an odd number of faces
-  crowded_edge,    ///< in three faces or more
-  pinched_vertex,  ///< sheets meet in it alone
-  meeting_faces,   ///< they meet beyond what both name
-  one_sided,       ///< no choice of directions agrees at all edges
-  turned_faces,    ///< faces that run the other way than their neighbours
-  inside_out,      ///< a component whose faces look inwards
-  filled_cavity,   ///< a component inside another one that encloses the same space again
+enum class MeshDefect {
+  few_faces,        ///< fewer than 4
+  askew_face,       ///< its corners are not in one plane
+  no_ring,          ///< a face of more than three corners encloses no area, crosses or touches itself
+  repeated_corner,  ///< a triangle names a vertex twice, or a face does so in a row
+  flat_face,        ///< a triangle without area
+  repeated_face,    ///< the same corners in the same order as an earlier face
+  opposed_face,     ///< the same corners in the opposite order
+  open_edge,        ///< in an odd number of faces
+  crowded_edge,     ///< in three faces or more
+  pinched_vertex,   ///< sheets meet in it alone
+  meeting_faces,    ///< they meet beyond what both name
+  one_sided,        ///< no choice of directions agrees at all edges
+  turned_faces,     ///< faces that run the other way than their neighbours
+  inside_out,       ///< a component whose faces look inwards
+  filled_cavity,    ///< a component inside another one that encloses the same space again
 };
-inline constexpr std::array defect_names{
-    "few_faces",     "askew_face",    "no_ring",        "repeated_corner", "flat_face",
-    "repeated_face", "opposed_face",  "open_edge",      "crowded_edge",    "pinched_vertex",
-    "meeting_faces", "one_sided",     "turned_faces",   "inside_out",      "filled_cavity"};
+inline constexpr std::array defect_names{"few_faces",    "askew_face",     "no_ring",       "repeated_corner",
+                                         "flat_face",    "repeated_face",  "opposed_face",  "open_edge",
+                                         "crowded_edge", "pinched_vertex", "meeting_faces", "one_sided",
+                                         "turned_faces", "inside_out",     "filled_cavity"};
 
 /// Places in the file's lists, from 0.
 struct PlaceInMesh {
   std::vector<std::size_t> faces, vertices;
 };
 
-struct Found {
-  Defect defect;
+struct FoundDefect {
+  MeshDefect defect;
   std::size_t count;
   std::vector<PlaceInMesh> first;  ///< at most three
   std::string what;                ///< "2 open edges"
@@ -61,9 +61,9 @@ struct Diagnosis {
   std::optional<bool> embedded, convex;  ///< empty where faces are no polygons
   VolumeSign volume = VolumeSign::none;
   std::vector<IndexPair> nesting;
-  std::vector<Found> found;         ///< the worst first
-  std::vector<std::string> notes;   ///< of what makes it no worse
-  std::vector<std::string> done;    ///< before it was looked at: merged, dropped, cut
+  std::vector<FoundDefect> found;     ///< the worst first
+  std::vector<std::string> notes;     ///< of what makes it no worse
+  std::vector<std::string> done;      ///< before it was looked at: merged, dropped, cut
   std::vector<std::size_t> reversed;  ///< faces that have to run the other way, where that is certain
 
   /// A closed surface without a branch that does not meet itself, whose faces look outwards, those of cavities inwards.
@@ -74,8 +74,8 @@ struct Diagnosis {
 using TellStep = std::function<void(const std::string&)>;
 
 /// Vertices that are merged become the first of them, faces keep their numbers. All words are decided exactly: those of
-/// indices by counting, the others by robust::polyhedron_complexity. Of faces that meet, and of what follows from it, the
-/// first is found and no other. Throws InvalidInput where `how` cannot be done (merging_of).
+/// indices by counting, the others by robust::polyhedron_complexity. Of faces that meet, the first pair is found.
+/// Throws InvalidInput where `how` cannot be done (merging_of).
 Diagnosis diagnosed(const MeshFile& file, const Preparation& how, const TellStep& tell = {});
 
 }  // namespace touchstone::audit

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "audit/counted.h"
 #include "robust/kernel/polygon_faces.h"
 #include "robust/structures/embedded_mesh.h"
 #include "robust/structures/polygon_mesh.h"
@@ -18,18 +19,19 @@ using Places = std::vector<std::size_t>;
 constexpr std::size_t most_listed = 3;
 
 /// Of faces alone.
-Found found_faces(const Examined& examined, Defect defect, const Places& faces, const std::string& what,
-                  const std::string& mend) {
-  Found found{defect, faces.size(), {}, what, faces_listed(examined.file, faces), mend};
+FoundDefect found_faces(const Examined& examined, MeshDefect defect, const Places& faces, const std::string& what,
+                        const std::string& mend) {
+  FoundDefect found{defect, faces.size(), {}, what, faces_listed(examined.file, faces), mend};
   for (std::size_t k = 0; k < std::min(most_listed, faces.size()); ++k) found.first.push_back({{faces[k]}, {}});
   return found;
 }
 
-Found askew_faces(const Examined& examined, const Places& faces, double thickest) {
-  const std::string verb = faces.size() == 1 ? " is not planar: its corners are up to " : " are not planar: corners are up to ";
+FoundDefect askew_faces(const Examined& examined, const Places& faces, double thickest) {
+  const std::string verb =
+      faces.size() == 1 ? " is not planar: its corners are up to " : " are not planar: corners are up to ";
   // Rounded to two digits it is not less.
   const std::string enough = fmt::format("{:.2g}", 1.1 * thickest);
-  return found_faces(examined, Defect::askew_face, faces,
+  return found_faces(examined, MeshDefect::askew_face, faces,
                      counted(faces.size(), "face") + verb + fmt::format("{:.2g}", thickest) + " off a plane",
                      "--planar " + enough + ", --cut shortest or --cut fan says how to cut them");
 }
@@ -69,7 +71,7 @@ std::string merging_in_words(const Merging& merging) {
   return fmt::format("{} of {} merged into others, at most {:.2g} away", merging.merged, count, merging.largest);
 }
 
-std::vector<Found> defects_of_faces(const Examined& examined, const Preparation& how) {
+std::vector<FoundDefect> defects_of_faces(const Examined& examined, const Preparation& how) {
   Places askew, no_ring, repeated;
   double thickest = 0;
   const std::vector<Point3d>& vertices = examined.mesh.vertices;
@@ -91,40 +93,45 @@ std::vector<Found> defects_of_faces(const Examined& examined, const Preparation&
       askew.push_back(face), thickest = std::max(thickest, thickness);
     }
   }
-  std::vector<Found> found;
+  std::vector<FoundDefect> found;
   if (!askew.empty()) found.push_back(askew_faces(examined, askew, thickest));
   if (!no_ring.empty())
-    found.push_back(found_faces(examined, Defect::no_ring, no_ring,
-                                counted(no_ring.size(), "polygon") + (no_ring.size() == 1
-                                    ? " encloses no area, or crosses or touches itself"
-                                    : " enclose no area, or cross or touch themselves"),
-                                "name the corners in their order around the area, each once"));
+    found.push_back(found_faces(
+        examined, MeshDefect::no_ring, no_ring,
+        counted(no_ring.size(), "polygon") + (no_ring.size() == 1 ? " encloses no area, or crosses or touches itself"
+                                                                  : " enclose no area, or cross or touch themselves"),
+        "name the corners in their order around the area, each once"));
   if (!repeated.empty())
-    found.push_back(found_faces(examined, Defect::repeated_corner, repeated,
-                                counted(repeated.size(), "face") + (repeated.size() == 1 ? " names" : " name") + " a corner twice in a row",
-                                "name it once; a face with fewer than three corners left goes (--repair)"));
+    found.push_back(found_faces(
+        examined, MeshDefect::repeated_corner, repeated,
+        counted(repeated.size(), "face") + (repeated.size() == 1 ? " names" : " name") + " a corner twice in a row",
+        "name it once; a face with fewer than three corners left goes (--repair)"));
   return found;
 }
 
-std::vector<Found> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
-                                    const PolyhedronComplexity<double>& complexity) {
-  std::vector<Found> found;
+std::vector<FoundDefect> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
+                                          const PolyhedronComplexity<double>& complexity) {
+  std::vector<FoundDefect> found;
   const auto face = [&](Index named) { return examined.face_in_file[cut.face_in_file[named]]; };
   if (complexity.flat_face) {
     const Places flat = flat_triangles(examined);
     if (!flat.empty())
-      found.push_back(found_faces(examined, Defect::flat_face, flat, are_flat(flat.size()),
+      found.push_back(found_faces(examined, MeshDefect::flat_face, flat, are_flat(flat.size()),
                                   "collapse an edge of each; whether faces meet elsewhere is decided after that"));
     else  // of a face that was cut
-      found.push_back(found_faces(examined, Defect::flat_face, {face(*complexity.flat_face)},
+      found.push_back(found_faces(examined, MeshDefect::flat_face, {face(*complexity.flat_face)},
                                   "a triangle of the cut has no area", "another --cut"));
   }
   if (complexity.meeting_faces) {
     const std::size_t one = face(complexity.meeting_faces->i), other = face(complexity.meeting_faces->j);
     const std::size_t equal = merging_of(examined.mesh.vertices, 0).merged;
-    found.push_back({Defect::meeting_faces, 1, {{{one, other}, {}}}, "faces meet beyond the vertices that both name",
+    found.push_back({MeshDefect::meeting_faces,
+                     1,
+                     {{{one, other}, {}}},
+                     "faces meet beyond the vertices that both name",
                      "the first pair: " + faces_in_words(examined.file, one, other),
-                     equal > 0 ? "merge vertices in equal positions (--merge), where that is why they meet; else cut the faces where they cross"
+                     equal > 0 ? "merge vertices in equal positions (--merge), where that is why they meet; else cut "
+                                 "the faces where they cross"
                                : "cut the faces where they cross, or move the parts apart"});
   }
   return found;

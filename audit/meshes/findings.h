@@ -21,14 +21,14 @@ struct Examined {
 };
 
 /// few_faces, and faces that are no polygons.
-std::vector<Found> defects_of_faces(const Examined& examined, const Preparation& how);
+std::vector<FoundDefect> defects_of_faces(const Examined& examined, const Preparation& how);
 /// repeated_face to pinched_vertex.
-std::vector<Found> defects_of_surface(const Examined& examined);
+std::vector<FoundDefect> defects_of_surface(const Examined& examined);
 /// flat_face and meeting_faces.
-std::vector<Found> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
-                                    const PolyhedronComplexity<double>& complexity);
+std::vector<FoundDefect> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
+                                          const PolyhedronComplexity<double>& complexity);
 /// one_sided to filled_cavity.
-std::vector<Found> defects_of_turning(const Examined& examined, const Turning& turning);
+std::vector<FoundDefect> defects_of_turning(const Examined& examined, const Turning& turning);
 
 /// "face 3 (line 12)", "faces 3 (line 12), 5 (line 14), 6 (line 15) and 4 more"
 std::string faces_listed(const MeshFile& file, const std::vector<std::size_t>& faces);

@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "audit/counted.h"
 #include "audit/meshes/findings.h"
 #include "audit/meshes/repeated_faces.h"
 
@@ -14,10 +16,10 @@ using Places = std::vector<std::size_t>;
 
 constexpr std::size_t most_places = 3;
 
-Found found_edges(const Examined& examined, Defect defect, const std::vector<EdgeOfFile>& edges,
-                  const std::string& what, const std::string& mend) {
+FoundDefect found_edges(const Examined& examined, MeshDefect defect, const std::vector<EdgeOfFile>& edges,
+                        const std::string& what, const std::string& mend) {
   const EdgeOfFile& first = edges[0];
-  Found found{defect, edges.size(), {}, what, edges.size() > 1 ? "the first: " : "", mend};
+  FoundDefect found{defect, edges.size(), {}, what, edges.size() > 1 ? "the first: " : "", mend};
   found.where += edge_in_words(examined.file, first.low, first.high) + ", of " +
                  face_in_words(examined.file, examined.face_in_file[first.face]);
   for (std::size_t k = 0; k < std::min(most_places, edges.size()); ++k)
@@ -25,10 +27,10 @@ Found found_edges(const Examined& examined, Defect defect, const std::vector<Edg
   return found;
 }
 
-Found found_pairs(const Examined& examined, Defect defect,
-                  const std::vector<std::pair<std::size_t, std::size_t>>& pairs, const std::string& what,
-                  const std::string& mend) {
-  Found found{defect, pairs.size(), {}, what, pairs.size() > 1 ? "the first: " : "", mend};
+FoundDefect found_pairs(const Examined& examined, MeshDefect defect,
+                        const std::vector<std::pair<std::size_t, std::size_t>>& pairs, const std::string& what,
+                        const std::string& mend) {
+  FoundDefect found{defect, pairs.size(), {}, what, pairs.size() > 1 ? "the first: " : "", mend};
   for (std::size_t k = 0; k < std::min(most_places, pairs.size()); ++k)
     found.first.push_back({{examined.face_in_file[pairs[k].second], examined.face_in_file[pairs[k].first]}, {}});
   found.where += faces_in_words(examined.file, found.first[0].faces[0], found.first[0].faces[1]);
@@ -39,13 +41,14 @@ Found found_pairs(const Examined& examined, Defect defect,
 std::size_t rims_of(const std::vector<EdgeOfFile>& open) {
   std::map<Index, Index> up;
   const auto root = [&up](Index v) {
-    up.emplace(v, v);
     while (up[v] != v) v = up[v] = up[up[v]];
     return v;
   };
   std::size_t rims = 0;
   for (const EdgeOfFile& edge : open) {
-    for (const Index v : {edge.low, edge.high}) rims += up.count(v) == 0 ? 1 : 0, root(v);
+    for (const Index v : {edge.low, edge.high}) {
+      if (up.emplace(v, v).second) ++rims;
+    }
     const Index p = root(edge.low), q = root(edge.high);
     if (p != q) up[std::max(p, q)] = std::min(p, q), --rims;
   }
@@ -82,100 +85,126 @@ std::string merging_mends(const Examined& examined) {
   return "";
 }
 
-Found open_edges(const Examined& examined) {
+FoundDefect open_edges(const Examined& examined) {
   const std::size_t rims = rims_of(examined.surface.open);
   std::string mend = merging_mends(examined);
   if (mend.empty()) mend = rims == 1 ? "fill the hole, or close the rim" : "fill the holes, or close the rims";
-  return found_edges(examined, Defect::open_edge, examined.surface.open,
-                     fmt::format("{}, in {}", counted(examined.surface.open.size(), "open edge"), counted(rims, "rim")), mend);
+  return found_edges(examined, MeshDefect::open_edge, examined.surface.open,
+                     fmt::format("{}, in {}", counted(examined.surface.open.size(), "open edge"), counted(rims, "rim")),
+                     mend);
 }
 
-Found pinched_vertices(const Examined& examined, const std::vector<Index>& pinched) {
-  Found found{Defect::pinched_vertex, pinched.size(), {},
-              pinched.size() == 1 ? "sheets meet in 1 vertex alone" : fmt::format("sheets meet in {} vertices alone", pinched.size()),
-              (pinched.size() > 1 ? "the first: " : "") + vertex_in_words(examined.file, pinched[0]),
-              "give each sheet a vertex of its own there, and move them apart"};
+FoundDefect pinched_vertices(const Examined& examined, const std::vector<Index>& pinched) {
+  FoundDefect found{MeshDefect::pinched_vertex,
+                    pinched.size(),
+                    {},
+                    pinched.size() == 1 ? "sheets meet in 1 vertex alone"
+                                        : fmt::format("sheets meet in {} vertices alone", pinched.size()),
+                    (pinched.size() > 1 ? "the first: " : "") + vertex_in_words(examined.file, pinched[0]),
+                    "give each sheet a vertex of its own there, and move them apart"};
   for (std::size_t k = 0; k < std::min(most_places, pinched.size()); ++k) found.first.push_back({{}, {pinched[k]}});
   return found;
 }
 
-Found found_sheets(const Examined& examined, Defect defect, const Places& firsts, const std::string& what,
-                   const std::string& mend) {
+FoundDefect found_sheets(const Examined& examined, MeshDefect defect, const Places& firsts, const std::string& what,
+                         const std::string& mend) {
   Places faces;
   for (const std::size_t i : firsts) faces.push_back(examined.face_in_file[i]);
-  Found found{defect, firsts.size(), {}, what, "that of " + faces_listed(examined.file, faces), mend};
+  FoundDefect found{defect, firsts.size(), {}, what, "that of " + faces_listed(examined.file, faces), mend};
   for (std::size_t k = 0; k < std::min(most_places, faces.size()); ++k) found.first.push_back({{faces[k]}, {}});
   return found;
 }
 
 }  // namespace
 
-std::vector<Found> defects_of_surface(const Examined& examined) {
-  std::vector<Found> found;
+std::vector<FoundDefect> defects_of_surface(const Examined& examined) {
+  std::vector<FoundDefect> found;
   const Surface& surface = examined.surface;
   const std::size_t faces = examined.mesh.faces.size();
   if (faces < 4)
-    found.push_back({Defect::few_faces, faces, {}, counted(faces, "face") + ", and a solid has at least 4", "", "add the others"});
+    found.push_back({MeshDefect::few_faces,
+                     faces,
+                     {},
+                     counted(faces, "face") + ", and a solid has at least 4",
+                     "",
+                     "add the others"});
   const RepeatedFaces repeated = repeated_faces(examined.mesh.faces);
   if (!repeated.same.empty())
-    found.push_back(found_pairs(examined, Defect::repeated_face, repeated.same,
-                                repeated.same.size() == 1 ? "a face is there twice" : counted(repeated.same.size(), "face") + " are there again",
+    found.push_back(found_pairs(examined, MeshDefect::repeated_face, repeated.same,
+                                repeated.same.size() == 1 ? "a face is there twice"
+                                                          : counted(repeated.same.size(), "face") + " are there again",
                                 "drop the later ones (--repair)"));
   if (!repeated.opposed.empty())
-    found.push_back(found_pairs(examined, Defect::opposed_face, repeated.opposed,
-                                repeated.opposed.size() == 1 ? "2 faces have the same corners and look opposite ways"
-                                                             : counted(repeated.opposed.size(), "face") + " have the corners of an earlier one and look the opposite way",
+    found.push_back(found_pairs(examined, MeshDefect::opposed_face, repeated.opposed,
+                                repeated.opposed.size() == 1
+                                    ? "2 faces have the same corners and look opposite ways"
+                                    : counted(repeated.opposed.size(), "face") +
+                                          " have the corners of an earlier one and look the opposite way",
                                 "drop one of each two, or both where they are a wall between two cells"));
   if (!surface.open.empty()) found.push_back(open_edges(examined));
   if (!surface.crowded.empty())
-    found.push_back(found_edges(examined, Defect::crowded_edge, surface.crowded,
-                                counted(surface.crowded.size(), "edge") + (surface.crowded.size() == 1 ? " is" : " are") + " in three faces or more",
-                                repeated.same.empty() ? "delete inner faces, or split the vertices there and move the sheets apart"
-                                                      : "drop the repeated faces first (--repair)"));
+    found.push_back(found_edges(examined, MeshDefect::crowded_edge, surface.crowded,
+                                counted(surface.crowded.size(), "edge") +
+                                    (surface.crowded.size() == 1 ? " is" : " are") + " in three faces or more",
+                                repeated.same.empty()
+                                    ? "delete inner faces, or split the vertices there and move the sheets apart"
+                                    : "drop the repeated faces first (--repair)"));
   // What is pinched at a crowded edge is told with it.
   if (!surface.pinched.empty() && surface.crowded.empty()) found.push_back(pinched_vertices(examined, surface.pinched));
   return found;
 }
 
-std::vector<Found> defects_of_turning(const Examined& examined, const Turning& turning) {
-  std::vector<Found> found;
+std::vector<FoundDefect> defects_of_turning(const Examined& examined, const Turning& turning) {
+  std::vector<FoundDefect> found;
   const Surface& surface = examined.surface;
   Places one_sided;
   for (std::size_t i = 0; i < surface.sheet.size(); ++i)
-    if (surface.one_sided[surface.sheet[i]] &&
-        std::none_of(one_sided.begin(), one_sided.end(), [&](std::size_t j) { return surface.sheet[j] == surface.sheet[i]; }))
+    if (surface.one_sided[surface.sheet[i]] && std::none_of(one_sided.begin(), one_sided.end(), [&](std::size_t j) {
+          return surface.sheet[j] == surface.sheet[i];
+        }))
       one_sided.push_back(i);
   if (!one_sided.empty())
-    found.push_back(found_sheets(examined, Defect::one_sided, one_sided,
-                                 one_sided.size() == 1 ? "a sheet is one-sided, as a Moebius strip"
-                                                       : counted(one_sided.size(), "sheet") + " are one-sided, as Moebius strips",
+    found.push_back(found_sheets(examined, MeshDefect::one_sided, one_sided,
+                                 one_sided.size() == 1
+                                     ? "a sheet is one-sided, as a Moebius strip"
+                                     : counted(one_sided.size(), "sheet") + " are one-sided, as Moebius strips",
                                  "no reversing of faces mends it: cut it open where it twists"));
   if (!turning.turned.empty()) {
     Places faces;
     for (const std::size_t i : turning.turned) faces.push_back(examined.face_in_file[i]);
-    Found turned{Defect::turned_faces, faces.size(), {},
-                 counted(faces.size(), "face") + (faces.size() == 1 ? " runs" : " run") + " the other way than the neighbours",
-                 faces_listed(examined.file, faces), "reverse " + std::string(faces.size() == 1 ? "it" : "them") + " (--repair)"};
+    FoundDefect turned{
+        MeshDefect::turned_faces,
+        faces.size(),
+        {},
+        counted(faces.size(), "face") + (faces.size() == 1 ? " runs" : " run") + " the other way than the neighbours",
+        faces_listed(examined.file, faces),
+        "reverse " + std::string(faces.size() == 1 ? "it" : "them") + " (--repair)"};
     for (std::size_t k = 0; k < std::min(most_places, faces.size()); ++k) turned.first.push_back({{faces[k]}, {}});
     found.push_back(std::move(turned));
   } else if (!surface.turned.empty() && one_sided.empty()) {
-    found.push_back(found_edges(examined, Defect::turned_faces, surface.turned,
-                                counted(surface.turned.size(), "edge") + (surface.turned.size() == 1 ? " has" : " have") + " more faces one way than the other",
+    found.push_back(found_edges(examined, MeshDefect::turned_faces, surface.turned,
+                                counted(surface.turned.size(), "edge") +
+                                    (surface.turned.size() == 1 ? " has" : " have") +
+                                    " more faces one way than the other",
                                 "mend the edges in three faces or more first"));
   }
   const std::size_t inside_out = turning.inside_out.size(), filled = turning.filled_cavity.size();
   if (inside_out > 0) {
     const bool all = turning.outwards.size() == examined.mesh.faces.size();
-    found.push_back(found_sheets(examined, Defect::inside_out, turning.inside_out,
-                                 all ? "the mesh is inside out: its faces look inwards" : counted(inside_out, "part") + (inside_out == 1 ? " is inside out" : " are inside out"),
-                                 all ? "reverse all faces (--repair)" : fmt::format("reverse its {} (--repair)", counted(turning.outwards.size(), "face"))));
+    found.push_back(
+        found_sheets(examined, MeshDefect::inside_out, turning.inside_out,
+                     all ? "the mesh is inside out: its faces look inwards"
+                         : counted(inside_out, "part") + (inside_out == 1 ? " is inside out" : " are inside out"),
+                     all ? "reverse all faces (--repair)"
+                         : fmt::format("reverse its {} (--repair)", counted(turning.outwards.size(), "face"))));
     if (all && inside_out == 1) found.back().where.clear();
   }
   if (filled > 0)
-    found.push_back(found_sheets(examined, Defect::filled_cavity, turning.filled_cavity,
-                                 filled == 1 ? "a part inside another looks outwards: it encloses what is enclosed already"
-                                             : counted(filled, "part") + " inside another look outwards: they enclose what is enclosed already",
-                                 "reverse its faces if it is a cavity, else delete it"));
+    found.push_back(found_sheets(
+        examined, MeshDefect::filled_cavity, turning.filled_cavity,
+        filled == 1 ? "a part inside another looks outwards: it encloses what is enclosed already"
+                    : counted(filled, "part") + " inside another look outwards: they enclose what is enclosed already",
+        "reverse its faces if it is a cavity, else delete it"));
   return found;
 }
 

@@ -3,13 +3,17 @@
 
 #include <fmt/format.h>
 
+#include "audit/counted.h"
+
 namespace touchstone::audit {
 namespace {
 
 constexpr std::size_t most_nested = 5;
 
 std::string corners_in_words(std::size_t corners, std::size_t count) {
-  const std::string noun = corners == 3 ? "triangle" : corners == 4 ? "quadrilateral" : fmt::format("polygon of {} corners", corners);
+  const std::string noun = corners == 3   ? "triangle"
+                           : corners == 4 ? "quadrilateral"
+                                          : fmt::format("polygon of {} corners", corners);
   if (count == 1) return "1 " + noun;
   return fmt::format("{} {}", count, corners < 5 ? noun + "s" : fmt::format("polygons of {} corners", corners));
 }
@@ -36,7 +40,7 @@ Json lines_of(const std::vector<std::size_t>& places, const std::vector<std::siz
   return json;
 }
 
-Json places_of(const MeshFile& file, const Found& found) {
+Json places_of(const MeshFile& file, const FoundDefect& found) {
   Json places = Json::array();
   for (const PlaceInMesh& place : found.first) {
     Json json = Json::object();
@@ -62,12 +66,12 @@ std::vector<std::string> description_of(const MeshFile& file, const Diagnosis& d
     spans += fmt::format("{}{} {} to {}", axis == 0 ? "" : ", ", "xyz"[axis], decimal(diagnosis.low[axis]),
                          decimal(diagnosis.high[axis]));
   lines.push_back(spans);
-  lines.push_back(word("closed", diagnosis.closed) + ", " + word("oriented", diagnosis.oriented) + ", " +
-                  word("a manifold at its edges", diagnosis.edge_manifold) + ", " +
-                  word("a manifold at its vertices", diagnosis.vertex_manifold) + ", " +
-                  word("embedded", diagnosis.embedded) + ", " + word("convex", diagnosis.convex) +
-                  (diagnosis.volume == VolumeSign::none ? std::string()
-                                                        : std::string(", volume ") + name_of(diagnosis.volume)));
+  lines.push_back(
+      word("closed", diagnosis.closed) + ", " + word("oriented", diagnosis.oriented) + ", " +
+      word("a manifold at its edges", diagnosis.edge_manifold) + ", " +
+      word("a manifold at its vertices", diagnosis.vertex_manifold) + ", " + word("embedded", diagnosis.embedded) +
+      ", " + word("convex", diagnosis.convex) +
+      (diagnosis.volume == VolumeSign::none ? std::string() : std::string(", volume ") + name_of(diagnosis.volume)));
   for (std::size_t k = 0; k < std::min(most_nested, diagnosis.nesting.size()); ++k)
     lines.push_back(fmt::format("part {} lies inside part {}", diagnosis.nesting[k].j + 1, diagnosis.nesting[k].i + 1));
   if (diagnosis.nesting.size() > most_nested)
@@ -85,7 +89,7 @@ std::string verdict_of(const Diagnosis& diagnosis) {
 std::string defects_in_short(const Diagnosis& diagnosis) {
   if (diagnosis.solid()) return "it bounds a solid";
   std::string text;
-  for (const Found& found : diagnosis.found) text += (text.empty() ? "" : "; ") + found.what;
+  for (const FoundDefect& found : diagnosis.found) text += (text.empty() ? "" : "; ") + found.what;
   return text;
 }
 
@@ -94,7 +98,8 @@ Json json_of(const MeshFile& file, const Diagnosis& diagnosis) {
   json["file"] = file.name, json["format"] = file.format, json["solid"] = diagnosis.solid();
   json["vertices"] = diagnosis.vertices, json["edges"] = diagnosis.edges, json["faces"] = diagnosis.faces;
   json["faces_by_corners"] = Json::object();
-  for (const auto& [corners, count] : diagnosis.faces_by_corners) json["faces_by_corners"][std::to_string(corners)] = count;
+  for (const auto& [corners, count] : diagnosis.faces_by_corners)
+    json["faces_by_corners"][std::to_string(corners)] = count;
   json["components"] = diagnosis.components;
   for (const auto& [name, ends] : {std::pair{"min", &diagnosis.low}, std::pair{"max", &diagnosis.high}}) {
     json[name] = Json::array();
@@ -108,9 +113,12 @@ Json json_of(const MeshFile& file, const Diagnosis& diagnosis) {
   json["nesting"] = Json::array();
   for (const IndexPair& pair : diagnosis.nesting) json["nesting"].push_back({pair.i, pair.j});
   json["found"] = Json::array();
-  for (const Found& found : diagnosis.found) {
-    json["found"].push_back(Json{{"defect", defect_names[static_cast<std::size_t>(found.defect)]}, {"count", found.count},
-                                 {"what", found.what}, {"where", found.where}, {"mend", found.mend},
+  for (const FoundDefect& found : diagnosis.found) {
+    json["found"].push_back(Json{{"defect", defect_names[static_cast<std::size_t>(found.defect)]},
+                                 {"count", found.count},
+                                 {"what", found.what},
+                                 {"where", found.where},
+                                 {"mend", found.mend},
                                  {"first", places_of(file, found)}});
   }
   json["reversed"] = diagnosis.reversed;

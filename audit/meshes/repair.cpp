@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "audit/counted.h"
+#include "audit/counted.h"
 #include "audit/meshes/findings.h"
 #include "audit/meshes/repeated_faces.h"
 
@@ -50,21 +52,23 @@ Repaired repaired(const MeshFile& file, const Preparation& how, const TellStep& 
   Repaired result;
   const auto change = [&](const Places& faces, const char* what) {
     if (!faces.empty())
-      result.changes.push_back(fmt::format("{} {}: {}", counted(faces.size(), "face"), what, meshes::faces_listed(file, faces)));
+      result.changes.push_back(
+          fmt::format("{} {}: {}", counted(faces.size(), "face"), what, meshes::faces_listed(file, faces)));
   };
   const Merging merging = merging_of(file.vertices, how.merge.value_or(0));
   if (merging.merged > 0) result.changes.push_back(meshes::merging_in_words(merging));
   meshes::ShorterFaces shorter = meshes::shorter_faces(file.faces, merging.into);
-  change(shorter.dropped, "with fewer than three different corners in a row dropped");
-  change(shorter.shortened, "shortened by corners named twice in a row");
+  change(shorter.dropped, "dropped with fewer than three corners left");
+  change(shorter.shortened, "left without the corners that stood twice in a row");
 
   MeshFile& mesh = result.mesh;
   mesh.name = file.name, mesh.vertices = file.vertices, mesh.faces = std::move(shorter.faces);
   Places& face_in_file = shorter.face_in_file;
   Places again;
   std::vector<bool> dropped(mesh.faces.size());
-  for (const auto& [face, earlier] : meshes::repeated_faces(mesh.faces).same) again.push_back(face), dropped[face] = true;
-  change(in_file(again, face_in_file), "dropped that repeat an earlier one");
+  for (const auto& [face, earlier] : meshes::repeated_faces(mesh.faces).same)
+    again.push_back(face), dropped[face] = true;
+  change(in_file(again, face_in_file), "dropped as repetitions of earlier ones");
   drop(mesh.faces, face_in_file, dropped);
   drop_merged(mesh, merging.into);
 

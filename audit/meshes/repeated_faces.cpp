@@ -46,7 +46,8 @@ RepeatedFaces repeated_faces(const std::vector<Corners>& faces) {
       first = &ring, firsts = {first};
       continue;
     }
-    const auto same = std::find_if(firsts.begin(), firsts.end(), [&](const Ring* r) { return r->reversed == ring.reversed; });
+    const auto same =
+        std::find_if(firsts.begin(), firsts.end(), [&](const Ring* r) { return r->reversed == ring.reversed; });
     if (same != firsts.end()) {
       found.same.emplace_back(ring.face, (*same)->face);
     } else {

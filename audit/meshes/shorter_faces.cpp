@@ -6,8 +6,7 @@
 namespace touchstone::audit::meshes {
 
 bool repeats_corner(const Corners& corners) {
-  return corners.front() == corners.back() ||
-         std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+  return corners.front() == corners.back() || std::adjacent_find(corners.begin(), corners.end()) != corners.end();
 }
 
 ShorterFaces shorter_faces(const std::vector<Corners>& faces, const std::vector<Index>& into) {

@@ -11,7 +11,8 @@ namespace touchstone::audit::meshes {
 struct ShorterFaces {
   std::vector<Corners> faces;             ///< of at least three corners
   std::vector<std::size_t> face_in_file;  ///< of each, the place of the face that it was
-  std::vector<std::size_t> shortened, dropped;  ///< places of those that lost corners, and that have fewer than three left
+  std::vector<std::size_t> shortened,
+      dropped;  ///< places of those that lost corners, and that have fewer than three left
 };
 
 /// Each vertex v is replaced by into[v], and of a corner that is named several times in a row one is left.

@@ -18,10 +18,10 @@ class Joined {
   std::size_t root(std::size_t i) {
     std::size_t top = i;
     bool against = false;  // i to top
-    while (up_[top] != top) against ^= against_[top], top = up_[top];
+    while (up_[top] != top) against = against != against_[top], top = up_[top];
     while (up_[i] != top && i != top) {
       const std::size_t next = up_[i];
-      const bool rest = against ^ against_[i];
+      const bool rest = against != against_[i];
       up_[i] = top, against_[i] = against;
       i = next, against = rest;
     }
@@ -32,9 +32,14 @@ class Joined {
   bool torn(std::size_t i) { return torn_[root(i)]; }
   void join(std::size_t i, std::size_t j, bool against = false) {
     const std::size_t p = root(i), q = root(j);
-    const bool differ = this->against(i) ^ this->against(j) ^ against;
-    if (p == q) torn_[p] = torn_[p] || differ;
-    else up_[std::max(p, q)] = std::min(p, q), against_[std::max(p, q)] = differ, torn_[std::min(p, q)] = torn_[p] || torn_[q];
+    const bool differ = (this->against(i) != this->against(j)) != against;
+    if (p == q) {
+      torn_[p] = torn_[p] || differ;
+      return;
+    }
+    const auto [low, high] = std::minmax(p, q);
+    torn_[low] = torn_[low] || torn_[high];
+    up_[high] = low, against_[high] = differ;
   }
 
  private:

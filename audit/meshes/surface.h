@@ -30,9 +30,10 @@ struct Surface {
 
   /// Faces are of one sheet if a chain of edges of two faces each joins them. Numbered as components are.
   std::vector<std::size_t> sheet;
-  std::vector<bool> one_sided;  ///< of each sheet: no choice of directions agrees at all of its edges, as in a Moebius strip
-  std::vector<bool> closed;     ///< of each sheet: it has each of its edges an even number of times
-  std::vector<bool> against;    ///< of each face: it runs the other way than the first of its sheet
+  std::vector<bool>
+      one_sided;  ///< of each sheet: no choice of directions agrees at all of its edges, as in a Moebius strip
+  std::vector<bool> closed;   ///< of each sheet: it has each of its edges an even number of times
+  std::vector<bool> against;  ///< of each face: it runs the other way than the first of its sheet
 };
 
 }  // namespace touchstone::audit::meshes

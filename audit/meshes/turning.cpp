@@ -48,10 +48,9 @@ Aabb3d box_of(const Meshd& part) {
 }
 
 bool holds(const Aabb3d& outer, const Aabb3d& inner) {
-  return std::all_of(robust::structures::coordinates.begin(), robust::structures::coordinates.end(),
-                     [&](double Point3d::*axis) {
-                       return outer.min.*axis <= inner.min.*axis && inner.max.*axis <= outer.max.*axis;
-                     });
+  return std::all_of(
+      robust::structures::coordinates.begin(), robust::structures::coordinates.end(),
+      [&](double Point3d::*axis) { return outer.min.*axis <= inner.min.*axis && inner.max.*axis <= outer.max.*axis; });
 }
 
 /// What is known of where a closed sheet lies.
@@ -64,7 +63,7 @@ struct Sheets {
 };
 
 Sheets sheets_of(const Surface& surface, const Meshd* mesh, const std::vector<std::size_t>& face_of,
-                  const std::vector<IndexPair>* nesting) {
+                 const std::vector<IndexPair>* nesting) {
   const std::size_t count = surface.one_sided.size();
   Sheets sheets{std::vector<std::vector<std::size_t>>(count), std::vector<VolumeSign>(count, VolumeSign::none),
                 std::vector<Nested>(count, Nested::outside)};
@@ -100,7 +99,7 @@ Sheets sheets_of(const Surface& surface, const Meshd* mesh, const std::vector<st
 }  // namespace
 
 Turning turning_of(const Surface& surface, const Meshd* mesh, const std::vector<std::size_t>& face_of,
-                  const std::vector<IndexPair>* nesting) {
+                   const std::vector<IndexPair>* nesting) {
   const Sheets sheets = sheets_of(surface, mesh, face_of, nesting);
   Turning turning;
   for (std::size_t s = 0; s < sheets.faces.size(); ++s) {
@@ -108,8 +107,10 @@ Turning turning_of(const Surface& surface, const Meshd* mesh, const std::vector<
     const std::vector<std::size_t>& faces = sheets.faces[s];
     const auto against = static_cast<std::size_t>(
         std::count_if(faces.begin(), faces.end(), [&](std::size_t i) { return surface.against[i]; }));
-    const VolumeSign volume = sheets.volume[s], wanted = sheets.nested[s] == Nested::inside ? VolumeSign::negative : VolumeSign::positive;
-    const bool known = (volume == VolumeSign::positive || volume == VolumeSign::negative) && sheets.nested[s] != Nested::unknown;
+    const VolumeSign volume = sheets.volume[s],
+                     wanted = sheets.nested[s] == Nested::inside ? VolumeSign::negative : VolumeSign::positive;
+    const bool known =
+        (volume == VolumeSign::positive || volume == VolumeSign::negative) && sheets.nested[s] != Nested::unknown;
     if (against > 0) {
       const bool turn_against = known ? volume == wanted : 2 * against <= faces.size();
       for (const std::size_t i : faces)

@@ -16,11 +16,13 @@ struct Turning {
   std::vector<std::size_t> filled_cavity;  ///< the first face of each sheet inside another that looks outwards as well
 };
 
-/// Sheets that are closed and not one-sided come to look outwards, those in an odd number of others inwards; of the
-/// others the lesser number of faces is turned. `mesh` is the surface cut into triangles, or null where it cannot be cut:
-/// nothing but agreement counts then; `face_of` says of each of its named faces which face of the surface it is of. `nesting` is that of its components, or null where it is not
-/// known: a sheet that agrees and whose box lies in another's stays as it is, for it may be a cavity. A sheet inside
-/// another that looks outwards may be meant: it is told and stays as it is.
+/// Sheets that are closed and not one-sided come to look outwards, those in an odd number of others inwards; of other
+/// sheets the lesser number of faces is turned. A sheet that agrees and lies in another, both looking outwards, may be
+/// meant: it is told and stays as it is.
+///
+/// mesh: the surface cut into triangles, or null where it cannot be cut; nothing but agreement counts then. face_of: of
+/// each face that `mesh` names, the face of the surface. nesting: that of its components, or null where it is not
+/// known; a sheet that agrees and whose box lies in another's then stays as it is, for it may be a cavity.
 Turning turning_of(const Surface& surface, const Meshd* mesh, const std::vector<std::size_t>& face_of,
                    const std::vector<IndexPair>* nesting);
 
