@@ -13,6 +13,7 @@
 #include "audit/parallel.h"
 #include "audit/tally_json.h"
 #include "catalogue/codec/did_you_mean.h"
+#include "catalogue/codec/nearest_double.h"
 #include "program/checkpoint.h"
 #include "program/commands.h"
 #include "program/interruptible.h"

@@ -134,7 +134,7 @@ class Scene {
     return {document_.name + ": " + accessor.path(), elements.bytes, std::endian::little, i * elements.stride};
   }
 
-  std::vector<Point3d> positions_of(std::size_t i) const {
+  std::vector<Point3d> positions_of(std::size_t i) {
     const Value accessor = document_.root()["accessors"][i];
     if (accessor["componentType"].integer() != float32 || accessor["type"].text() != "VEC3")
       accessor.refuse("positions of three float32 numbers each");

@@ -9,6 +9,7 @@
 #include "audit/meshes/reading.h"
 #include "audit/meshes/xml.h"
 #include "audit/meshes/zip.h"
+#include "catalogue/codec/nearest_double.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::audit::meshes {
