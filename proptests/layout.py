@@ -53,7 +53,7 @@ FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision
 FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
 CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
 CGAL_MAY_BE_PEER = ("proptests/", "bench/", "engines/")
-# They refuse subnormal numbers or read what the locale says; catalogue/codec/nearest_double.h does neither.
+# They refuse subnormals, or obey the locale.
 OTHER_READER = re.compile(r"\b(?:sto(?:d|f|ld)|strto(?:d|f|ld)|atof)\b(?= *\()")
 # A family draws its choices from `c`: handed on, or a member called.
 CALL = re.compile(r"\b(?!(?:for|if|while|switch|return)\b)\w+(?:<[\w:]+>)?\(")
@@ -161,8 +161,7 @@ def cgal(tree):
 
 
 def public_headers(tree):
-    """No exact number type reaches a user of geometry, reference or robust, not even through another header; nor does a
-    header that is not installed."""
+    """No exact number type, nor a header that is not installed, reaches a user of geometry, reference or robust."""
     for name in tree.text:
         if not re.match(r"(geometry|reference|robust)/.*\.h$", name) or name.startswith(("robust/kernel/", *NOT_INSTALLED)):
             continue
@@ -240,24 +239,21 @@ def part_of(module, path):
 def reach(sees, start):
     reached, waiting = set(), [start]
     while waiting:
-        for other in sees.get(waiting.pop(), {}):
-            if other not in reached:
-                reached.add(other)
-                waiting.append(other)
+        fresh = sees.get(waiting.pop(), {}).keys() - reached
+        reached |= fresh
+        waiting += fresh
     return reached
 
 
 def readers(tree):
     for name, text in tree.text.items():
-        found = OTHER_READER.search(COMMENT.sub("", text)) if name.endswith((".h", ".cpp")) else None
-        if found:
+        if name.endswith((".h", ".cpp")) and (found := OTHER_READER.search(COMMENT.sub("", text))):
             yield f"{name}: {found.group(0)}, another reader of numbers than nearest_double"
 
 
 def lengths(tree):
     for name, text in tree.text.items():
-        lines = text.count("\n")
-        if lines > LONGEST:
+        if (lines := text.count("\n")) > LONGEST:
             yield f"{name}: {lines} lines, more than {LONGEST}"
 
 
@@ -273,8 +269,7 @@ def defects(root, operations):
     yield from public_headers(tree)
     yield from circles(tree)
     yield from draws(tree)
-    yield from readers(tree)
-    yield from lengths(tree)
+    yield from (*readers(tree), *lengths(tree))
 
 
 CLAIM = '{"op":"touch"}\n'
@@ -394,13 +389,10 @@ def main():
     choice.add_argument("--program", help="the built program; its `ops --json` is the list of operations")
     choice.add_argument("--self-check", action="store_true")
     options = arguments.parse_args()
-    if options.self_check:
-        found = self_check()
-    else:
-        listing = subprocess.run([options.program, "ops", "--json"], check=True, capture_output=True, text=True).stdout
-        found = list(defects(pathlib.Path(__file__).resolve().parent.parent, json.loads(listing)))
-    for defect in found:
-        print(defect)
+    listing = "[]" if options.self_check else subprocess.check_output([options.program, "ops", "--json"], text=True)
+    root = pathlib.Path(__file__).resolve().parent.parent
+    found = self_check() if options.self_check else list(defects(root, json.loads(listing)))
+    print(*found, sep="\n", end="\n" * bool(found))
     return 1 if found else 0
 
 

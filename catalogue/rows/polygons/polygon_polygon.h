@@ -146,7 +146,9 @@ struct polygon_polygon {
         {"closed_ring",
          [](DrawStream& c) -> Question {
            const std::uint64_t which = c.below(3);
-           const Polygon2d a = simple_ring(c), b = with_vertex_at(simple_ring(c), on_an_edge(a, c), c);
+           const Polygon2d a = simple_ring(c), other = simple_ring(c);
+           const Point2d touch = on_an_edge(a, c);
+           const Polygon2d b = with_vertex_at(other, touch, c);
            return {which == 0 ? a : closed(a, c), which == 1 ? b : closed(b, c)};
          }},
     };
