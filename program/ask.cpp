@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/audit_run.h"
 #include "audit/engines/notes.h"
-#include "audit/meshes.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/explained.h"
 #include "program/commands.h"
+#include "program/file_meshes.h"
 #include "program/geometries.h"
 #include "program/out_of_memory.h"
 #include "program/program.h"
@@ -25,19 +25,6 @@ Json said_by(Engine& engine, const Operation& operation, const Question& questio
   return result;
 }
 
-/// The meshes that the command line names, by field.
-Json meshes_of(const AskCommand& command) {
-  Json meshes = Json::object();
-  for (const std::string& named : command.meshes) {
-    const std::size_t equals = named.find('=');
-    if (equals == std::string::npos || equals == 0) throw UsageError("--mesh: expected field=FILE, got " + named);
-    const std::string field = named.substr(0, equals);
-    if (meshes.contains(field)) throw UsageError("--mesh: " + field + " is given twice");
-    meshes[field] = parse_line(one_line(to_json(read_mesh(named.substr(equals + 1)))));
-  }
-  return meshes;
-}
-
 Json input_in(const std::string& text, const AskCommand& command, const Operation& operation, const Json& meshes) {
   if (command.wkt) return input_of(operation, geometries_of_wkt(text), meshes);
   if (command.geojson) return input_of(operation, geometries_of_geojson(text), meshes);
@@ -54,20 +41,23 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   EngineNotes notes;
   const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);
   const std::string& file = command.file;
-  const Json meshes = meshes_of(command);
+  const FileMeshes meshes(command.meshes, command.preparation);
+  if (command.verbose) meshes.tell(err);
   bool refused_any = false, found_any = false;
   RegressionTests tests(command.as);
   const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
     Json error = Json::object();
     error["error"]["field"] = refused.field();
     error["error"]["rule"] = refused.rule();
+    const auto in_file = meshes.in_file(refused);
+    if (in_file) error["error"]["in_file"] = in_file->what();
     if (command.as.empty()) out << one_line(error) << '\n';
-    err << place(file, number) << refused.what() << '\n';
+    err << (in_file ? in_file->what() : place(file, number) + refused.what()) << '\n';
     refused_any = true;
   };
   const auto answer = [&](std::uint64_t number, const std::string& text) {
     try {
-      const Json input = input_in(text, command, operation, meshes);
+      const Json input = input_in(text, command, operation, meshes.fields());
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);
@@ -77,6 +67,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
         return;
       }
       Json line = command.truth ? truth_alone(*examination) : explained(*examination);
+      meshes.add_to(line);
       if (engine) line["engine"] = said;
       if (command.as_typed) {
         line["as_typed"] = Json::object();

@@ -10,6 +10,7 @@
 
 #include "audit/engines/engine.h"
 #include "audit/engines/notes.h"
+#include "audit/meshes/prepared.h"
 #include "audit/tally.h"
 #include "catalogue/operation/operation.h"
 #include "program/audit_gate.h"
@@ -49,6 +50,8 @@ struct AskCommand {
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = usual_timeout;
   std::vector<std::string> meshes;    ///< "field=FILE": a mesh field of every line, from a file
+  Preparation preparation;            ///< of those meshes
+  bool verbose = false;               ///< what was read of them
   bool wkt = false, geojson = false;  ///< the input is that instead of JSON
 };
 
@@ -118,9 +121,8 @@ struct SimulateCommand {
 
 struct MeshCommand {
   std::vector<std::string> files;
-  std::optional<double> merge, planar;
-  std::optional<std::string> cut;  ///< "fan" or "shortest"
-  std::string repair, page;        ///< files; empty: none
+  Preparation preparation;
+  std::string repair, page;  ///< files; empty: none
   bool json = false;
 };
 

@@ -18,13 +18,6 @@
 namespace touchstone::program {
 namespace {
 
-Preparation preparation_of(const MeshCommand& command) {
-  Preparation how;
-  if (command.cut) how.cut = *command.cut == "fan" ? Preparation::Cut::fan : Preparation::Cut::shortest;
-  how.planar = command.planar, how.merge = command.merge;
-  return how;
-}
-
 void require_other_file(const std::string& option, const std::string& written, const std::string& read) {
   std::error_code unknown;
   if (written == read || std::filesystem::equivalent(written, read, unknown))
@@ -119,7 +112,7 @@ void require_usage(const MeshCommand& command) {
 
 int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& err) {
   require_usage(command);
-  const Preparation how = preparation_of(command);
+  const Preparation& how = command.preparation;
   Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
   const bool alone = command.files.size() == 1;
   std::vector<Row> rows;

@@ -12,6 +12,7 @@
 #include "program/command_tree.h"
 #include "program/commands.h"
 #include "program/documentation.h"
+#include "program/file_meshes.h"
 #include "program/map.h"
 #include "program/mesh_options.h"
 #include "program/regression_test.h"
@@ -126,12 +127,14 @@ void add_ask(CLI::App& program, Action& action) {
       ->excludes(truth)
       ->default_str("");
   add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
+  auto* mesh = command->add_option(
+      "--mesh", options->meshes,
+      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may be {}");
+  mesh->allow_extra_args(false)->default_str("");
+  for (CLI::Option* option : add_preparation(*command, options->preparation)) option->needs(mesh);
   command
-      ->add_option("--mesh", options->meshes,
-                   "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines "
-                   "may be {}")
-      ->allow_extra_args(false)
-      ->default_str("");
+      ->add_flag("--verbose", options->verbose, "Tell on standard error what was read of a mesh file, and made of it")
+      ->needs(mesh);
   auto* wkt = command->add_flag("--wkt", options->wkt,
                                 "A line is WKT: a geometry for each field, in their order, separated by semicolons");
   command
