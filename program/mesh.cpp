@@ -30,18 +30,6 @@ struct Row {
   std::optional<Diagnosis> diagnosis;  ///< empty where the file cannot be read
 };
 
-/// What is certain of a repair, and what it leaves.
-struct Mended {
-  Repaired repaired;
-  Diagnosis left;
-};
-
-Mended mended(const MeshFile& file, const Preparation& how, const TellStep& tell) {
-  Mended result{repaired(file, how, tell), {}};
-  result.left = diagnosed(result.repaired.mesh, {how.cut, how.planar, std::nullopt}, tell);
-  return result;
-}
-
 void print_words(const Row& row, std::ostream& out) {
   const std::vector<std::string> lines = description_of(row.file, *row.diagnosis);
   for (const std::string& line : lines) out << (&line == &lines[0] ? "" : "  ") << line << '\n';
@@ -53,8 +41,8 @@ void print_words(const Row& row, std::ostream& out) {
   }
 }
 
-void print_repair(const MeshCommand& command, const Mended& repair, std::ostream& out) {
-  const std::vector<std::string>& changes = repair.repaired.changes;
+void print_repair(const MeshCommand& command, const Repaired& repair, std::ostream& out) {
+  const std::vector<std::string>& changes = repair.changes;
   if (command.repair.empty()) {
     if (changes.empty()) return;
     out << "--repair OUT would do this:\n";
@@ -89,10 +77,10 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
-Json json_of(const Row& row, const MeshCommand& command, const std::optional<Mended>& repair) {
+Json json_of(const Row& row, const MeshCommand& command, const std::optional<Repaired>& repair) {
   Json json = json_of(row.file, *row.diagnosis);
   if (!repair) return json;
-  json["repair"] = {{"changes", repair->repaired.changes}, {"left", json_of(repair->repaired.mesh, repair->left)}};
+  json["repair"] = {{"changes", repair->changes}, {"left", json_of(repair->mesh, repair->left)}};
   if (!command.repair.empty()) json["repair"]["file"] = command.repair;
   return json;
 }
@@ -115,33 +103,34 @@ int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& er
   const Preparation& how = command.preparation;
   Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
   const bool alone = command.files.size() == 1;
+  std::ostream& words = is_standard_output(command.page) ? err : out;
   std::vector<Row> rows;
   bool refused = false, found_any = false;
   for (const std::string& name : command.files) {
     const TellStep tell = [&](const std::string& step) { progress.tell(name + ": " + step); };
     Row& row = rows.emplace_back();
     row.file.name = excerpt(name, 200);
-    std::optional<Mended> repair;
+    std::optional<Repaired> repair;
     try {
       tell("reading");
       row.file = read_mesh_file(name);
       row.diagnosis = diagnosed(row.file, how, tell);
-      if (!command.repair.empty() || (alone && !row.diagnosis->solid())) repair = mended(row.file, how, tell);
+      if (!command.repair.empty() || (alone && !row.diagnosis->solid()))
+        repair = repaired(row.file, how, *row.diagnosis, tell);
     } catch (const InvalidInput& wrong) {
       err << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
       refused = true;
       continue;
     }
-    if (!command.repair.empty())
-      write_file("--repair", command.repair, text_of_mesh(repair->repaired.mesh, command.repair));
+    if (!command.repair.empty()) write_file("--repair", command.repair, text_of_mesh(repair->mesh, command.repair));
     if (!command.page.empty()) write_file("--page", command.page, report::mesh_page(row.file, *row.diagnosis));
     progress.end();
     found_any = found_any || !(command.repair.empty() ? *row.diagnosis : repair->left).solid();
     if (command.json) {
-      out << one_line(json_of(row, command, repair)) << '\n';
+      words << one_line(json_of(row, command, repair)) << '\n';
     } else if (alone) {
-      print_words(row, out);
-      if (repair) print_repair(command, *repair, out);
+      print_words(row, words);
+      if (repair) print_repair(command, *repair, words);
     }
     MeshFile named;  // what the table needs
     named.name = row.file.name;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "audit/counted.h"
-#include "audit/counted.h"
 #include "audit/meshes/findings.h"
 #include "audit/meshes/repeated_faces.h"
 
@@ -48,7 +47,7 @@ void drop_merged(MeshFile& mesh, const std::vector<Index>& into) {
 
 }  // namespace
 
-Repaired repaired(const MeshFile& file, const Preparation& how, const TellStep& tell) {
+Repaired repaired(const MeshFile& file, const Preparation& how, const Diagnosis& diagnosis, const TellStep& tell) {
   Repaired result;
   const auto change = [&](const Places& faces, const char* what) {
     if (!faces.empty())
@@ -62,7 +61,8 @@ Repaired repaired(const MeshFile& file, const Preparation& how, const TellStep& 
   change(shorter.shortened, "left without the corners that stood twice in a row");
 
   MeshFile& mesh = result.mesh;
-  mesh.name = file.name, mesh.vertices = file.vertices, mesh.faces = std::move(shorter.faces);
+  mesh.name = file.name, mesh.format = file.format, mesh.vertices = file.vertices,
+  mesh.faces = std::move(shorter.faces);
   Places& face_in_file = shorter.face_in_file;
   Places again;
   std::vector<bool> dropped(mesh.faces.size());
@@ -72,9 +72,13 @@ Repaired repaired(const MeshFile& file, const Preparation& how, const TellStep& 
   drop(mesh.faces, face_in_file, dropped);
   drop_merged(mesh, merging.into);
 
-  const Places reversed = diagnosed(mesh, {how.cut, how.planar, std::nullopt}, tell).reversed;
+  const Preparation as_merged{how.cut, how.planar, std::nullopt};
+  result.left = result.changes.empty() && !how.merge ? diagnosis : diagnosed(mesh, as_merged, tell);
+  const Places reversed = result.left.reversed;
+  if (reversed.empty()) return result;
   for (const std::size_t i : reversed) std::reverse(mesh.faces[i].begin(), mesh.faces[i].end());
   change(in_file(reversed, face_in_file), "reversed");
+  result.left = diagnosed(mesh, as_merged, tell);
   return result;
 }
 
