@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdlib>
+#include <filesystem>
 
 #include "audit/meshes.h"
 #include "catalogue/codec/json.h"
@@ -290,6 +292,23 @@ TEST_CASE("mesh: the page holds the words and a figure with the places") {
   text << std::ifstream(page.path()).rdbuf();
   CHECK_THAT(text.str(), ContainsSubstring("4 open edges, in 1 rim") && ContainsSubstring("edge 1-4") &&
                              ContainsSubstring("data-space=") && ContainsSubstring("const viewer"));
+}
+
+TEST_CASE("mesh: meshes of others are what their names say") {
+  const char* const given = std::getenv("TOUCHSTONE_DATA");
+  const auto folder = std::filesystem::path(given == nullptr ? "../shared/data" : given) / "meshes/ipc";
+  if (!std::filesystem::exists(folder)) {
+    WARN("skipped: no meshes below TOUCHSTONE_DATA or ../shared/data");
+    return;
+  }
+  const auto of = [&](const char* name) { return called({"mesh", (folder / name).c_str()}); };
+  check_solid(of("cube.ply"));
+  for (const char* name : {"two-cubes-far.ply", "two-cubes-close.ply"}) {
+    const Called apart = of(name);
+    check_solid(apart);
+    CHECK_THAT(apart.out, ContainsSubstring("2 parts"));
+  }
+  check_found(of("two-cubes-intersecting.ply"), {"faces meet beyond the vertices that both name"});
 }
 
 TEST_CASE("mesh: what cannot be done is refused in one line, and no mesh is overwritten") {
