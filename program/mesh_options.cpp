@@ -1,62 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/mesh_options.h"
 
-#include <fmt/format.h>
-
 #include <iostream>
-#include <limits>
 #include <memory>
 
-#include "audit/meshes/merged.h"
 #include "program/commands.h"
-#include "program/exit_codes.h"
+#include "program/file_meshes.h"
 
 namespace touchstone::program {
-namespace {
-
-/// A number from 0 to `most`. The line may have taken a file for it.
-double length_of(const std::string& option, const std::string& text, double most, const std::string& range) {
-  double value = 0;
-  if (CLI::detail::lexical_cast(text, value) && value >= 0 && value <= most) return value;
-  throw UsageError(fmt::format("{}: expected a number {}, got {}; files come before the options", option, range, text));
-}
-
-}  // namespace
 
 void add_mesh(CLI::App& program, std::function<int()>& action) {
   auto* command =
       program.add_subcommand("mesh", "What a mesh is, what is wrong with it, where, and what would mend it");
   auto options = std::make_shared<MeshCommand>();
-  auto merge = std::make_shared<std::string>(), planar = std::make_shared<std::string>();
-  auto cut = std::make_shared<std::string>();
   command->add_option("file", options->files, "OBJ, PLY, OFF or STL files; several make a table")->required();
-  const auto* merged =
-      command
-          ->add_option("--merge", *merge,
-                       "Vertices in equal positions are one; with a number T, those nearer than T times "
-                       "the size of the mesh (at most 0.01)")
-          ->expected(0, 1)
-          ->default_str("0");
-  const auto* flattened =
-      command
-          ->add_option("--planar", *planar,
-                       "Faces whose corners are at most so far off a plane, in the file's unit, are taken for planar")
-          ->default_str("");
-  command->add_option("--cut", *cut, "How faces that are not planar are cut: fan or shortest")
-      ->check(CLI::IsMember({"fan", "shortest"}))
-      ->default_str("");
+  add_preparation(*command, options->preparation);
   command->add_option("--repair", options->repair,
                       "Write the mesh with what is certain mended into this file (.obj, .off or .ply)");
   command->add_option("--page", options->page,
                       "Write an HTML page with a picture into this file; - is standard output");
   command->add_flag("--json", options->json, "A line of JSON for each file");
-  command->callback([=, &action] {
-    if (merged->count() > 0) options->merge = length_of("--merge", *merge, most_to_merge, "from 0 to 0.01");
-    if (flattened->count() > 0)
-      options->planar = length_of("--planar", *planar, std::numeric_limits<double>::max(), "of at least 0");
-    if (!cut->empty()) options->cut = *cut;
-    action = [=] { return mesh_command(*options, std::cout, std::cerr); };
-  });
+  command->callback([=, &action] { action = [=] { return mesh_command(*options, std::cout, std::cerr); }; });
 }
 
 }  // namespace touchstone::program

@@ -14,7 +14,7 @@ struct Gives {
     INFO(catalogue::one_line(catalogue::operation_of_row<Row>().print(catalogue::packed(question))));
     CHECK(equal(catalogue::ask_robust<Row>(question), expected));
     const auto truth = catalogue::converted<double>(catalogue::ask_oracle<Row>(question).answer,
-                                                    [](const Rational& number) { return catalogue::nearest(number); });
+                                                    [](const auto& number) { return catalogue::nearest(number); });
     CHECK(equal(truth, expected));
     CHECK(name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
   }
