@@ -15,7 +15,8 @@ std::string corners_in_words(std::size_t corners, std::size_t count) {
                            : corners == 4 ? "quadrilateral"
                                           : fmt::format("polygon of {} corners", corners);
   if (count == 1) return "1 " + noun;
-  return fmt::format("{} {}", count, corners < 5 ? noun + "s" : fmt::format("polygons of {} corners", corners));
+  return fmt::format("{} {}", grouped(count),
+                     corners < 5 ? noun + "s" : fmt::format("polygons of {} corners", corners));
 }
 
 std::string faces_in_words(const Diagnosis& diagnosis) {
