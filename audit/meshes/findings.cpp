@@ -61,7 +61,7 @@ std::string faces_listed(const MeshFile& file, const std::vector<std::size_t>& f
     if (k > 0) text += k + 1 == faces.size() ? " and " : ", ";
     text += face_in_words(file, faces[k]).substr(std::string("face ").size());
   }
-  return faces.size() > shown ? text + fmt::format(" and {} more", faces.size() - shown) : text;
+  return faces.size() > shown ? text + fmt::format(" and {} more", grouped(faces.size() - shown)) : text;
 }
 
 std::string merging_in_words(const Merging& merging) {
