@@ -52,6 +52,12 @@ Places flat_triangles(const Examined& examined) {
   return flat;
 }
 
+bool same_corners(const Examined& examined, const PreparedMesh& cut, const IndexPair& pair) {
+  Corners one = examined.mesh.faces[cut.face_in_file[pair.i]], other = examined.mesh.faces[cut.face_in_file[pair.j]];
+  std::sort(one.begin(), one.end()), std::sort(other.begin(), other.end());
+  return one == other;
+}
+
 }  // namespace
 
 std::string faces_listed(const MeshFile& file, const std::vector<std::size_t>& faces) {
@@ -122,7 +128,8 @@ std::vector<FoundDefect> defects_of_shape(const Examined& examined, const Prepar
       found.push_back(found_faces(examined, MeshDefect::flat_face, {face(*complexity.flat_face)},
                                   "a triangle of the cut has no area", "another --cut"));
   }
-  if (complexity.meeting_faces) {
+  // Faces of the same corners are told as such.
+  if (complexity.meeting_faces && !same_corners(examined, cut, *complexity.meeting_faces)) {
     const std::size_t one = face(complexity.meeting_faces->i), other = face(complexity.meeting_faces->j);
     const std::size_t equal = merging_of(examined.mesh.vertices, 0).merged;
     found.push_back({MeshDefect::meeting_faces,

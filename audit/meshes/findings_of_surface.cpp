@@ -15,6 +15,7 @@ namespace {
 using Places = std::vector<std::size_t>;
 
 constexpr std::size_t most_places = 3;
+constexpr const char* drop_repeated = "drop the repeated faces first (--repair)";
 
 FoundDefect found_edges(const Examined& examined, MeshDefect defect, const std::vector<EdgeOfFile>& edges,
                         const std::string& what, const std::string& mend) {
@@ -85,9 +86,10 @@ std::string merging_mends(const Examined& examined) {
   return "";
 }
 
-FoundDefect open_edges(const Examined& examined) {
+FoundDefect open_edges(const Examined& examined, bool repeated) {
   const std::size_t rims = rims_of(examined.surface.open);
   std::string mend = merging_mends(examined);
+  if (mend.empty() && repeated) mend = drop_repeated;
   if (mend.empty()) mend = rims == 1 ? "fill the hole, or close the rim" : "fill the holes, or close the rims";
   return found_edges(examined, MeshDefect::open_edge, examined.surface.open,
                      fmt::format("{}, in {}", counted(examined.surface.open.size(), "open edge"), counted(rims, "rim")),
@@ -141,14 +143,14 @@ std::vector<FoundDefect> defects_of_surface(const Examined& examined) {
                                     : counted(repeated.opposed.size(), "face") +
                                           " have the corners of an earlier one and look the opposite way",
                                 "drop one of each two, or both where they are a wall between two cells"));
-  if (!surface.open.empty()) found.push_back(open_edges(examined));
+  if (!surface.open.empty()) found.push_back(open_edges(examined, !repeated.same.empty()));
   if (!surface.crowded.empty())
     found.push_back(found_edges(examined, MeshDefect::crowded_edge, surface.crowded,
                                 counted(surface.crowded.size(), "edge") +
                                     (surface.crowded.size() == 1 ? " is" : " are") + " in three faces or more",
                                 repeated.same.empty()
                                     ? "delete inner faces, or split the vertices there and move the sheets apart"
-                                    : "drop the repeated faces first (--repair)"));
+                                    : drop_repeated));
   // What is pinched at a crowded edge is told with it.
   if (!surface.pinched.empty() && surface.crowded.empty()) found.push_back(pinched_vertices(examined, surface.pinched));
   return found;

@@ -105,7 +105,7 @@ void each_near_pair(const std::vector<Point3d>& vertices, double tolerance, cons
 Merging merging_of(const std::vector<Point3d>& vertices, double tolerance) {
   Merging result{first_in_position(vertices)};
   each_near_pair(vertices, tolerance, [&](Index v, Index w, double) {
-    const auto [low, high] = std::minmax(root_of(result.into, v), root_of(result.into, w));
+    const auto [low, high] = std::minmax({root_of(result.into, v), root_of(result.into, w)});
     result.into[high] = low;
   });
   for (Index v = 0; v < vertices.size(); ++v) {

@@ -68,7 +68,7 @@ Repaired repaired(const MeshFile& file, const Preparation& how, const Diagnosis&
   std::vector<bool> dropped(mesh.faces.size());
   for (const auto& [face, earlier] : meshes::repeated_faces(mesh.faces).same)
     again.push_back(face), dropped[face] = true;
-  change(in_file(again, face_in_file), "dropped as repetitions of earlier ones");
+  change(in_file(again, face_in_file), "dropped as repeating an earlier one");
   drop(mesh.faces, face_in_file, dropped);
   drop_merged(mesh, merging.into);
 

@@ -189,7 +189,8 @@ TEST_CASE("mesh: a face that is there twice is dropped") {
   const std::string text = corners(0, 1) + faces(all);
   check_found(examined(text), {"a face is there twice\n", "faces 3 and 7 (lines 11 and 15)\n",
                                "4 open edges, in 1 rim\n", "4 edges are in three faces or more\n"});
-  check_repaired(text, {"1 face dropped as repetitions of earlier ones: face 7 (line 15)"});
+  CHECK_THAT(examined(text).out, !ContainsSubstring("faces meet"));
+  check_repaired(text, {"1 face dropped as repeating an earlier one: face 7 (line 15)"});
 }
 
 TEST_CASE("mesh: a face twice in opposite order may be a wall, and stays") {
