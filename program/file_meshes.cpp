@@ -1,56 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/file_meshes.h"
 
-#include <cmath>
-#include <map>
 #include <ostream>
 #include <utility>
 
 #include "audit/meshes/in_file.h"
-#include "audit/meshes/merged.h"
 #include "program/names.h"
 
 namespace touchstone::program {
-namespace {
-
-/// Of --merge, which may stand alone before the next option.
-double tolerance_of(const std::string& text) {
-  double value = 0;
-  if (text.empty() || text == "true") return 0;
-  if (CLI::detail::lexical_cast(text, value) && value >= 0 && value <= most_to_merge) return value;
-  throw UsageError("--merge: expected a number from 0 to 0.01, got " + text +
-                   " (files come before --merge, or write --merge=0)");
-}
-
-const CLI::Validator not_negative(
-    [](std::string& text) {
-      double value = 0;
-      const bool right = CLI::detail::lexical_cast(text, value) && value >= 0;
-      return right ? std::string() : "expected a number that is not negative, got " + text;
-    },
-    "NUMBER");
-
-}  // namespace
-
-std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how) {
-  auto* const merge = command.add_option_function<std::string>(
-      "--merge", [&how](const std::string& text) { how.merge = tolerance_of(text); },
-      "Vertices of a mesh file in equal positions become one; with a number, at most 0.01, those nearer than that part "
-      "of the longest side of the mesh's box, and all that such pairs join");
-  merge->expected(0, 1)->default_str("0");
-  auto* const planar =
-      command.add_option("--planar", how.planar,
-                         "Faces of a mesh file that are not planar, but whose corners lie at most so far apart across "
-                         "them, in the file's unit, are cut as they are seen along the axis nearest to their normal");
-  planar->check(not_negative)->default_str("");
-  auto* const cut = command.add_option_function<std::string>(
-      "--cut",
-      [&how](const std::string& word) { how.cut = word == "fan" ? Preparation::Cut::fan : Preparation::Cut::shortest; },
-      "Faces of a mesh file that are not planar are cut: as a fan from the first corner, or along shortest diagonals");
-  cut->check(CLI::IsMember({"fan", "shortest"}))->default_str("");
-  return {merge, planar, cut};
-}
-
 FileMeshes::FileMeshes(const std::vector<std::string>& named, const Preparation& how) : how_(how) {
   for (const std::string& word : named) {
     const std::size_t equals = word.find('=');

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -13,9 +12,6 @@
 #include "program/uses.h"
 
 namespace touchstone::program {
-
-/// --merge, --planar and --cut, each of which asks for a file.
-std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how);
 
 /// The meshes that a command line names for fields of every question.
 class FileMeshes {

@@ -1,13 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/mesh_options.h"
 
+#include <fmt/format.h>
+
 #include <iostream>
+#include <limits>
 #include <memory>
 
+#include "audit/meshes/merged.h"
 #include "program/commands.h"
-#include "program/file_meshes.h"
+#include "program/exit_codes.h"
 
 namespace touchstone::program {
+namespace {
+
+/// A number from 0 to `most`. The line may have taken a file for it.
+double length_of(const std::string& option, const std::string& text, double most, const std::string& range) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(text, value) && value >= 0 && value <= most) return value;
+  throw UsageError(fmt::format("{}: expected a number {}, got {}; files come before the options", option, range, text));
+}
+
+}  // namespace
+
+std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how) {
+  const auto set_merge = [&how](const std::string& text) {
+    const bool alone = text.empty() || text == "true";
+    how.merge = alone ? 0 : length_of("--merge", text, most_to_merge, "from 0 to 0.01");
+  };
+  const auto set_planar = [&how](const std::string& text) {
+    how.planar = length_of("--planar", text, std::numeric_limits<double>::max(), "of at least 0");
+  };
+  const auto set_cut = [&how](const std::string& word) {
+    how.cut = word == "fan" ? Preparation::Cut::fan : Preparation::Cut::shortest;
+  };
+  return {command
+              .add_option_function<std::string>(
+                  "--merge", set_merge,
+                  "Vertices of a mesh file in equal positions are one; with a number T, those nearer than T times the "
+                  "size of the mesh (at most 0.01)")
+              ->expected(0, 1)
+              ->default_str("0"),
+          command
+              .add_option_function<std::string>("--planar", set_planar,
+                                                "Faces of a mesh file whose corners are at most so far off a plane, in "
+                                                "the file's unit, are taken for planar")
+              ->default_str(""),
+          command
+              .add_option_function<std::string>("--cut", set_cut,
+                                                "How faces of a mesh file that are not planar are cut: fan or shortest")
+              ->check(CLI::IsMember({"fan", "shortest"}))
+              ->default_str("")};
+}
 
 void add_mesh(CLI::App& program, std::function<int()>& action) {
   auto* command =

@@ -12,7 +12,6 @@
 #include "program/command_tree.h"
 #include "program/commands.h"
 #include "program/documentation.h"
-#include "program/file_meshes.h"
 #include "program/map.h"
 #include "program/mesh_options.h"
 #include "program/regression_test.h"

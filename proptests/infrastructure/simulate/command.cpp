@@ -110,7 +110,7 @@ TEST_CASE("simulate: a page is written where numbers are subnormal, or near the 
   const Called call = called({"simulate", scene.path(), "--steps", "0", "--page", page.path()});
   CHECK(call.code == nothing_found);
   CHECK(call.err.empty());
-  CHECK_THAT(text_in(page.path()), ContainsSubstring("1e-310,0,0,1.79769e+308"));
+  CHECK_THAT(text_in(page.path()), ContainsSubstring("1e-310") && ContainsSubstring("1.79769e+308"));
 }
 
 TEST_CASE("simulate: a run that cannot go on ends with what was made until then") {
