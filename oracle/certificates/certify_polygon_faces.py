@@ -21,11 +21,14 @@ def bounded_alike(face, triangles):
 
 
 class Plane:
-    """Turns as seen from where the first triangle is counter-clockwise."""
+    """The plane of three corners that are not on one line, turns as seen from where the triangle is counter-clockwise."""
 
-    def __init__(self, vertices, triangle):
+    def __init__(self, vertices, corners, triangle):
         self.vertices = vertices
-        self.across = cross(*(self.between(triangle[0], corner) for corner in triangle[1:]))
+        normals = (cross(self.between(corners[0], b), self.between(corners[0], c)) for b in corners for c in corners)
+        self.across = next((normal for normal in normals if any(normal)), (0, 0, 0))
+        if self.turn(*triangle) < 0:
+            self.across = tuple(-n for n in self.across)
 
     def between(self, a, b):
         return tuple(q - p for p, q in zip(self.vertices[a], self.vertices[b]))
@@ -52,7 +55,7 @@ def expect_cut(vertices, named, triangles, what):
         if len(face) == 3:
             expect(own[0] == face, no_cut)
             continue
-        plane = Plane(vertices, own[0])
+        plane = Plane(vertices, face, own[0])
         planar = all(dot(plane.across, plane.between(face[0], v)) == 0 for v in face)
         expect(planar, f"{what}.faces[{i}]: planar")
         expect(bounded_alike(face, own), no_cut)

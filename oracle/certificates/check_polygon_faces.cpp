@@ -11,6 +11,18 @@ namespace {
 using Triangle = std::array<std::size_t, 3>;
 using Corners = std::vector<std::size_t>;
 
+/// Across the plane of three corners that are not on one line; zero where all are on one.
+Triple across_plane(const std::vector<Triple>& vertices, const Corners& corners) {
+  for (const std::size_t b : corners) {
+    for (const std::size_t c : corners) {
+      const Triple& a = vertices[corners[0]];
+      const Triple normal = cross(vertices[b] - a, vertices[c] - a);
+      if (!(normal == Triple{0, 0, 0})) return normal;
+    }
+  }
+  return {0, 0, 0};
+}
+
 /// A face, its triangles, and a vector across its plane about which they are to turn counter-clockwise.
 struct Cut {
   const std::vector<Triple>& vertices;
@@ -69,7 +81,8 @@ void expect_cut(const Mesh& mesh, const std::string& what) {
       expect(std::equal(corners.begin(), corners.end(), t.begin()), no_cut);
       continue;
     }
-    cut.across = cross(mesh.vertices[t[1]] - mesh.vertices[t[0]], mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+    cut.across = across_plane(mesh.vertices, corners);
+    if (cut.turn(t[0], t[1], t[2]) < 0) cut.across = Triple{0, 0, 0} - cut.across;
     expect(cut.planar(), numbered(what + ".faces", i) + ": planar");
     expect(cut.bounded_alike(), no_cut);
     for (std::size_t k = 0; k < cut.triangles.size(); ++k) {
