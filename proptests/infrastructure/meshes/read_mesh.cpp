@@ -76,8 +76,8 @@ TEST_CASE("meshes: OBJ with comments, texture indices, relative indices and eith
                                "# a tetrahedron\r\nv 0 0 0\r\nv 1 -0.0 0 # corner\r\nvt 0 0\r\nv 0 +1 0 1 0 0\r\n"
                                "v 0 0 5e-1\r\n\r\nusemtl x\r\nf 1/1 3/1 2/1\r\nf 1//2 2//2 4//2\r\nf -4 -1 -2\r\n"
                                "f 2/1/2 \\\r\n  3 4\r\n"));
-  CHECK(parse_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4").faces ==
-        std::vector<Face>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(audit::parse_mesh_file("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4").faces ==
+        std::vector<std::vector<Index>>{{0, 1, 2, 3}});
   CHECK(parse_mesh("a.obj", "f 1 2 3\rv 0 0 0\rv 1 0 0\rv 1 1 0").faces == std::vector<Face>{{0, 1, 2}});
 }
 
