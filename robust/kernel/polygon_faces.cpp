@@ -47,7 +47,7 @@ std::optional<SeenPolygon<Real>> SeenPolygon<Real>::of(const std::vector<Point3<
     for (const SeenPolygon& seen : along) {
       if (seen.turn_of(a, *b, *c) == 0) continue;
       const bool planar = std::all_of(corners.begin(), corners.end(), [&](Index d) {
-        return in_one_plane(vertices[a], vertices[*b], vertices[*c], vertices[d]);
+        return d == a || d == *b || d == *c || in_one_plane(vertices[a], vertices[*b], vertices[*c], vertices[d]);
       });
       return planar ? std::optional(seen) : std::nullopt;
     }
