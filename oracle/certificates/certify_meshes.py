@@ -21,6 +21,14 @@ def faces_of(value, what, vertices):
     return [corners(face, f"{what}[{i}]", vertices) for i, face in enumerate(value)]
 
 
+class Triangles(list):
+    """Those of the first face first; `face_of` tells which face each is a part of."""
+
+    def __init__(self, triangles, named):
+        super().__init__(triangles)
+        self.face_of = [i for i, face in enumerate(named) for _ in face[2:]]
+
+
 def named_mesh(value, what):
     """Vertices, triangles, and the faces as they are named, which may have more than three corners."""
     cut = isinstance(value, dict) and "cut" in value
@@ -35,7 +43,8 @@ def named_mesh(value, what):
         enough = len(triangles) == sum(len(face) - 2 for face in named)
         expect(enough, what + ".cut: a cut of the faces into triangles")
         expect_cut(vertices, named, triangles, what)
-    for i, face in enumerate(triangles):
+    triangles = Triangles(triangles, named)
+    for i, face in zip(triangles.face_of, triangles):
         expect(len(set(face)) == 3, f"{what}.faces[{i}]: three different vertices")
     expect(len(named) >= 4, what + ": at least 4 faces")
     return vertices, triangles, named
@@ -48,7 +57,7 @@ def mesh(value, what):
 
 def expect_closed(faces, what):
     times = Counter(edge for a, b, c in faces for edge in ((a, b), (b, c), (c, a)))
-    for i, face in enumerate(faces):
+    for i, face in zip(faces.face_of, faces):
         for a, b in zip(face, face[1:] + face[:1]):
             matched = times[(a, b)] == 1 and times.get((b, a)) == 1
             expect(matched, f"{what}.faces[{i}]: closed: edge {a} -> {b} must occur once, and {b} -> {a} once")
@@ -67,13 +76,13 @@ def height(plane, p):
 def outward_planes(vertices, faces, what):
     expect_closed(faces, what)
     planes = [plane_through(*(vertices[corner] for corner in face)) for face in faces]
-    for i, (normal, _) in enumerate(planes):
+    for i, (normal, _) in zip(faces.face_of, planes):
         expect(normal != (0, 0, 0), f"{what}.faces[{i}]: nonzero area")
     front = next((above for above in (height(planes[0], vertex) for vertex in vertices) if above), 0)
     expect(front != 0, what + ": convex: vertices on one plane have no inside")
     if front > 0:
         planes = [(tuple(-n for n in normal), -offset) for normal, offset in planes]
-    for i, plane in enumerate(planes):
+    for i, plane in zip(faces.face_of, planes):
         for v, vertex in enumerate(vertices):
             inside = height(plane, vertex) <= 0
             expect(inside, f"{what}.faces[{i}]: convex: vertex {v} must not lie beyond its plane")

@@ -17,7 +17,7 @@ def expect_even(faces, what):
     """Every edge, a pair of vertices in whichever order, is in an even number of faces."""
     edges = [[(a, b), (b, c), (c, a)] for a, b, c in faces]
     times = Counter(frozenset(edge) for of_face in edges for edge in of_face)
-    for i, of_face in enumerate(edges):
+    for i, of_face in zip(faces.face_of, edges):
         for a, b in of_face:
             edge = f"the edge from vertex {a} to vertex {b}"
             even = times[frozenset((a, b))] % 2 == 0

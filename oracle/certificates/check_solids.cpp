@@ -22,7 +22,7 @@ void expect_even(const Mesh& mesh, const std::string& what) {
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t from = mesh.faces[i][k], to = mesh.faces[i][(k + 1) % 3];
-      const std::string field = what + ".faces[" + std::to_string(i) + "]",
+      const std::string field = what + ".faces[" + std::to_string(mesh.face_of[i]) + "]",
                         edge = "from vertex " + std::to_string(from) + " to vertex " + std::to_string(to);
       expect(times[std::minmax(from, to)] % 2 == 0,
              field + ": closed: the edge " + edge + " must be in an even number of faces");

@@ -158,8 +158,8 @@ TEST_CASE("point_in_polygon: rings without an inside, spikes and repeated vertic
   example<Row>({{{{0, 0}, {4, 2}, {2, 1}}}, {3, 1}}, outside);
   example<Row>({{{{0, 0}, {4, 0}, {2, 0}}}, {-1, 0}}, outside);
   example<Row>({{{{0, 0}, {4, 0}, {2, 0}}}, {3, 0}}, boundary);
-  example<Row>({{{{1, 1}, {1, 1}, {1, 1}}}, {1, 1}}, boundary);
-  example<Row>({{{{1, 1}, {1, 1}, {1, 1}}}, {0, 1}}, outside);
+  example<Row>({{{{1, 1}, {1, 1}, {1, 1}, {1, 1}}}, {1, 1}}, boundary);
+  example<Row>({{{{1, 1}, {1, 1}, {1, 1}, {1, 1}}}, {0, 1}}, outside);
   // A spike from (4, 2) to (8, 2) and back, and a corner written twice.
   const Polygon2d spiked{{{0, 0}, {4, 0}, {4, 2}, {8, 2}, {4, 2}, {4, 4}, {0, 4}, {0, 4}}};
   example<Row>({spiked, {1, 2}}, inside);
