@@ -138,7 +138,7 @@ TEST_CASE("polygon_normal: where two edges do not tell what the ring does") {
 }
 
 TEST_CASE("polygon_normal: degenerate rings") {
-  degenerate({{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}});
+  degenerate({{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {1, 2, 3}}});
   degenerate({{{0, 0, 0}, {1, 2, 3}, {3, 6, 9}, {-1, -2, -3}}});
   degenerate({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}}, "algorithm");  // a figure of eight
   degenerate({{{0.0, -0.0, 0.0}, {0.0, 0.0, 0.0}, {-0.0, tiny, 0.0}}});
