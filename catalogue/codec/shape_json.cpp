@@ -126,7 +126,7 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
       if (reached > furthest) complaint.emplace(refused), furthest = reached;
     }
   }
-  if (named) throw InvalidInput(*complaint);
+  if (named || path.empty()) throw InvalidInput(*complaint);
   std::string first_fields;
   for (const Shape::Part& part : shape.parts)
     first_fields += (first_fields.empty() ? "" : ", ") + std::string(part.shape->parts[0].name);

@@ -230,6 +230,22 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
     }
   };
   using Decision = decltype(Row::decision::robust(asked));
+  // What is outside the contract, a ring that is closed over two vertices, has to be refused.
+  const auto oracle_refuses = [](const Asked& q) {
+    try {
+      ask_oracle<Row>(q);
+    } catch (const InvalidInput&) {
+      return true;
+    }
+    return false;
+  };
+  const auto decides_so = [&](const Asked& q, Decision truth) {
+    try {
+      return Row::decision::robust(q) == truth;
+    } catch (const InvalidInput&) {
+      return oracle_refuses(q);
+    }
+  };
   std::array<std::uint64_t, Words<Decision>::words.size()> outcomes{}, of_grid{};
   DecisionCount count;
   if (first < last) take(first);
@@ -239,7 +255,7 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
     ++outcomes[word];
     if (given.domain_weight) of_grid[word] += given.domain_weight(size, index);
     count.hash += scattered(index * 4 + word);
-    if (Row::decision::robust(asked) != truth && count.wrong++ == 0) count.first_wrong = index;
+    if (!decides_so(asked, truth) && count.wrong++ == 0) count.first_wrong = index;
     if (++index == last) break;
     if (given.domain_at) take(index);
     else count_up();

@@ -47,10 +47,9 @@ def check_polygon_normal(claim):
     expect(claim.word("class") == "proper" and length != 0, "truth: class is wrong")
     claim.answers("class", "normal", "unit")
     expect(exact_triple(claim.truth["normal"], "truth.normal") == normal, "truth: normal is wrong")
-    claim.facts()
     for axis, part in enumerate(list_of_three(claim.truth["unit"], "truth.unit")):
         expect_root("unit", exact_surd(part, f"truth.unit[{axis}]"), normal[axis], length)
-    expect_kind_of_root(claim, is_square(length))
+    expect_kind_of_root(claim, is_square(length)), claim.facts()
 
 
 def check_point_plane(claim):

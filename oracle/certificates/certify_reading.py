@@ -179,9 +179,11 @@ class Claim:
         expect(self.kind() == kind, WRONG_KIND)
 
     def facts(self, *names):
+        given = self.certificate
         for name in names:
-            expect(name in self.certificate, f"certificate: field {name} is missing")
-        expect(len(self.certificate) == len(names) + 1, "certificate: an unexpected field")
+            expect(isinstance(given, dict) and name in given, f"certificate: field {name} is missing")
+        size = len(given) if isinstance(given, (dict, list)) else given is not None
+        expect(size == len(names) + 1, "certificate: an unexpected field")
 
     def single(self, name):
         value, what = self.certificate[name], "certificate." + name

@@ -49,13 +49,12 @@ void check_polygon_normal(const Claim& claim) {
   expect(claim.word("class") == "proper" && sgn(length) != 0, "truth: class is wrong");
   claim.answers({"class", "normal", "unit"});
   expect(exact_triple(claim.truth["normal"], "truth.normal") == normal, "truth: normal is wrong");
-  claim.facts({});
   const json& unit = claim.truth["unit"];
   expect(unit.is_array() && unit.size() == 3, "truth.unit: a list of three");
   const std::array<Rational, 3> parts{normal.x, normal.y, normal.z};
   for (std::size_t i = 0; i < parts.size(); ++i)
     expect_root("unit", exact_surd(unit[i], "truth.unit[" + std::to_string(i) + "]"), parts[i], length);
-  expect_kind_of_root(claim, is_square(length));
+  expect_kind_of_root(claim, is_square(length)), claim.facts({});
 }
 
 void check_point_plane(const Claim& claim) {

@@ -122,7 +122,10 @@ EACH_OPERATION("a missing field is named") {
     const Json before = value;
     for (const auto& [key, part] : before.items()) {
       value.erase(key);
-      CHECK(refusal(operation, document) == catalogue::member_path(path, key.c_str()) + ": missing");
+      const std::string said = refusal(operation, document);
+      // An object that is left without a field may have been meant as any of some.
+      const bool any_of_some = value.empty() && said.starts_with(path + ": expected an object with one of " + key);
+      CHECK((said == catalogue::member_path(path, key.c_str()) + ": missing" || any_of_some));
       value = before, ++fields;
     }
   });

@@ -49,7 +49,7 @@ TEST_CASE("certificates: false claims of every sort are refused, each for its ow
   const auto all = claims(true);
   REQUIRE(all.size() >= 50);
   for (const json& claim : all) {
-    CAPTURE(claim["because"], claim.dump());
+    CAPTURE(claim.value("because", ""), claim.dump());
     CHECK(refuse(claim) == claim["refused"].get<std::string>());
   }
 }

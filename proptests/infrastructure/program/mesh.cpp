@@ -278,7 +278,7 @@ TEST_CASE("mesh: JSON is a line for each file") {
   const TextFile open("open.obj", corners(0, 1) + faces({cube_faces.begin(), cube_faces.end() - 1}));
   const Called call = called({"mesh", "--json", open.path(), open.path()});
   CHECK(std::count(call.out.begin(), call.out.end(), '\n') == 2);
-  const auto json = catalogue::parse_line(call.out.substr(0, call.out.find('\n')));
+  const auto json = catalogue::parse_own_line(call.out.substr(0, call.out.find('\n')));
   CHECK(json["solid"] == false);
   CHECK(json["found"][0]["defect"] == "open_edge");
   CHECK(json["found"][0]["count"] == 4);
