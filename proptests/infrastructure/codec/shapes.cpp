@@ -164,6 +164,10 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
     if (path.ends_with("half_axes") || path.ends_with("inertia") || path.ends_with("triangle") ||
         operation.name() == std::string("triangle_triangle"))
       rule = ": expected an array of 3";
+    if (path.find(".faces[") != std::string::npos) {  // of a mesh: polygons of any number of corners, but not of these
+      CHECK_THAT(refusal(operation, document), StartsWith(path + ": "));
+      return;
+    }
     if (ambiguous && rule != "read") {
       CHECK(refusal(operation, document).find(": expected an array") != std::string::npos);
       return;
