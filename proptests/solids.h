@@ -42,8 +42,10 @@ inline Meshd tetrahedron(const Point3d& p, const Vector3d& u, const Vector3d& v,
   return {{p, p + u, p + v, p + w}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
+/// Where faces are polygons, these three speak of the triangles of their cut.
 template <class Change>
 Meshd with_each_face(Meshd mesh, const Change& change) {
+  mesh.polygons.clear();
   std::for_each(mesh.faces.begin(), mesh.faces.end(), change);
   return mesh;
 }
@@ -55,6 +57,7 @@ inline Meshd mapped(Meshd mesh, double factor, double shift = 0) {
 
 /// Two meshes as one list of vertices and one of faces.
 inline Meshd together(Meshd mesh, const Meshd& other) {
+  mesh.polygons.clear();
   const auto shift = static_cast<Index>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
@@ -62,6 +65,7 @@ inline Meshd together(Meshd mesh, const Meshd& other) {
 }
 
 inline Meshd with_faces(Meshd mesh, const std::vector<Face>& more) {
+  mesh.polygons.clear();
   mesh.faces.insert(mesh.faces.end(), more.begin(), more.end());
   return mesh;
 }

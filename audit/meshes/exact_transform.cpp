@@ -38,7 +38,7 @@ std::optional<ExactTransform> composed(const ExactTransform& outer, const ExactT
 }
 
 bool mirrors(const ExactTransform& transform) {
-  const auto& [x, y, z] = transform.rows;
+  const auto &x = transform.rows[0], &y = transform.rows[1], &z = transform.rows[2];
   const auto minor = [&](std::size_t i, std::size_t j) {
     return mpq_class(mpq_class(y[i]) * z[j] - mpq_class(y[j]) * z[i]);
   };

@@ -74,6 +74,7 @@ LAW("convex_distance: the distance does not depend on the order of both", a, b) 
 LAW("convex_distance: order of the faces, their turning, and more vertices of no face play no part") {
   auto [a, b] = asked;
   const auto answer = ask(asked);
+  a.polygons.clear(), b.polygons.clear();
   std::reverse(a.faces.begin(), a.faces.end());
   for (Face& f : b.faces) f = {f.c, f.b, f.a};
   for (Meshd* mesh : {&a, &b}) mesh->vertices.push_back(mesh->vertices[mesh->faces[0].a]);

@@ -39,6 +39,7 @@ Row::Question with_each_point(Row::Question question, const Change& change) {
 
 template <class Change>
 Meshd with_each_face(Meshd mesh, const Change& change) {
+  mesh.polygons.clear();  // the faces are those of the cut
   std::for_each(mesh.faces.begin(), mesh.faces.end(), change);
   return mesh;
 }
@@ -54,6 +55,7 @@ Meshd turned_inside_out(const Meshd& mesh) {
 
 /// Two meshes as one list of vertices and one of faces.
 Meshd together(Meshd mesh, const Meshd& other) {
+  mesh.polygons.clear();
   const auto shift = static_cast<Index>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
@@ -132,7 +134,7 @@ LAW("point_in_convex_polyhedron: powers of two of each axis, where they are exac
 LAW("point_in_convex_polyhedron: it does not matter in which order faces and vertices are listed", mesh, p) {
   const Location location = ask(asked);
   const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
-  Meshd permuted = mesh;
+  Meshd permuted{mesh.vertices, mesh.faces, {}};
   std::reverse(permuted.faces.begin(), permuted.faces.end());
   std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
   const auto last = static_cast<Index>(mesh.vertices.size() - 1);

@@ -89,6 +89,7 @@ TEST_CASE("swept_convex_polyhedra: velocities times a power of two divide t by i
 LAW("swept_convex_polyhedra: order of the faces, their turning, and vertices of no face play no part") {
   auto [a, b, v] = asked;
   const auto answer = ask(asked);
+  a.polygons.clear(), b.polygons.clear();
   std::reverse(a.faces.begin(), a.faces.end());
   for (Face& f : b.faces) f = {f.c, f.b, f.a};
   b.vertices.push_back(b.vertices[b.faces[0].a]);
