@@ -61,7 +61,7 @@ struct Metadata {
   /// What examining one question costs, measured (proptests/costs.py): 1 is 45 microseconds or less. Tests ask so
   /// many times fewer cases.
   int cost = 1;
-  Time time{};                  ///< as it grows with the lists (proptests/agreement/growth.cpp)
+  Time time{};                  ///< as it grows with the lists
   std::size_t list_length = 0;  ///< exhaustive runs: how many elements each list has, where there are lists
   /// The operation whose question this is, answered in another way: its row derives from that operation's, and has a
   /// reference, a robust or both of its own. Families, truth and vectors are the operation's; no engine is asked it.

@@ -98,4 +98,5 @@ class Root:
             return value >= 0 and value**2 == self.square
         size = Fraction({"": "1", "-": "-1"}.get(factor, factor.removesuffix("*")))
         square = size**2 * int(radicand.removesuffix(")"))
-        return self.sign * size > 0 and isqrt(square.numerator) ** 2 != square.numerator and square == self.square
+        rational = all(isqrt(part) ** 2 == part for part in (square.numerator, square.denominator))
+        return self.sign * size > 0 and not rational and square == self.square

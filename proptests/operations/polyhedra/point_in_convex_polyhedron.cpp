@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "geometry/validation.h"
 #include "proptests/space_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 
@@ -177,7 +178,7 @@ LAW("point_in_convex_polyhedron: the middle of two points of the solid is not ou
 TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its base in the base") {
   const auto complaint = [](const Question& question) -> std::string {
     const auto [given, p] = catalogue::unpacked<std::tuple<Polygon2d, Point2d>>(question);
-    const validation::OpenRing opened(given);
+    const touchstone::validation::OpenRing opened(given);
     const Polygon2d& ring = *opened;
     if (!on_lattice(std::tuple(ring, p))) return "";
     const double n = static_cast<double>(ring.size());
