@@ -183,7 +183,7 @@ TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its ba
     if (!on_lattice(std::tuple(ring, p))) return "";
     const double n = static_cast<double>(ring.size());
     try {
-      const Location location = robust::point_in_convex_polygon(ring, p);
+      const Location location = robust::point_in_convex_polygon(given, p);
       const Row::Question above{double_pyramid(ring), {n * p.x, n * p.y, 0}};
       if (catalogue::ask_robust<Row>(above) != location) return "robust finds another cut";
       return catalogue::ask_oracle<Row>(above).answer == location ? "" : "the oracle finds another cut";
