@@ -278,8 +278,8 @@ struct RingDefect {
 inline void validate(const std::string& field, const Polygon2d& polygon) { validate_ring(field, polygon.vertices); }
 inline void validate(const std::string& field, const Polygon3d& polygon) { validate_ring(field, polygon.vertices); }
 
-/// A mesh named by polygons, in this order: a corner names no vertex; the triangles are not as many as a cut of them has;
-/// the corners of a face are not in one plane; the triangles of a face do not cut it.
+/// A mesh named by polygons, in this order: a corner names no vertex; the triangles are not as many as a cut of them
+/// has; the corners of a face are not in one plane; the triangles of a face do not cut it.
 [[noreturn]] inline void refuse_cut(const std::string& field) {
   throw InvalidInput(field + ".cut", "a cut of the faces into triangles");
 }

@@ -43,11 +43,11 @@ class World {
   const Real& timestep() const { return timestep_; }
   const Real& restitution() const { return restitution_; }
 
-  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls; of these, pairs whose boxes meet on the way between the two states, and walls that a box reaches, if the scene has
-  /// a broad phase; all otherwise. The boxes are wider than the bodies by 2^-20 of their coordinates, which is more
-  /// than float's formulas for two bodies at rest are wrong by (their contracts), so that with option 1 the steps are
-  /// the same. Formulas for moving bodies may see contacts far off: these are not asked then. The list stands in
-  /// `nearby`, until the next call with it.
+  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls; of these, pairs whose boxes meet on the
+  /// way between the two states, and walls that a box reaches, if the scene has a broad phase; all otherwise. The boxes
+  /// are wider than the bodies by 2^-20 of their coordinates, which is more than float's formulas for two bodies at
+  /// rest are wrong by (their contracts), so that with option 1 the steps are the same. Formulas for moving bodies may
+  /// see contacts far off: these are not asked then. The list stands in `nearby`, until the next call with it.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const;
   /// The same as if the scene had that broad phase.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,

@@ -10,8 +10,8 @@
 namespace touchstone::audit {
 
 /// What the three functions cut is a face with more than three corners, all of them vertices. Its projection is the one
-/// along the axis of coordinates that is nearest to its normal (Newell's, in double arithmetic). The triangles turn as the
-/// face does.
+/// along the axis of coordinates that is nearest to its normal (Newell's, in double arithmetic). The triangles turn as
+/// the face does.
 
 /// As the exact cut of the projection is; empty where that encloses no area or crosses itself.
 std::optional<std::vector<Face>> cut_as_projected(const std::vector<Point3d>& vertices,

@@ -22,9 +22,9 @@ struct Merging {
 /// The longest side of the box that holds the vertices, its sides along the axes.
 double size_of(const std::vector<Point3d>& vertices);
 
-/// Which vertices are one. Tolerance 0: those in equal positions. Tolerance t > 0, at most `most_to_merge`: those nearer
-/// than t times the size, and those that a chain of such pairs joins (single linkage). Distances are those of double
-/// arithmetic. The time is that of sorting, as long as few vertices are near one another.
+/// Which vertices are one. Tolerance 0: those in equal positions. Tolerance t > 0, at most `most_to_merge`: those
+/// nearer than t times the size, and those that a chain of such pairs joins (single linkage). Distances are those of
+/// double arithmetic. The time is that of sorting, as long as few vertices are near one another.
 Merging merging_of(const std::vector<Point3d>& vertices, double tolerance);
 
 /// The faces of the merged mesh, over the vertices of the old one. Corners that are then named twice in a row are named

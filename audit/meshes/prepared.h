@@ -30,15 +30,15 @@ struct PreparedMesh {
   std::vector<std::string> done;  ///< what was done, a sentence each
 };
 
-/// Planar faces are the polygons that they are; faces that are not planar become triangles where `how` says so. Vertices
-/// that are merged go, and so do corners of a face that are then named twice in a row, and faces that have fewer than
-/// three corners left. Nothing else of the mesh is looked at.
+/// Planar faces are the polygons that they are; faces that are not planar become triangles where `how` says so.
+/// Vertices that are merged go, and so do corners of a face that are then named twice in a row, and faces that have
+/// fewer than three corners left. Nothing else of the mesh is looked at.
 ///
-/// Throws InvalidInput where a face of more than three corners names a corner twice in a row, has two corners in a row in
-/// one position, is not planar, or encloses no area without crossing itself. Its field is the place in the file
+/// Throws InvalidInput where a face of more than three corners names a corner twice in a row, has two corners in a row
+/// in one position, is not planar, or encloses no area without crossing itself. Its field is the place in the file
 /// ("notch.obj:17"), its rule begins with the face as the file counts it and its place in the file's list of faces
-/// ("face 3 (mesh.faces[2]): planar: ..."); `field` is what that list belongs to. Of several faces the rule says how many
-/// break it.
+/// ("face 3 (mesh.faces[2]): planar: ..."); `field` is what that list belongs to. Of several faces the rule says how
+/// many break it.
 PreparedMesh prepared(const MeshFile& file, const Preparation& how, const std::string& field = "mesh");
 
 }  // namespace touchstone::audit

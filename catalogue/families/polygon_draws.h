@@ -8,23 +8,23 @@
 namespace touchstone::catalogue {
 
 /// The same surface with triangles of one plane united across drawn edges, where that makes a valid polygon: concave
-/// ones, with corners on edges, around holes along a bridge, touching themselves in a corner. Each polygon begins at any
-/// of its corners. Without triangles to unite the mesh stays as it is.
+/// ones, with corners on edges, around holes along a bridge, touching themselves in a corner. Each polygon begins at
+/// any of its corners. Without triangles to unite the mesh stays as it is.
 Meshd with_polygons(const Meshd& mesh, DrawStream& draws);
 
 /// The same polygons, which are valid, cut another way: by ears from another corner on.
 Meshd recut(Meshd mesh, DrawStream& draws);
 
-/// Two triangles more, back to back, on two corners of a polygon and a vertex outside: along one of its diagonals, or of
-/// its edges.
+/// Two triangles more, back to back, on two corners of a polygon and a vertex outside: along one of its diagonals, or
+/// of its edges.
 Meshd with_fin(Meshd mesh, DrawStream& draws);
 
 /// Mostly a mesh that breaks a rule of polygons: a corner off the plane, two corners swapped, a triangle of the cut
 /// turned over, named twice or over other corners, a triangle too few.
 Meshd with_broken_polygons(Meshd mesh, DrawStream& draws);
 
-/// A solid with coplanar triangles, mostly united to polygons, perhaps with more vertices in edges and faces; the simplest
-/// is a cube of squares.
+/// A solid with coplanar triangles, mostly united to polygons, perhaps with more vertices in edges and faces; the
+/// simplest is a cube of squares.
 Meshd solid_of_polygons(DrawStream& draws);
 /// The same of a convex solid.
 Meshd convex_solid_of_polygons(DrawStream& draws);

@@ -13,7 +13,8 @@ namespace touchstone::catalogue {
 
 /// Convex, star, comb; flat vertices, one in each edge or long runs; strips and needles of width 1; spirals; a slit
 /// between two parts; coordinates near 1e6 + 0.1; up to 200 vertices; as people type and compute them; with the first
-/// vertex once more at the end; and rings that are refused. All upright or lying, in either direction, from any vertex on.
+/// vertex once more at the end; and rings that are refused. All upright or lying, in either direction, from any vertex
+/// on.
 std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases();
 
 /// The polygon and its pieces.

@@ -46,8 +46,8 @@ void compute(std::vector<Point2d>& points, DrawStream& draws);
 Polygon2d with_repeated_vertex(Polygon2d ring, DrawStream& draws);
 Polygon2d with_spike(Polygon2d ring, DrawStream& draws);
 
-/// The first vertex once more at the end, as files write rings; a zero may have the other sign there. Now and then twice
-/// more, or of two vertices alone.
+/// The first vertex once more at the end, as files write rings; a zero may have the other sign there. Now and then
+/// twice more, or of two vertices alone.
 Polygon2d closed(Polygon2d ring, DrawStream& draws);
 
 /// A point of an edge, an end or an eighth of the way between: exactly there if the ring's numbers are integers of 40

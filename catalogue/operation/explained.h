@@ -11,8 +11,9 @@ namespace touchstone::catalogue {
 /// evaluated for it.
 Json truth_alone(const Examination& examination);
 
-/// Everything that can be said of one question without an engine: what `ask` prints. The textbook formula, and the cause
-/// of its error, only where they take few steps for as many elements as the question's lists have (Metadata::time).
+/// Everything that can be said of one question without an engine: what `ask` prints. The textbook formula, and the
+/// cause of its error, only where they take few steps for as many elements as the question's lists have
+/// (Metadata::time).
 Json explained(const Examination& examination);
 
 Json certificate_json(const oracle::Certificate& certificate);

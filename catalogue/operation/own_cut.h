@@ -18,8 +18,8 @@ class OwnCut {
   const Part& part_;
 };
 
-/// Of a mesh named by polygons the cut that robust makes itself, so that what cuts is judged too. Where the cut that was
-/// given is not valid, robust is asked that, and refuses it.
+/// Of a mesh named by polygons the cut that robust makes itself, so that what cuts is judged too. Where the cut that
+/// was given is not valid, robust is asked that, and refuses it.
 template <>
 class OwnCut<Meshd> {
  public:

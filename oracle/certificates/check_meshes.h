@@ -20,8 +20,8 @@ struct Mesh {
 };
 
 /// Input, by the field's name: every face names vertices, and there are at least 4 faces. Where each has three corners,
-/// these are different, and the faces are the triangles. Otherwise `cut` has the triangles, face by face, and they are a
-/// valid cut, by check_polygon_faces.cpp.
+/// these are different, and the faces are the triangles. Otherwise `cut` has the triangles, face by face, and they are
+/// a valid cut, by check_polygon_faces.cpp.
 Mesh mesh(const json& value, const std::string& what);
 
 /// The faces of the mesh are planar, and its triangles are a valid cut of them.

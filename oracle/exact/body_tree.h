@@ -24,8 +24,8 @@ class BodyTree {
     std::optional<Aabb3<Rational>> box{};  ///< around the bodies that are there; none: there are none
   };
 
-  /// Of at most `largest_leaf` bodies a single leaf, in the order of their indices; of others halves by their middles on
-  /// the axis on which these extend farthest.
+  /// Of at most `largest_leaf` bodies a single leaf, in the order of their indices; of others halves by their middles
+  /// on the axis on which these extend farthest.
   explicit BodyTree(const Bodies& bodies);
   /// Some bodies have moved, gone or come since.
   void refit(const Bodies& bodies);

@@ -145,8 +145,8 @@ Cuts cuts_of(const Mesh<Number>& mesh) {
   return cuts;
 }
 
-/// The normals of planes between pairs of triangles that need one; of the pair that meets the weights of a common point,
-/// and its places.
+/// The normals of planes between pairs of triangles that need one; of the pair that meets the weights of a common
+/// point, and its places.
 struct Pairs {
   std::vector<Rational> normals, weights, triangles;
 };

@@ -17,10 +17,10 @@ namespace touchstone::reference {
 /// How many vertices, edges and faces a mesh has; whether it is a surface, and which; what it encloses.
 ///
 /// Deck p. 26: V vertices, E edges, F faces, and Euler's formula V - E + F = 2 of a polyhedron without holes. Of faces,
-/// every one of the list counts; an edge is a pair of vertices, in whichever order, that follow each other in some face;
-/// a vertex counts if some face names it. What a face names decides which vertex it is: vertices in one position are
-/// several. A face that is named by a polygon is one face, however it is cut (geometry/polyhedra.h): its diagonals are no
-/// edges, and all places are those of the faces as named.
+/// every one of the list counts; an edge is a pair of vertices, in whichever order, that follow each other in some
+/// face; a vertex counts if some face names it. What a face names decides which vertex it is: vertices in one position
+/// are several. A face that is named by a polygon is one face, however it is cut (geometry/polyhedra.h): its diagonals
+/// are no edges, and all places are those of the faces as named.
 ///
 /// euler: V - E + F, 2 a component less 2 a handle for surfaces without a rim. components: faces that share a vertex
 /// are of one. closed: every edge is in an even number of faces, so that parity tells inside from outside
@@ -30,15 +30,16 @@ namespace touchstone::reference {
 /// alone are none, which counting V - E + F does not see, nor does looking at edges.
 ///
 /// embedded: every face has an area, and no two faces have a point in common but corners that both name and the edges
-/// that both have. Faces of the same three vertices coincide; an edge of one along a diagonal of the other is contact. So a flat part cut
-/// into triangles is embedded, a face folded back on its neighbour is not, nor is a corner that touches another face or
-/// stands in one position with a vertex of another number: vertices that a file repeats have to be merged first.
-/// convex: the mesh is closed and embedded, and no face's plane has vertices on both sides. Then the faces are the
-/// whole surface of a convex solid, each part of it once: every face lies in a facet of the convex hull, and across no
-/// edge does the number of faces that lie there, 0 or 1, change. Faces may turn either way, several may lie in one
-/// plane, and edges and vertices may be flat. volume: the sign of the sum of a . (b x c) over all faces, six times the
-/// volume, of which each part counts as often as the mesh goes around it; positive where faces are counter-clockwise
-/// from outside. `none` unless the mesh is closed and oriented: elsewhere the sum depends on where the origin is.
+/// that both have. Faces of the same three vertices coincide; an edge of one along a diagonal of the other is contact.
+/// So a flat part cut into triangles is embedded, a face folded back on its neighbour is not, nor is a corner that
+/// touches another face or stands in one position with a vertex of another number: vertices that a file repeats have to
+/// be merged first. convex: the mesh is closed and embedded, and no face's plane has vertices on both sides. Then the
+/// faces are the whole surface of a convex solid, each part of it once: every face lies in a facet of the convex hull,
+/// and across no edge does the number of faces that lie there, 0 or 1, change. Faces may turn either way, several may
+/// lie in one plane, and edges and vertices may be flat. volume: the sign of the sum of a . (b x c) over all faces, six
+/// times the volume, of which each part counts as often as the mesh goes around it; positive where faces are
+/// counter-clockwise from outside. `none` unless the mesh is closed and oriented: elsewhere the sum depends on where
+/// the origin is.
 ///
 /// nesting: which component contains which, of a closed and embedded mesh, and left out of others. Its components have
 /// no common point, so that each lies inside another or outside it (by point_in_polyhedron.h). All pairs, containing

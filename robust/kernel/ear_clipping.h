@@ -13,9 +13,9 @@ namespace touchstone::robust::kernel {
 /// Three corners of a polygon by their numbers, as the polygon turns.
 using CornerTriple = std::array<std::size_t, 3>;
 
-/// Whether the triangle a, i, b, where i follows a and b follows i, can be cut off the corners that are left: it turns to
-/// the left, no other corner lies in it but in the positions of its own, and where another corner stands in the position
-/// of i, no edge there leads into it.
+/// Whether the triangle a, i, b, where i follows a and b follows i, can be cut off the corners that are left: it turns
+/// to the left, no other corner lies in it but in the positions of its own, and where another corner stands in the
+/// position of i, no edge there leads into it.
 ///
 /// Ring: `turn(i, j, k)` is the sign of the turn at j, positive to the left; `same(i, j)` tells equal positions.
 template <class Ring>
@@ -35,9 +35,9 @@ bool is_ear(const Ring& ring, const std::vector<std::size_t>& left, std::size_t 
   return true;
 }
 
-/// Cuts off ears until a triangle is left (Meisters 1975); empty where none can be cut off. Of a polygon that encloses an
-/// area on its left and does not cross itself the triangles are a valid cut (geometry/polyhedra.h); whether the polygon is
-/// one is not asked. Takes count^2 steps and more where few corners are ears.
+/// Cuts off ears until a triangle is left (Meisters 1975); empty where none can be cut off. Of a polygon that encloses
+/// an area on its left and does not cross itself the triangles are a valid cut (geometry/polyhedra.h); whether the
+/// polygon is one is not asked. Takes count^2 steps and more where few corners are ears.
 template <class Ring>
 std::optional<std::vector<CornerTriple>> clipped_ears(const Ring& ring, std::size_t count) {
   std::vector<std::size_t> left(count);

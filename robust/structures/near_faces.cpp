@@ -33,8 +33,8 @@ std::array<double, 3> quarter_way(const Point3d& a, const Point3d& b) {
 /// On that edge each coordinate of d lies between those of the ends. The divisor N is a convex function: no greater
 /// than at one of the ends; and no less than |d[k]| for any k, which is not less than the lesser one of the ends where
 /// these have one sign. So d[k] / N lies between the quotients of these bounds, and between -1 and 1. The bounds of N
-/// and d[k] have relative errors of at most 2^-53, if N exceeds 2^-900: of 2^-1073, 2^-173 are left. With the quotient's
-/// rounding the errors are below 2^-50, and 2^-40 is added.
+/// and d[k] have relative errors of at most 2^-53, if N exceeds 2^-900: of 2^-1073, 2^-173 are left. With the
+/// quotient's rounding the errors are below 2^-50, and 2^-40 is added.
 Aabb3d directions(const Point3d& v, const Point3d& a, const Point3d& b) {
   const auto p = quarter_way(v, a), q = quarter_way(v, b);
   double least = 0, most = 0;

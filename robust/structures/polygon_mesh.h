@@ -17,9 +17,9 @@ namespace touchstone::robust {
 /// "a polygon that encloses one area and does not cross itself"). Exact for all finite doubles.
 Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons);
 
-/// The distance of two planes that hold all corners between them and are perpendicular to the polygon's normal (Newell's);
-/// of a quadrilateral that of the lines of its diagonals. In double arithmetic, for messages and tolerances; NaN or
-/// infinity beyond its range, 0 where the normal is.
+/// The distance of two planes that hold all corners between them and are perpendicular to the polygon's normal
+/// (Newell's); of a quadrilateral that of the lines of its diagonals. In double arithmetic, for messages and
+/// tolerances; NaN or infinity beyond its range, 0 where the normal is.
 double thickness(const std::vector<Point3d>& vertices, const std::vector<Index>& corners);
 
 }  // namespace touchstone::robust

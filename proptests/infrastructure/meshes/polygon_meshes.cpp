@@ -21,8 +21,8 @@ using catalogue::Json;
 using Corners = std::vector<Index>;
 using Polygons = std::vector<Corners>;
 
-/// A prism over a ring in the plane z = 0, counter-clockwise from above, up to z = height: the ring below and above, and
-/// a rectangle on each edge.
+/// A prism over a ring in the plane z = 0, counter-clockwise from above, up to z = height: the ring below and above,
+/// and a rectangle on each edge.
 Meshd prism(const std::vector<Point2d>& ring, double height) {
   std::vector<Point3d> vertices;
   for (const double z : {0.0, height})
