@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "robust/kernel/strict_math.h"
+
 /// Triangulation of one polygon in a plane, over any exact numbers.
 namespace touchstone::robust::kernel {
 

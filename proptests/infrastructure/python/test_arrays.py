@@ -55,7 +55,8 @@ def operands_of(name, questions):
     operands = []
     for field, value in questions[0].input.items():
         if isinstance(value, dict) and "faces" in value:
-            operands.append((numpy.array(value["vertices"], dtype=float).reshape(-1, 3), numpy.array(value["faces"], dtype=int)))
+            triangles = value.get("cut", value["faces"])
+            operands.append((numpy.array(value["vertices"], dtype=float).reshape(-1, 3), numpy.array(triangles, dtype=int)))
         elif field == "polygon":
             operands.append(numpy.array(value, dtype=float).reshape(-1, 2))
         else:
