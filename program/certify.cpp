@@ -3,15 +3,36 @@
 
 #include "oracle/certificates/check.h"
 #include "program/commands.h"
+#include "program/file_meshes.h"
 #include "program/program.h"
 
 namespace touchstone::program {
+namespace {
 
-int certify_command(const std::string& file, std::ostream& out, std::ostream& err) {
+/// Why the claim is not about these meshes or not proved. Where its input lacks one of their fields, it is the mesh.
+std::optional<std::string> refuse_about(const Json& meshes, const std::string& text) {
+  nlohmann::json claim = nlohmann::json::parse(text, nullptr, false);
+  if (!claim.is_object() || !claim.contains("input") || !claim["input"].is_object()) return certify::refuse(claim);
+  nlohmann::json& input = claim["input"];
+  for (const auto& [field, value] : meshes.items()) {
+    const nlohmann::json mesh = nlohmann::json::parse(one_line(value));
+    if (!input.contains(field)) input[field] = mesh;
+    if (input[field] != mesh) return "input." + field + ": the mesh of the file that --mesh names";
+  }
+  return certify::refuse(claim);
+}
+
+}  // namespace
+
+int certify_command(const CertifyCommand& command, std::ostream& out, std::ostream& err) {
   std::uint64_t refused = 0, without = 0;
+  const std::string& file = command.file;
   const std::string folder = std::filesystem::path(file).parent_path().string();
+  const FileMeshes meshes(command.meshes, command.preparation);
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
-    if (const auto reason = certify::refuse_text(text, folder)) {
+    const auto reason =
+        command.meshes.empty() ? certify::refuse_text(text, folder) : refuse_about(meshes.fields(), text);
+    if (reason) {
       ++refused;
       err << place(file, number) << *reason << '\n';
     } else if (certify::is_refused_input(text)) {

@@ -55,6 +55,12 @@ struct AskCommand {
   bool wkt = false, geojson = false;  ///< the input is that instead of JSON
 };
 
+struct CertifyCommand {
+  std::string file = "-";
+  std::vector<std::string> meshes;  ///< "field=FILE": the mesh that every claim has to be about
+  Preparation preparation;          ///< of those meshes
+};
+
 struct ExhaustCommand {
   std::string program = "touchstone";
   std::string operation;
@@ -145,7 +151,7 @@ int vectors_write_command(const std::string& directory, const std::string& opera
 /// A few easy questions to every operation of an engine: is it connected correctly?
 int check_engine_command(const CheckEngineCommand& command, std::ostream& out, std::ostream& err);
 int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out, std::ostream& err);
-int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
+int certify_command(const CertifyCommand& command, std::ostream& out, std::ostream& err);
 
 /// What meshes are, what is wrong with them and what would mend it: one in words, several as a table.
 int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& err);

@@ -21,8 +21,7 @@ double length_of(const std::string& option, const std::string& text, double most
   throw UsageError(fmt::format("{}: expected a number {}, got {}; files come before the options", option, range, text));
 }
 
-}  // namespace
-
+/// Adds --merge, --planar and --cut.
 std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how) {
   const auto set_merge = [&how](const std::string& text) {
     const bool alone = text.empty() || text == "true";
@@ -43,14 +42,25 @@ std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how) {
               ->default_str("0"),
           command
               .add_option_function<std::string>("--planar", set_planar,
-                                                "Faces of a mesh file whose corners are at most so far off a plane, in "
-                                                "the file's unit, are taken for planar")
+                                                "Faces of a mesh file whose corners lie at most so far apart across "
+                                                "the face, in the file's unit, are taken for planar")
               ->default_str(""),
           command
               .add_option_function<std::string>("--cut", set_cut,
                                                 "How faces of a mesh file that are not planar are cut: fan or shortest")
               ->check(CLI::IsMember({"fan", "shortest"}))
               ->default_str("")};
+}
+
+}  // namespace
+
+CLI::Option* add_file_meshes(CLI::App& command, std::vector<std::string>& named, Preparation& how) {
+  auto* mesh = command.add_option(
+      "--mesh", named,
+      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may lack it");
+  mesh->allow_extra_args(false)->default_str("");
+  for (CLI::Option* option : add_preparation(command, how)) option->needs(mesh);
+  return mesh;
 }
 
 void add_mesh(CLI::App& program, std::function<int()>& action) {

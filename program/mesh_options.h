@@ -10,8 +10,8 @@
 
 namespace touchstone::program {
 
-/// Adds --merge, --planar and --cut. Parsing the line sets what they say.
-std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how);
+/// Adds --mesh, with --merge, --planar and --cut. Parsing the line sets what they say.
+CLI::Option* add_file_meshes(CLI::App& command, std::vector<std::string>& named, Preparation& how);
 
 /// Adds the command `mesh`. Parsing the line sets the action that runs it.
 void add_mesh(CLI::App& program, std::function<int()>& action);

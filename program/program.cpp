@@ -126,11 +126,7 @@ void add_ask(CLI::App& program, Action& action) {
       ->excludes(truth)
       ->default_str("");
   add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
-  auto* mesh = command->add_option(
-      "--mesh", options->meshes,
-      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may be {}");
-  mesh->allow_extra_args(false)->default_str("");
-  for (CLI::Option* option : add_preparation(*command, options->preparation)) option->needs(mesh);
+  auto* mesh = add_file_meshes(*command, options->meshes, options->preparation);
   command
       ->add_flag("--verbose", options->verbose, "Tell on standard error what was read of a mesh file, and made of it")
       ->needs(mesh);
@@ -297,9 +293,10 @@ void add_vectors(CLI::App& program, Action& action) {
 
 void add_certify(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("certify", "Re-checks certificates with the small checker alone");
-  auto file = std::make_shared<std::string>("-");
-  command->add_option("file", *file, "Lines as ask or vectors write them; - is standard input");
-  command->callback([=, &action] { action = [=] { return certify_command(*file, std::cout, std::cerr); }; });
+  auto options = std::make_shared<CertifyCommand>();
+  command->add_option("file", options->file, "Lines as ask or vectors write them; - is standard input");
+  add_file_meshes(*command, options->meshes, options->preparation);
+  command->callback([=, &action] { action = [=] { return certify_command(*options, std::cout, std::cerr); }; });
 }
 
 void add_map(CLI::App& program, Action& action) {

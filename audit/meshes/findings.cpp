@@ -28,11 +28,11 @@ FoundDefect found_faces(const Examined& examined, MeshDefect defect, const Place
 
 FoundDefect askew_faces(const Examined& examined, const Places& faces, double thickest) {
   const std::string verb =
-      faces.size() == 1 ? " is not planar: its corners are up to " : " are not planar: corners are up to ";
+      faces.size() == 1 ? " is not planar: its corners lie up to " : " are not planar: corners lie up to ";
   // Rounded to two digits it is not less.
   const std::string enough = fmt::format("{:.2g}", 1.1 * thickest);
   return found_faces(examined, MeshDefect::askew_face, faces,
-                     counted(faces.size(), "face") + verb + fmt::format("{:.2g}", thickest) + " off a plane",
+                     counted(faces.size(), "face") + verb + fmt::format("{:.2g}", thickest) + " apart across it",
                      "--planar " + enough + ", --cut shortest or --cut fan says how to cut them");
 }
 

@@ -62,7 +62,6 @@ std::string after_merging(std::size_t open) {
 
 /// What merging would do to open edges; empty where it would do nothing.
 std::string merging_mends(const Examined& examined) {
-  constexpr double near = 1e-9;
   const std::vector<Point3d>& vertices = examined.mesh.vertices;
   const auto open_after = [&](const Merging& merging) {
     return Surface(shorter_faces(examined.mesh.faces, merging.into).faces, vertices.size()).open.size();
@@ -72,7 +71,7 @@ std::string merging_mends(const Examined& examined) {
   if (as_one < examined.surface.open.size())
     return fmt::format("merge: {} have {} positions; with --merge {}", counted(vertices.size(), "vertex"),
                        vertices.size() - equal.merged, after_merging(as_one));
-  const Merging nearly = merging_of(vertices, near);
+  const Merging nearly = merging_of(vertices, nearly_one);
   if (nearly.merged == equal.merged) return "";
   const std::size_t as_near = open_after(nearly);
   if (as_near >= examined.surface.open.size()) return "";
@@ -81,7 +80,7 @@ std::string merging_mends(const Examined& examined) {
     if (vertices[v] == vertices[w]) continue;
     const Point3d &p = vertices[v], &q = vertices[w];
     return fmt::format("merge: {} are {:.2g} apart; with --merge {:g} {}", vertices_in_words(examined.file, w, v),
-                       std::hypot(p.x - q.x, p.y - q.y, p.z - q.z), near, after_merging(as_near));
+                       std::hypot(p.x - q.x, p.y - q.y, p.z - q.z), nearly_one, after_merging(as_near));
   }
   return "";
 }

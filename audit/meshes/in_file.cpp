@@ -112,7 +112,6 @@ Json places_in_file(const MeshFile& file, const PreparedMesh& mesh, const Json& 
 }
 
 std::vector<std::string> hints_of_merging(const MeshFile& file, const Preparation& how) {
-  constexpr double near = 1e-9;
   std::vector<std::string> hints;
   if (how.merge && *how.merge > 0) return hints;
   const Merging equal = merging_of(file.vertices, 0);
@@ -123,14 +122,14 @@ std::vector<std::string> hints_of_merging(const MeshFile& file, const Preparatio
   for (const auto& [v, w] : open) at_rim[v] = at_rim[w] = true;
   Index one = 0, other = 0;
   double least = 0;
-  each_near_pair(file.vertices, near, [&](Index v, Index w, double apart) {
+  each_near_pair(file.vertices, nearly_one, [&](Index v, Index w, double apart) {
     if (!at_rim[v] || !at_rim[w] || (one != other && std::tie(least, one, other) <= std::tie(apart, v, w))) return;
     one = v, other = w, least = apart;
   });
   if (one == other) return hints;
-  const std::size_t left = open_edges(faces_after(file.faces, merging_of(file.vertices, near))).size();
+  const std::size_t left = open_edges(faces_after(file.faces, merging_of(file.vertices, nearly_one))).size();
   hints.push_back(vertices_in_words(file, one, other) + " are " + decimal(least) + " apart" +
-                  what_is_left("--merge 1e-9", left));
+                  what_is_left("--merge " + decimal(nearly_one), left));
   return hints;
 }
 

@@ -12,6 +12,8 @@ namespace touchstone::audit {
 
 /// Tolerances beyond it would merge what a mesh shows.
 inline constexpr double most_to_merge = 0.01;
+/// Open edges whose vertices are nearer than this times the size are told to be one but for rounding.
+inline constexpr double nearly_one = 1e-9;
 
 struct Merging {
   std::vector<Index> into;  ///< of each vertex the first of those that are one with it, which may be itself

@@ -122,11 +122,26 @@ TEST_CASE("ask: --verbose tells what was read and made of a mesh") {
                            ContainsSubstring("1 vertex merged into others"));
 }
 
-TEST_CASE("ask: the line of a merged mesh is certified") {
-  const TextFile line("line.jsonl", asked("polyhedron_complexity", torn("0 0 0"), {"--merge"}).out);
-  const Called call = called({"certify", line.path()});
-  CHECK(call.code == nothing_found);
-  CHECK(call.out == "1 certificates, 0 refused\n");
+TEST_CASE("certify: the line of a merged mesh is certified, as a claim about its file and about no other") {
+  const std::string text = torn("0 0 0");
+  const std::string said = asked("polyhedron_complexity", text, {"--merge"}).out;
+  const TextFile line("line.jsonl", said), file("mesh.obj", text), other("other.obj", torn("0 0 0.5"));
+  CHECK(called({"certify", line.path()}).out == "1 certificates, 0 refused\n");
+  const auto about = [](const TextFile& claim, const TextFile& mesh, const std::vector<const char*>& how) {
+    const std::string named = std::string("mesh=") + mesh.path();
+    std::vector<const char*> words = {"certify", claim.path(), "--mesh", named.c_str()};
+    words.insert(words.end(), how.begin(), how.end());
+    return called(words);
+  };
+  CHECK(about(line, file, {"--merge"}).out == "1 certificates, 0 refused\n");
+  for (const Called& call : {about(line, file, {}), about(line, other, {"--merge"})}) {
+    CHECK(call.code == findings);
+    CHECK_THAT(call.err, ContainsSubstring(":1: input.mesh: the mesh of the file that --mesh names\n"));
+  }
+  const std::size_t from = said.find("\"mesh\":"), to = said.find("},\"truth\"");
+  const TextFile without("without.jsonl", std::string(said).erase(from, to - from));
+  CHECK(about(without, file, {"--merge"}).out == "1 certificates, 0 refused\n");
+  CHECK(about(without, other, {"--merge"}).code == findings);
 }
 
 }  // namespace touchstone::proptests::ask_mesh_files_tests
