@@ -31,7 +31,7 @@ int certify_command(const CertifyCommand& command, std::ostream& out, std::ostre
   const FileMeshes meshes(command.meshes, command.preparation);
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
     const auto reason =
-        command.meshes.empty() ? certify::refuse_text(text, folder) : refuse_about(meshes.fields(), text);
+        command.meshes.empty() ? certify::refuse_text(text, folder) : refuse_about(meshes.written(), text);
     if (reason) {
       ++refused;
       err << place(file, number) << *reason << '\n';

@@ -16,7 +16,8 @@ FileMeshes::FileMeshes(const std::vector<std::string>& named, const Preparation&
     if (fields_.contains(field)) throw UsageError("--mesh: " + field + " is given twice");
     MeshFile file = read_mesh_file(word.substr(equals + 1));
     PreparedMesh mesh = prepared(file, how, field);
-    fields_[field] = parse_line(one_line(to_json(mesh.mesh)));
+    written_[field] = to_json(mesh.mesh);
+    fields_[field] = parse_line(one_line(written_[field]));
     meshes_.push_back({field, std::move(file), std::move(mesh), std::nullopt});
   }
 }

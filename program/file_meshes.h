@@ -22,6 +22,8 @@ class FileMeshes {
 
   /// The fields with their meshes, as a parsed line has them.
   const Json& fields() const { return fields_; }
+  /// The same, as the program writes them.
+  const Json& written() const { return written_; }
   /// What was read and done, on lines of their own.
   void tell(std::ostream& err) const;
   /// The members `places`, of one mesh, and `meshes`, what was done and would help, where there are such.
@@ -40,7 +42,7 @@ class FileMeshes {
 
   Preparation how_;
   std::vector<Mesh> meshes_;
-  Json fields_ = Json::object();
+  Json fields_ = Json::object(), written_ = Json::object();
 };
 
 }  // namespace touchstone::program

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/meshes/in_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -129,7 +131,7 @@ std::vector<std::string> hints_of_merging(const MeshFile& file, const Preparatio
   if (one == other) return hints;
   const std::size_t left = open_edges(faces_after(file.faces, merging_of(file.vertices, nearly_one))).size();
   hints.push_back(vertices_in_words(file, one, other) + " are " + decimal(least) + " apart" +
-                  what_is_left("--merge " + decimal(nearly_one), left));
+                  what_is_left(fmt::format("--merge {:g}", nearly_one), left));
   return hints;
 }
 

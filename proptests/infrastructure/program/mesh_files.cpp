@@ -136,7 +136,7 @@ TEST_CASE("certify: the line of a merged mesh is certified, as a claim about its
   CHECK(about(line, file, {"--merge"}).out == "1 certificates, 0 refused\n");
   for (const Called& call : {about(line, file, {}), about(line, other, {"--merge"})}) {
     CHECK(call.code == findings);
-    CHECK_THAT(call.err, ContainsSubstring(":1: input.mesh: the mesh of the file that --mesh names\n"));
+    CHECK_THAT(call.err, ContainsSubstring("line 1: input.mesh: the mesh of the file that --mesh names\n"));
   }
   const std::size_t from = said.find("\"mesh\":"), to = said.find("},\"truth\"");
   const TextFile without("without.jsonl", std::string(said).erase(from, to - from));
