@@ -65,7 +65,7 @@ TEST_CASE("ask: witnesses are told with the places of the file, and what would c
              ContainsSubstring(R"("hints":["1 pair of vertices has equal positions; with --merge it is closed"])"));
   const Called near = asked("polyhedron_complexity", torn("1e-10 0 0"));
   CHECK_THAT(near.out, ContainsSubstring("\"hints\":[\"vertices 1 and 5 (lines 1 and 5) are 1e-10 apart; with --merge "
-                                         "1e-9 it is closed\"]"));
+                                         "1e-09 it is closed\"]"));
   const Called far = asked("polyhedron_complexity", torn("1e-8 0 0"));
   CHECK_THAT(far.out, ContainsSubstring("\"places\"") && !ContainsSubstring("\"hints\""));
 }
