@@ -22,7 +22,7 @@ std::string in_lines(std::string text) {
 const std::vector<NamedFile>& named_files() {
   static const std::vector<NamedFile> all = [] {
     std::vector<NamedFile> files;
-    for (const auto* meshes : {&named_meshes(), &named_solids()}) {
+    for (const auto* meshes : {&named_meshes(), &named_solids(), &long_solids()}) {
       for (const NamedMesh& named : *meshes)
         files.push_back({"meshes/" + named.name + ".json", in_lines(one_line(to_json(named.mesh)))});
     }

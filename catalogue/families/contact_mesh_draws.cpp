@@ -17,19 +17,6 @@ namespace {
 
 constexpr std::array<Face, 4> tetrahedron{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
-void turn_inside_out(Meshd& mesh) {
-  for (Face& face : mesh.faces) std::swap(face.b, face.c);
-}
-
-/// Around the mean of the vertices, which is the origin then: so many times as large.
-Meshd around_the_mean(Meshd mesh) {
-  const auto count = static_cast<double>(mesh.vertices.size());
-  Point3d sum{0, 0, 0};
-  for (const Point3d& p : mesh.vertices) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
-  for (Point3d& p : mesh.vertices) p = {count * p.x - sum.x, count * p.y - sum.y, count * p.z - sum.z};
-  return mesh;
-}
-
 Meshd cube_in_hollow(DrawStream& draws) {
   std::vector<Whole> cells;
   for (long i = 0; i < 27; ++i)

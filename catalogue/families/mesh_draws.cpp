@@ -40,7 +40,17 @@ Meshd lattice_polyhedron(DrawStream& draws) {
   Meshd mesh = lattice_hull(drawn_points(draws));
   if (mesh.faces.empty()) mesh = lattice_hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
   mesh = relisted(mesh, draws);
-  if (draws.below(4) == 3) std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over);
+  if (draws.below(4) == 3) turn_inside_out(mesh);
+  return mesh;
+}
+
+void turn_inside_out(Meshd& mesh) { std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over); }
+
+Meshd around_the_mean(Meshd mesh) {
+  const auto count = static_cast<double>(mesh.vertices.size());
+  Point3d sum{0, 0, 0};
+  for (const Point3d& p : mesh.vertices) sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+  for (Point3d& p : mesh.vertices) p = {count * p.x - sum.x, count * p.y - sum.y, count * p.z - sum.z};
   return mesh;
 }
 

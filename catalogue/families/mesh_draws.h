@@ -17,6 +17,12 @@ Meshd lattice_polyhedron(DrawStream& draws);
 /// One of those that test vectors name (catalogue/families/named_meshes.h).
 const Meshd& named_mesh(DrawStream& draws);
 
+/// Each face the other way round.
+void turn_inside_out(Meshd& mesh);
+
+/// Around the mean of the vertices, which is the origin then: as many times as large as there are vertices.
+Meshd around_the_mean(Meshd mesh);
+
 /// The same faces in another order, from other corners on.
 Meshd relisted(Meshd mesh, DrawStream& draws);
 

@@ -90,6 +90,16 @@ std::vector<Whole> cells_around_one() {
   return cells;
 }
 
+/// A row of 63 cubes, and one more above every other: a comb of 32 teeth.
+std::vector<Whole> comb_of_cells() {
+  std::vector<Whole> cells;
+  for (long x = 0; x < 63; ++x) {
+    cells.push_back({x, 0, 0});
+    if (x % 2 == 0) cells.push_back({x, 1, 0});
+  }
+  return cells;
+}
+
 /// Every vertex but each third one twice as far from the origin, so that the faces between have an edge or a corner
 /// that goes inwards.
 Meshd star(Meshd mesh) {
@@ -115,6 +125,11 @@ const std::vector<NamedMesh>& named_solids() {
                                           {"hollow_64", cube_surface(cells_around_one())},
                                           {"star_66", star(lattice_hull(geodesic()))},
                                           {"stretched_star_66", stretched(star(lattice_hull(geodesic())))}};
+  return all;
+}
+
+const std::vector<NamedMesh>& long_solids() {
+  static const std::vector<NamedMesh> all{{"comb_384", cube_surface(comb_of_cells())}};
   return all;
 }
 

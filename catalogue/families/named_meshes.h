@@ -21,4 +21,7 @@ const std::vector<NamedMesh>& named_meshes();
 /// The same of meshes that are closed and not convex: a ring of cubes, cubes around a hollow, a star.
 const std::vector<NamedMesh>& named_solids();
 
+/// Closed, not convex, and longer than an index of 8 bits reaches; the vertices run from one end to the other.
+const std::vector<NamedMesh>& long_solids();
+
 }  // namespace touchstone::catalogue

@@ -108,6 +108,11 @@ const Meshd& named_solid(DrawStream& draws) {
   return all[draws.below(all.size())].mesh;
 }
 
+const Meshd& long_solid(DrawStream& draws) {
+  const auto& all = long_solids();
+  return all[draws.below(all.size())].mesh;
+}
+
 Meshd with_needless_faces(Meshd mesh, DrawStream& draws) {
   const std::size_t which = draws.below(mesh.faces.size());
   const Face face = mesh.faces[which];
@@ -136,6 +141,22 @@ Meshd with_needless_faces(Meshd mesh, DrawStream& draws) {
       return mesh;
     }
   }
+}
+
+Meshd with_face_listed_twice(Meshd mesh, DrawStream& draws) {
+  Face face = mesh.faces[draws.below(mesh.faces.size())];
+  if (const std::uint64_t kind = draws.below(3); kind > 0) {
+    const auto added = static_cast<Index>(mesh.vertices.size());
+    face = {added, added + 1, added + 2};
+    const Point3d p = drawn_point(draws, 3), q = drawn_point(draws, 3);
+    const double t = small_integer(draws, 2);
+    mesh.vertices.insert(mesh.vertices.end(), {p, q, kind == 1 ? drawn_point(draws, 3) : p + t * (q - p)});
+  }
+  Face again = face;
+  for (std::uint64_t left = draws.below(3); left > 0; --left) again = {again.b, again.c, again.a};
+  if (draws.below(2) == 1) std::swap(again.b, again.c);
+  mesh.faces.insert(mesh.faces.end(), {face, again});
+  return mesh;
 }
 
 Meshd opened(Meshd mesh, DrawStream& draws) {

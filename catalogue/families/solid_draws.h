@@ -25,9 +25,16 @@ Meshd dented_tetrahedron(double size, const Point3d& dent);
 /// One of those that test vectors name (catalogue/families/named_meshes.h), not convex.
 const Meshd& named_solid(DrawStream& draws);
 
+/// One of those with more than 256 vertices (named_meshes.h).
+const Meshd& long_solid(DrawStream& draws);
+
 /// Faces that separate nothing: twice the same, without area, or an edge cut on one side only, with a face without area
 /// in between.
 Meshd with_needless_faces(Meshd mesh, DrawStream& draws);
+
+/// Two more faces, the last of the list, with the same corners in any order: those of a face of the mesh, any three
+/// points, or three on one line.
+Meshd with_face_listed_twice(Meshd mesh, DrawStream& draws);
 
 /// A mesh with an edge in an odd number of faces, or one that breaks another rule; sometimes intact.
 Meshd opened(Meshd mesh, DrawStream& draws);

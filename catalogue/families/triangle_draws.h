@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "catalogue/families/long_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "geometry/triangles.h"
@@ -44,6 +46,13 @@ struct LatticePlane {
     return {a, b, point(draws)};
   }
 };
+
+/// The corners of a triangle in any of the six orders.
+inline Triangle3d in_some_order(Triangle3d t, DrawStream& draws) {
+  for (auto k = draws.below(3); k > 0; --k) t = {t.b, t.c, t.a};
+  if (draws.below(2) == 1) std::swap(t.a, t.b);
+  return t;
+}
 
 /// The ends of a segment that holds the point, or ends there, or leaves it aside: so many steps to either end.
 inline Segment3d segment_through(DrawStream& draws, const Point3d& x, const Vector3d& way) {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "catalogue/draw/searches.h"
-#include "catalogue/families/program_draws.h"
+#include "catalogue/families/searching_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_commands.h"
 #include "oracle/broad_phase/broad_phase.h"
@@ -235,6 +235,8 @@ struct broad_phase {
          }},
         {"many_bodies", [](DrawStream& c) -> Question { return any_program(c, wide_box, 80, 4); }, /*unscaled=*/true},
         {"long_program", [](DrawStream& c) -> Question { return any_program(c, small_box, 4, 80); }, /*unscaled=*/true},
+        {"many_answers", many_answers, /*unscaled=*/true},
+        {"met_nearly_at_once", met_nearly_at_once, /*unscaled=*/true},
         {"perhaps_not_there",
          [](DrawStream& c) -> Question {
            // An index beyond all others, of a removed body, or a valid one.

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/box_draws.h"
 #include "catalogue/families/closest_draws.h"
+#include "catalogue/families/edge_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"
@@ -235,6 +236,16 @@ struct triangle_aabb {
            return {{a, c.below(2) == 1 ? b : Point3d{1, 1, 1}, c.below(2) == 1 ? d : Point3d{d.x, -1, d.z}},
                    {p, c.below(2) == 1 ? q : Point3d{1, 1, c.below(2) == 1 ? q.z : 1}}};
          }},
+        {"edge_over_edge",
+         [](DrawStream& c) -> Question {
+           const auto steep = static_cast<int>(c.below(3));
+           return edge_over_edge(c, steep);
+         }},
+        {"nearly_parallel_edges",
+         [](DrawStream& c) -> Question {
+           const auto steep = 4 + static_cast<int>(c.below(25));
+           return edge_over_edge(c, steep);
+         }},
     };
   }
 
@@ -289,12 +300,8 @@ struct triangle_aabb {
     }
   };
 
-  /// The corners of the triangle in any order.
   static Question in_some_order(DrawStream& c, const Question& q) {
-    auto [t, box] = q;
-    for (auto k = c.below(3); k > 0; --k) t = {t.b, t.c, t.a};
-    if (c.below(2) == 1) std::swap(t.a, t.b);
-    return {t, box};
+    return {catalogue::in_some_order(std::get<0>(q), c), std::get<1>(q)};
   }
 
   /// In the box, of integers, or a few steps from there along some axes.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/list_draws.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/part_draws.h"
 #include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
@@ -193,6 +195,56 @@ struct point_in_polyhedron {
            const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
            const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : recut(mesh, c);
            return {asked, p};
+         },
+         /*unscaled=*/true},
+        {"shells",
+         [](DrawStream& c) -> Question {
+           // On one of the shells, or between two of them.
+           const Meshd shape = around_the_mean(lattice_polyhedron(c)), mesh = shells(shape, c);
+           const Point3d p = on_a_face_plane(shape, c);
+           const auto size = static_cast<double>(c.below(12));
+           return {mesh, {size * p.x, size * p.y, size * p.z}};
+         },
+         /*unscaled=*/true},
+        {"body_in_recess",
+         [](DrawStream& c) -> Question {
+           const auto [solid, body, middle] = body_in_recess(c);
+           const Meshd mesh = c.below(2) == 1 ? together(body, solid) : together(solid, body);
+           const auto off = [&c] { return 3 * small_integer(c, 4); };
+           const double x = off(), y = off(), z = off();
+           const Point3d p = c.below(3) == 2 ? on_a_face_plane(body, c) : middle;
+           return {mesh, {p.x + x, p.y + y, p.z + z}};
+         },
+         /*unscaled=*/true},
+        {"crossing_boxes",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = crossing_boxes(c);
+           const auto coordinate = [&c] { return 6 * static_cast<double>(1 + c.below(8)); };
+           const double x = coordinate(), y = coordinate(), z = coordinate();
+           return {mesh, {x, y, z}};
+         },
+         /*unscaled=*/true},
+        {"on_face_listed_twice",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = with_face_listed_twice(lattice_solid(c), c);
+           return {mesh, on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c)};
+         },
+         /*unscaled=*/true},
+        {"unnamed_vertices",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = lattice_solid(c);
+           const Point3d p = between_vertices(mesh, c), q = c.below(2) == 1 ? between_vertices(mesh, c) : p;
+           return {with_unnamed_vertices(mesh, q, c), p};
+         },
+         /*unscaled=*/true},
+        {"long_mesh",
+         [](DrawStream& c) -> Question {
+           // At and around the last vertices for the most part; so the faces that decide come late in the list.
+           const Meshd& mesh = long_solid(c);
+           const Point3d& p = mesh.vertices[late_index(mesh.vertices.size(), c)];
+           const auto off = [&c] { return 6 * small_integer(c, 1); };
+           const double x = off(), y = off(), z = off();
+           return {mesh, {p.x + x, p.y + y, p.z + z}};
          },
          /*unscaled=*/true},
     };

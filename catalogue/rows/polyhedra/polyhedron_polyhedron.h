@@ -6,6 +6,7 @@
 
 #include "catalogue/families/cube_surface.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/part_draws.h"
 #include "catalogue/families/polygon_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
@@ -185,6 +186,44 @@ struct polyhedron_polyhedron {
            const Meshd a = solid_of_polygons(c), b = convex_solid_of_polygons(c);
            const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
            return {asked, moved(b, c, 12, 3)};
+         },
+         /*unscaled=*/true},
+        {"within_shells",
+         [](DrawStream& c) -> Question {
+           // A solid, or one with a hollow of its own; alone, or after a part that is far away. Its faces lie between two
+           // shells or are those of a shell.
+           const Meshd shape = around_the_mean(lattice_polyhedron(c)), a = shells(shape, c);
+           const auto size = static_cast<double>(1 + c.below(3));
+           Meshd b = scaled(shape, size);
+           if (c.below(2) == 1) {
+             const auto more = static_cast<double>(1 + c.below(4));
+             b = together(b, scaled(shape, size + more));
+           }
+           if (c.below(2) == 1) b = together(shifted(lattice_polyhedron(c), {0x1p14, 0, 0}), b);
+           return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+         },
+         /*unscaled=*/true},
+        {"body_in_recess",
+         [](DrawStream& c) -> Question {
+           const auto [solid, body, middle] = body_in_recess(c);
+           return c.below(2) == 1 ? Question{body, solid} : Question{solid, body};
+         },
+         /*unscaled=*/true},
+        {"crossing_boxes",
+         [](DrawStream& c) -> Question {
+           const Meshd a = crossing_boxes(c);
+           const auto from = [&c] { return 6 * static_cast<double>(c.below(8)); };
+           const double x = from(), y = from(), z = from(), size = 6 * static_cast<double>(1 + c.below(2));
+           const Meshd b = box_mesh({x, y, z}, {x + size, y + size, z + size});
+           return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+         },
+         /*unscaled=*/true},
+        {"unnamed_vertices",
+         [](DrawStream& c) -> Question {
+           // They may lie within the other solid, or widen a box.
+           const Meshd a = lattice_solid(c), b = moved(lattice_polyhedron(c), c, 12, 3);
+           const Meshd marked = with_unnamed_vertices(a, between_vertices(b, c), c);
+           return c.below(2) == 1 ? Question{b, marked} : Question{marked, b};
          },
          /*unscaled=*/true}};
   }

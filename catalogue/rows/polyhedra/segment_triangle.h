@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/coplanar_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
@@ -149,6 +150,12 @@ struct segment_triangle {
            return {{at(from), at(-from)}, {cube.vertices[half.a], cube.vertices[half.b], cube.vertices[half.c]}};
          },
          /*unscaled=*/true},
+        {"coplanar_in_any_order",
+         [](DrawStream& c) -> Question {
+           CoplanarDraws coplanar(c);
+           const Segment3d s = coplanar.segment();
+           return {s, coplanar.triangle()};
+         }},
     };
   }
 

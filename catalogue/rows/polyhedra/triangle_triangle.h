@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/coplanar_draws.h"
 #include "catalogue/families/reported_triangles.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/families/triangle_orbits.h"
@@ -142,6 +143,12 @@ struct triangle_triangle {
          [](DrawStream& c) -> Question {
            const auto [a, b] = reported_triangles(c);
            return {a, b};
+         }},
+        {"coplanar_in_any_order",
+         [](DrawStream& c) -> Question {
+           CoplanarDraws coplanar(c);
+           const Triangle3d t = coplanar.triangle(), other = coplanar.other_triangle();
+           return c.below(2) == 1 ? Question{other, t} : Question{t, other};
          }},
     };
   }

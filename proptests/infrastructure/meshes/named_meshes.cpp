@@ -84,4 +84,17 @@ TEST_CASE(
   CHECK(named_solids().size() == handles_and_parts.size());
 }
 
+TEST_CASE("named meshes: the long ones need more than 8 bits for an index, and their last vertices decide answers") {
+  for (const auto& [name, mesh] : long_solids()) {
+    INFO(name);
+    CHECK(name.ends_with("_" + std::to_string(mesh.vertices.size())));
+    CHECK(mesh.vertices.size() > 256);
+    CHECK(2 * mesh.vertices.size() - mesh.faces.size() == 4);  // Euler's formula of one part without a handle
+    const Point3d& last = mesh.vertices.back();
+    CHECK(oracle::point_in_polyhedron(mesh, last).answer == Location::boundary);
+    CHECK(oracle::point_in_polyhedron(mesh, {last.x - 6, last.y - 6, last.z - 6}).answer == Location::inside);
+    CHECK(oracle::point_in_polyhedron(mesh, {last.x + 6, last.y - 6, last.z - 6}).answer == Location::outside);
+  }
+}
+
 }  // namespace touchstone::proptests::named_meshes_tests

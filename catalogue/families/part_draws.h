@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+
+#include "catalogue/families/draw_stream.h"
+#include "geometry/polyhedra.h"
+
+/// Closed meshes of several parts, drawn from a draw stream. Coordinates are integers.
+namespace touchstone::catalogue {
+
+/// Three to five shells, 2, 4, 6 ... times as large as a convex `shape` around the origin: a solid, a hollow, a solid.
+/// An odd multiple of the shape lies between two of them. The parts are in any order, some of them inside out.
+Meshd shells(const Meshd& shape, DrawStream& draws);
+
+/// A solid with a hollow, a notch or a hole, the cell of size 12 whose middle is `middle`; and a box, an octahedron or a
+/// tetrahedron that is free in there, touches the walls, fills all of it or reaches into the solid.
+struct BodyInRecess {
+  Meshd solid, body;
+  Point3d middle;
+};
+BodyInRecess body_in_recess(DrawStream& draws);
+
+/// Two or three boxes, from 0 to 60 in multiples of 12, that cross, cover or contain each other, or do not meet. What two
+/// of them have in common is outside.
+Meshd crossing_boxes(DrawStream& draws);
+
+/// The box between two corners.
+Meshd box_mesh(const Point3d& min, const Point3d& max);
+
+/// One to three more vertices that no face names, before or after the others: far away, or at `place`.
+Meshd with_unnamed_vertices(Meshd mesh, const Point3d& place, DrawStream& draws);
+
+}  // namespace touchstone::catalogue
