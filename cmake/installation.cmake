@@ -47,7 +47,8 @@ configure_package_config_file(cmake/touchstone-config.cmake.in ${PROJECT_BINARY_
                               INSTALL_DESTINATION ${package_dir} PATH_VARS data_dir CMAKE_INSTALL_DOCDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/touchstone-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/touchstone-config.cmake ${PROJECT_BINARY_DIR}/touchstone-config-version.cmake
-              cmake/components.cmake cmake/touchstone_add_audit.cmake cmake/FindGMP.cmake cmake/FindMPFR.cmake
+              cmake/components.cmake cmake/touchstone_add_audit.cmake cmake/touchstone_add_engine.cmake
+              cmake/FindGMP.cmake cmake/FindMPFR.cmake
         DESTINATION ${package_dir})
 
 # pkg-config: the libraries are static, so what they need is linked as well. From its own place, so that the package can be moved.
