@@ -158,6 +158,7 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
                          --work ${PROJECT_BINARY_DIR}/certify_proved)
   touchstone_script_test(certificates/weakened oracle/certificates/proved/kinds.py --weakened 12 --jobs 1
                          --work ${PROJECT_BINARY_DIR}/weakened)
+  touchstone_script_test(certificates/one_file proptests/infrastructure/oracle/certify_file.py)
   touchstone_script_test(certificates/proofs_self_check oracle/certificates/proved/kinds.py --self-check)
   set_tests_properties(proofs certificates/proved certificates/weakened report/opened_pages
                        report/opened_pages_self_check PROPERTIES SKIP_RETURN_CODE 77)

@@ -16,6 +16,7 @@ import io
 import json
 import os
 import pathlib
+import pkgutil
 import re
 import signal
 import sys
@@ -25,11 +26,12 @@ from certify_reading import Claim, Refusal, expect, only
 if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(0)
 
-# Every function check_OPERATION of a file certify_*.py beside this one.
+# Every function check_OPERATION of a file certify_*.py beside this one, in a folder or in an archive.
 CHECKS = {
     name.removeprefix("check_"): check
-    for path in sorted(pathlib.Path(__file__).resolve().parent.glob("certify_*.py"))
-    for name, check in vars(importlib.import_module(path.stem)).items()
+    for module in pkgutil.iter_modules([str(pathlib.Path(__file__).resolve().parent)])
+    if module.name.startswith("certify_")
+    for name, check in vars(importlib.import_module(module.name)).items()
     if name.startswith("check_")
 }
 
