@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "catalogue/codec/document.h"
 #include "program/commands.h"
 #include "program/engine_lines.h"
 #include "program/names.h"
@@ -125,7 +126,7 @@ class Trajectory {
 }  // namespace
 
 int simulate_command(const SimulateCommand& command, std::ostream& out, std::ostream& err) {
-  const Json json = read_or_refuse(command.file, [&] { return parse_line(text_of_file(command.file)); });
+  const Json json = read_or_refuse(command.file, [&] { return parse_document(text_of_file(command.file)); });
   if (simulate::gas::is_gas(json)) return gas_command(command, json, out, err);
   const auto scene = read_or_refuse(command.file, [&] { return simulate::read_scene(json); });
   require_apart(command);

@@ -144,13 +144,11 @@ void require_possible(const Scene& scene) {
   if (const auto wrong = overlap_at_start(scene)) throw InvalidInput(wrong->field, wrong->rule);
 }
 
-/// With numbers in place of what was typed.
-Json in_numbers(const Json& json) {
-  if (catalogue::is_typed_number(json)) return catalogue::written(catalogue::read_double(json, ""));
-  if (!json.is_structured()) return json;
-  Json result = json;
-  for (Json& part : result) part = in_numbers(part);
-  return result;
+/// Puts numbers in place of what was typed.
+void become_numbers(Json& json) {
+  if (catalogue::is_typed_number(json)) json = catalogue::written(catalogue::read_double(json, ""));
+  else if (json.is_structured())
+    for (Json& part : json) become_numbers(part);
 }
 
 }  // namespace
@@ -179,7 +177,8 @@ Scene read_scene(const Json& json) {
   fields.end();
   if (scene.bodies.empty()) throw InvalidInput("bodies", "at least one");
   require_possible(scene);
-  scene.text = in_numbers(json);
+  scene.text = json;
+  become_numbers(scene.text);
   return scene;
 }
 

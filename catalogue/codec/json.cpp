@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/codec/json.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <set>
 
+#include "catalogue/codec/document.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
 #include "catalogue/codec/nearest_double.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr char typed_number_mark = '\x01';
 constexpr long most_decimal_exponent = 5000;
 /// The deepest document of ours, a tally's smallest finding, is nested a dozen deep.
-constexpr int most_nested = 64;
+constexpr std::size_t most_nested = 64;
 /// Objects keep their fields in a list, so that finding one takes time in proportion to it.
 constexpr std::size_t most_fields = 1000;
 
@@ -106,35 +107,127 @@ mpq_class power(unsigned base, long exponent) {
   return exponent < 0 ? mpq_class(1, result) : mpq_class(result);
 }
 
-/// Every walk over a document calls itself for its parts: what is nested deeper never becomes one.
-Json parsed(const std::string& text) {
-  std::vector<std::set<std::string>> keys;
-  const auto refuse = [&keys](int depth, Json::parse_event_t event, Json& parsed) {
-    const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    if (opens && depth >= most_nested)
-      throw InvalidInput("line", "nested at most " + std::to_string(most_nested) + " deep");
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && keys.back().size() == most_fields)
+/// Builds a document. Every walk over one calls itself for its parts: what is nested deeper never becomes one. (The
+/// library's own parser looks at all elements of a list behind each, where it is given anything to check.)
+class Builder {
+ public:
+  Json built() { return std::move(built_); }
+  /// Where the text ceased to be JSON: how many characters were read then.
+  std::size_t read() const { return read_; }
+
+  bool null() { return added(nullptr); }
+  bool boolean(bool value) { return added(value); }
+  bool number_integer(Json::number_integer_t value) { return added(value); }
+  bool number_unsigned(Json::number_unsigned_t value) { return added(value); }
+  bool number_float(Json::number_float_t value, const std::string&) { return added(value); }
+  bool string(std::string& value) { return added(std::move(value)); }
+  bool binary(Json::binary_t& value) { return added(std::move(value)); }
+  bool start_object(std::size_t) { return opened(Json::object()); }
+  bool start_array(std::size_t) { return opened(Json::array()); }
+  bool end_object() { return closed(); }
+  bool end_array() { return closed(); }
+  bool key(std::string& name) {
+    Json& object = *open_.back();
+    if (object.size() == most_fields)
       throw InvalidInput("line", "at most " + std::to_string(most_fields) + " fields in an object");
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
-      throw InvalidInput(excerpt(parsed.get_ref<const std::string&>(), most_of_a_key), "given once");
-    }
+    if (object.contains(name)) throw InvalidInput(excerpt(name, most_of_a_key), "given once");
+    field_ = &object[name];
     return true;
-  };
+  }
+  bool parse_error(std::size_t read, const std::string&, const nlohmann::json::exception&) {
+    read_ = read;
+    return false;
+  }
+
+ private:
+  Json& place_of(Json value) {
+    if (open_.empty()) return built_ = std::move(value);
+    Json& outer = *open_.back();
+    if (outer.is_object()) return *field_ = std::move(value);
+    outer.push_back(std::move(value));
+    return outer.back();
+  }
+  bool added(Json value) {
+    place_of(std::move(value));
+    return true;
+  }
+  bool opened(Json empty) {
+    if (open_.size() >= most_nested)
+      throw InvalidInput("line", "nested at most " + std::to_string(most_nested) + " deep");
+    open_.push_back(&place_of(std::move(empty)));
+    return true;
+  }
+  bool closed() {
+    open_.pop_back();
+    return true;
+  }
+
+  Json built_;
+  std::vector<Json*> open_;  ///< objects and lists that are not closed yet, the innermost last
+  Json* field_ = nullptr;    ///< whose value comes next
+  std::size_t read_ = 0;
+};
+
+/// A text that is no JSON, from that character on.
+struct NoJson {
+  std::size_t at;
+};
+
+Json parsed(const std::string& text) {
+  if (const std::size_t end = text.find('\0'); end != std::string::npos)
+    throw NoJson{end};  // the parser would end there
+  Builder builder;
+  if (!Json::sax_parse(text, &builder)) throw NoJson{std::max<std::size_t>(builder.read(), 1) - 1};
+  return builder.built();
+}
+
+Json parsed_line(const std::string& text) {
   try {
-    if (text.find('\0') != std::string::npos)
-      throw InvalidInput("line", "one JSON object");  // the parser would end there
-    return Json::parse(text, refuse);
-  } catch (const nlohmann::json::exception&) {
+    return parsed(text);
+  } catch (const NoJson&) {
     throw InvalidInput("line", "one JSON object");
   }
 }
 
+/// Where a character of the marked text comes from.
+std::size_t typed_place(const std::string& text, std::size_t marked_place) {
+  std::size_t low = 0, high = text.size() + 1;  // so many characters, once they are marked, end before it; and do not
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (with_marked_numbers(text.substr(0, middle)).size() > marked_place ? high : low) = middle;
+  }
+  return low;
+}
+
+/// What stands there in a text that is no JSON from there on, and where.
+InvalidInput no_json(const std::string& text, std::size_t place) {
+  const auto of_number = [&](std::size_t i) {
+    return starts_number(text[i]) || std::isalnum(static_cast<unsigned char>(text[i])) != 0;
+  };
+  while (place > 0 && place < text.size() && of_number(place) && of_number(place - 1)) --place;
+  const std::size_t line = 1 + std::count(text.begin(), text.begin() + place, '\n'),
+                    before = place == 0 ? std::string::npos : text.rfind('\n', place - 1),
+                    column = place - (before == std::string::npos ? 0 : before + 1) + 1,
+                    last = place == 0 ? std::string::npos : text.find_last_not_of(" \t\r\n", place - 1);
+  const std::string found =
+      place < text.size() ? "unexpected \"" + excerpt(text.substr(place, 1), 1) + "\"" : "the text ends there";
+  const bool comma = last != std::string::npos && text[last] == ',';
+  return {"line " + std::to_string(line) + ", column " + std::to_string(column),
+          "one JSON object; " + found + (comma ? " after a comma" : "")};
+}
+
 }  // namespace
 
-Json parse_line(const std::string& text) { return parsed(with_marked_numbers(text)); }
-Json parse_own_line(const std::string& text) { return parsed(text); }
+Json parse_line(const std::string& text) { return parsed_line(with_marked_numbers(text)); }
+Json parse_own_line(const std::string& text) { return parsed_line(text); }
+
+Json parse_document(const std::string& text) {
+  try {
+    return parsed(with_marked_numbers(text));
+  } catch (const NoJson& from) {
+    throw no_json(text, typed_place(text, from.at));
+  }
+}
 
 bool is_typed_number(const Json& value) {
   return value.is_string() && !value.get_ref<const std::string&>().empty() &&

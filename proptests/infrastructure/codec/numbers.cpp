@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <ctime>
 
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/nearest_double.h"
@@ -176,6 +177,21 @@ TEST_CASE("lines: what is nested deeper than 64 is refused however deep it is, a
       CHECK(refused(std::string(depth, '[')) == "line: nested at most 64 deep");
     }
   }
+}
+
+TEST_CASE("lines: a list of objects is read in time that grows with its length alone") {
+  const auto list_of = [](std::size_t objects) {
+    std::string text = "[{\"a\":1}";
+    for (std::size_t i = 1; i < objects; ++i) text += ",{\"a\":1}";
+    return text + "]";
+  };
+  const auto ticks = [](std::size_t times, const std::string& text) {
+    const std::clock_t start = std::clock();
+    for (std::size_t i = 0; i < times; ++i) parse_line(text);
+    return std::clock() - start;
+  };
+  const std::string few = list_of(2'000), many = list_of(100'000);
+  CHECK(ticks(1, many) < 8 * ticks(50, few));  // as many objects: quadratic would be 50 times
 }
 
 TEST_CASE("lines: a zero byte ends no line") {
