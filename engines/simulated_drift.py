@@ -55,7 +55,7 @@ class Run:
             return
         self.steps = step
         for part, value in now["drift"].items():
-            self.parts[part] += Fraction(value)
+            self.parts["scheme" if part == "law" else part] += Fraction(value)
         self.contacts += len(now["contacts"])
         self.apart = max(math.dist(a[:3], b[:3]) for a, b in zip(now["bodies"], robust["bodies"]))
         if self.numbers is None and now["bodies"] != robust["bodies"]:

@@ -6,8 +6,8 @@
 //   timestep, stride   seconds of a step; steps between two frames
 //   bodies             [{name, shape, radius, half, fixed}]
 //   walls, room        [{name, normal, offset}]; least and greatest corner, or nothing
-//   runs               [{name, engine, ended, frames, contacts, energy, scheme, decision, rounding, momentum}], each
-//                      list by frame: position and velocity of each body in one list; points. An engine's rounding is
+//   runs               [{name, engine, ended, frames, contacts, energy, law, scheme, decision, rounding, momentum}],
+//                      each list by frame: position and velocity of each body in one list; points. An engine's rounding is
 //                      all that is its own; one that ended has fewer frames than the others
 //   distances          [{runs, values}]
 //   partings           [{step, runs, contact}]
@@ -172,7 +172,8 @@ function facts(run, now) {
   const frame = shown(run, now);
   const own = run.engine ? row('drift of its own', short(run.rounding[frame])) :
       row('drift by decisions', short(run.decision[frame])) + row('drift by rounding', short(run.rounding[frame]));
-  return row('energy', short(run.energy[frame])) + row('drift by scheme', short(run.scheme[frame])) + own +
+  return row('energy', short(run.energy[frame])) + row('drift by law', short(run.law[frame])) +
+      row('drift by scheme', short(run.scheme[frame])) + own +
       row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')') +
       (run.ended && frame < now ? `<dt>ended</dt><dd>${escaped(run.ended)}</dd>` : '');
 }

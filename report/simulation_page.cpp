@@ -78,6 +78,7 @@ Json run_of(const Recording::OfRun& run, const std::vector<std::size_t>& frames)
     json["frames"].push_back(std::move(flat));
     json["contacts"].push_back(Json(contacts));
     json["energy"].push_back(number(run.energy[frame], 9));
+    json["law"].push_back(number(run.law[frame], 4));
     json["scheme"].push_back(number(run.scheme[frame], 4));
     json["decision"].push_back(number(run.decision[frame], 4));
     json["rounding"].push_back(number(run.rounding[frame], 4));

@@ -30,12 +30,15 @@ mpq_class energy(const Scene& scene, const State<Exact>& state) {
     if (body.fixed) continue;
     const auto& [p, v] = state[i];
     const Vector3<Exact> place{p.x, p.y, p.z};
-    sum += exact_value(body.mass) * (square(v) / 2 - along(scene.gravity, place));
+    const mpq_class mass = exact_value(body.mass);
+    sum += kinetic_energy(mass, v) - mass * along(scene.gravity, place);
     if (scene.settings.law != Law::penalty) continue;
     for (const Wall& wall : scene.walls) sum += of_spring(scene, wall, place);
   }
   return sum;
 }
+
+mpq_class kinetic_energy(const mpq_class& mass, const Vector3<Exact>& velocity) { return mass * square(velocity) / 2; }
 
 std::array<mpq_class, 3> momentum(const Scene& scene, const State<Exact>& state) {
   std::array<mpq_class, 3> sum;

@@ -20,8 +20,8 @@ class EngineLines {
 };
 
 /// A scene by a foreign engine. From the engine's own state the exact step of the scene is made beside its step: its
-/// drift is what that exact step gains (`scheme`), and all that it gains beyond (`own`): its scheme, its contacts, its
-/// thresholds and its rounding, which nobody outside can tell apart.
+/// drift is what that exact step gains (`law` and `scheme`), and all that it gains beyond (`own`): its scheme, its
+/// contacts, its thresholds and its rounding, which nobody outside can tell apart.
 class EngineRun : public Run {
  public:
   /// `failure`: why it cannot begin; empty if it can. The scene has to outlive it.

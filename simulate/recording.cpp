@@ -19,6 +19,7 @@ void Recording::add(OfRun& run, const Snapshot& now, const Drift& drift) {
   run.states.push_back(now.state);
   run.impacts.push_back(now.impacts);
   run.energy.push_back(nearest(now.energy));
+  run.law.push_back(nearest(drift.law));
   run.scheme.push_back(nearest(drift.scheme));
   run.decision.push_back(nearest(drift.decision));
   run.rounding.push_back(nearest(run.engine ? drift.own : drift.rounding));

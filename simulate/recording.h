@@ -12,9 +12,9 @@ class Recording {
     std::string name;
     std::vector<State<double>> states;
     std::vector<std::vector<Impact>> impacts;
-    std::vector<double> energy, scheme, decision, rounding;  ///< drift since the start
+    std::vector<double> energy, law, scheme, decision, rounding;  ///< drift since the start
     std::vector<std::array<double, 3>> momentum;
-    bool engine = false;  ///< of an engine scheme and rounding hold what the exact step gains, and what is its own
+    bool engine = false;  ///< of an engine rounding holds all that is its own
     std::string ended;    ///< why it has fewer steps than the others
   };
 

@@ -23,8 +23,8 @@ class RunOf : public Run {
 
  private:
   Stepped<double> step_from(const State<double>& state) override {
-    auto [after, impacts] = step(world_, in_arithmetic(state), nullptr, nullptr, &nearby_);
-    return {in_double(after), std::move(impacts)};
+    Stepped<Real> made = step(world_, in_arithmetic(state), nullptr, nullptr, &nearby_);
+    return {in_double(made.state), std::move(made.impacts)};
   }
 
   template <class To, class From>
@@ -81,15 +81,15 @@ void Run::advance() {
   try {
     const State<Exact> start = in_exact(now_.state);
     const mpq_class before = now_.energy;
-    auto [after, impacts] = step_from(now_.state);
+    Stepped<double> made = step_from(now_.state);
     const auto ideal = ideal_step(start);
-    const mpq_class by_scheme = energy(scene_, ideal.state);
-    const bool agreed = engine() != nullptr || touches_of(ideal.impacts) == touches_of(impacts);
-    const mpq_class followed = agreed ? by_scheme : energy(scene_, step(exact_, start, &impacts).state);
-    now_.impacts = std::move(impacts);
-    describe(after);
+    const mpq_class unrounded = energy(scene_, ideal.state);
+    const bool agreed = engine() != nullptr || touches_of(ideal.impacts) == touches_of(made.impacts);
+    const mpq_class followed = agreed ? unrounded : energy(scene_, step(exact_, start, &made.impacts).state);
+    now_.impacts = std::move(made.impacts);
+    describe(made.state);
     now_.chain = chained(now_.chain, now_.hash);
-    now_.drift = {by_scheme - before, followed - by_scheme, now_.energy - followed};
+    now_.drift = {ideal.law, unrounded - before - ideal.law, followed - unrounded, now_.energy - followed};
     if (engine() != nullptr) std::swap(now_.drift.rounding, now_.drift.own);
     drift_ += now_.drift;
   } catch (const std::exception& wrong) {

@@ -41,6 +41,18 @@ std::vector<std::string> Simulation::names() const {
   return names;
 }
 
+bool Simulation::none_parted() const {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    for (std::size_t j = i + 1; j < runs_.size(); ++j) {
+      if (runs_[i]->engine() != nullptr || runs_[j]->engine() != nullptr) continue;
+      if (parted_[i][j]) return false;
+      ++pairs;
+    }
+  }
+  return pairs > 0;
+}
+
 void Simulation::advance() {
   std::vector<State<double>> before;
   for (const auto& run : runs_) before.push_back(run->now().state);

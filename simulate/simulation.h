@@ -30,6 +30,8 @@ class Simulation {
   const Run& run(std::size_t i) const { return *runs_[i]; }
   /// Of the runs that have parted so far, at most one for each two of them.
   const std::vector<Parting>& partings() const { return partings_; }
+  /// Whether there are two runs, and none has answered other contacts than another so far. Engines do not count.
+  bool none_parted() const;
   /// Of a run that is an engine's, from robust, where robust runs too.
   const Departure& departure(std::size_t i) const { return departures_[i]; }
   /// Adds an engine before the first step.

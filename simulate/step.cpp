@@ -6,6 +6,7 @@
 #include "catalogue/numbers/kept_digits.h"
 #include "reference/response/impact_step.h"
 #include "simulate/drawn_point.h"
+#include "simulate/energy.h"
 
 namespace touchstone::simulate {
 namespace {
@@ -46,7 +47,7 @@ class Step {
     if (!accelerates_first) accelerate();
     if (settings_.option == 1 && !turns_first) answer_contacts(State<Real>(state_));
     if (!finite(state_)) throw StepError("a number is beyond the range");
-    return {std::move(state_), std::move(impacts_)};
+    return {std::move(state_), std::move(impacts_), std::move(law_)};
   }
 
  private:
@@ -86,9 +87,25 @@ class Step {
   }
 
   void answer(const Touch& touch, const Vector3<Real>& normal, const State<Real>& at, double time) {
+    const mpq_class before = kinetic_energy(touch);
     world_.respond(touch, state_, normal);
+    law_ += kinetic_energy(touch) - before;
     const Vector3d n{as_double(normal.x), as_double(normal.y), as_double(normal.z)};
     impacts_.push_back({touch, time, drawn_point(world_, touch, at, n), n});
+  }
+
+  /// Of the two of a contact, in Exact alone; elsewhere 0.
+  mpq_class kinetic_energy(const Touch& touch) const {
+    mpq_class sum = 0;
+    if constexpr (std::is_same_v<Real, Exact>) {
+      const auto add = [&](std::size_t body) {
+        const auto& solid = world_.solid(body);
+        if (!solid.fixed) sum += simulate::kinetic_energy(solid.mass.value(), state_[body].velocity);
+      };
+      add(touch.body);
+      if (!touch.wall) add(touch.other);
+    }
+    return sum;
   }
 
   // Option 1.
@@ -186,6 +203,7 @@ class Step {
   Nearby& nearby_;
   State<Real> state_;
   std::vector<Impact> impacts_;
+  mpq_class law_ = 0;
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ template <class Real>
 struct Stepped {
   State<Real> state;
   std::vector<Impact> impacts;  ///< in the order in which they were answered
+  mpq_class law = 0;            ///< what answering them changed of the kinetic energy; of a step in Exact alone
 };
 
 /// A step that cannot be made: a number beyond the range, or more moments than the scene allows.

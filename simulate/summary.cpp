@@ -76,16 +76,16 @@ void Summary::print(std::ostream& out) const {
   bool engines = false;
   for (std::size_t i = 0; i < names.size(); ++i)
     width = std::max(width, names[i].size() + 2), engines = engines || simulation_.run(i).engine() != nullptr;
-  out << fmt::format("{:{}}{:>14}{:>14}   = {:>12} + {:>12} + {:>12}{}{:>10}  {}\n", "run", width, "energy", "drift",
-                     "scheme", "decision", "rounding", engines ? " +      its own" : "", "contacts",
+  out << fmt::format("{:{}}{:>14}{:>14}   = {:>12} + {:>12} + {:>12} + {:>12}{}{:>10}  {}\n", "run", width, "energy",
+                     "drift", "law", "scheme", "decision", "rounding", engines ? " +      its own" : "", "contacts",
                      "hash of all steps");
   for (std::size_t i = 0; i < simulation_.size(); ++i) {
     const Run& run = simulation_.run(i);
     const EngineRun* const engine = run.engine();
     if (engine != nullptr && !engine->began()) continue;
-    const auto& [scheme, decision, rounding, own] = run.drift();
-    out << fmt::format("{:{}}{:14.6g}{:14.6g}   = {:12.4g}", run.name(), width, in_double(run.now().energy),
-                       in_double(run.drift().total()), in_double(scheme));
+    const auto& [law, scheme, decision, rounding, own] = run.drift();
+    out << fmt::format("{:{}}{:14.6g}{:14.6g}   = {:12.4g} + {:12.4g}", run.name(), width, in_double(run.now().energy),
+                       in_double(run.drift().total()), in_double(law), in_double(scheme));
     if (engine == nullptr) {
       out << fmt::format(" + {:12.4g} + {:12.4g}{:{}}{:10}", in_double(decision), in_double(rounding), "",
                          engines ? 15 : 0, contacts_[i]);
@@ -97,6 +97,7 @@ void Summary::print(std::ostream& out) const {
   }
   for (std::size_t i = 0; i < simulation_.size(); ++i)
     if (simulation_.run(i).engine() != nullptr) print_engine(simulation_, i, out);
+  if (simulation_.none_parted()) out << "\nno runs part: all answer the same contacts\n";
   if (!simulation_.partings().empty()) out << '\n';
   for (const Parting& parting : simulation_.partings()) print_parting(scene, parting, out);
 }

@@ -41,6 +41,7 @@ Json in_json(const Snapshot& now, bool of_engine) {
   json["energy"] = written(now.energy);
   json["momentum"] = Json::array();
   for (const mpq_class& sum : now.momentum) json["momentum"].push_back(written(sum));
+  json["drift"]["law"] = written(now.drift.law);
   json["drift"]["scheme"] = written(now.drift.scheme);
   if (of_engine) {
     json["drift"]["own"] = written(now.drift.own);

@@ -65,14 +65,15 @@ Snapshot snapshot_of(const Place& place, const Scene& scene, const Snapshot* bef
   const State<Exact> exact = in_exact(then.state);
   then.energy = energy(scene, exact);
   then.momentum = momentum(scene, exact);
-  then.drift = {drift.at("scheme").rational(), drift.at("decision").rational(), drift.at("rounding").rational()};
+  then.drift = {drift.at("law").rational(), drift.at("scheme").rational(), drift.at("decision").rational(),
+                drift.at("rounding").rational()};
   then.hash = hash_of(scene, then.state);
   then.chain = chained(before == nullptr ? 0 : before->chain, then.hash);
   place.at("energy").require(catalogue::written(then.energy).get<std::string>());
   place.at("hash").require(in_digits(then.hash));
   place.at("chain").require(in_digits(then.chain));
   if (before == nullptr) {
-    for (const char* part : {"scheme", "decision", "rounding"})
+    for (const char* part : {"law", "scheme", "decision", "rounding"})
       if (sgn(drift.at(part).rational()) != 0) throw InvalidInput(drift.at(part).path, "0 before the first step");
   } else if (then.energy - before->energy != then.drift.total()) {
     throw InvalidInput(drift.path, "its parts add up to the change of energy");

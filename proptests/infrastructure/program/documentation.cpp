@@ -53,6 +53,14 @@ TEST_CASE("documentation: the manual page has every command and option of the he
   }
 }
 
+TEST_CASE("documentation: the help of every command that takes mesh files tells how large they may be") {
+  for (const char* command : {"ask", "audit", "certify", "mesh"}) {
+    INFO(command);
+    CHECK_THAT(called({command, "--help"}).out,
+               ContainsSubstring("mesh") && ContainsSubstring("A mesh file is a regular file of at most 256 MiB."));
+  }
+}
+
 TEST_CASE("documentation: the manual page is right roff") {
   if (!has("groff")) return;  // skipped
   const TextFile page("touchstone.1", called({"--man"}).out);

@@ -23,8 +23,28 @@ TEST_CASE("simulate: it tells energy and drift of each run, and what parted two 
   CHECK(call.err.empty());
   for (const char* words :
        {"Two balls in a box", "2 bodies, 6 walls, steps 0 to 300", "\nfloat ", "\ndouble ", "\nrobust ",
+        "   law +       scheme +     decision +     rounding",
         "float and double part in step 279: right and room.max.x", "| touchstone ask swept_sphere_plane"})
     CHECK_THAT(call.out, ContainsSubstring(words));
+}
+
+TEST_CASE("simulate: where no runs part, that is told; of one run alone there is nothing to tell") {
+  const char* const words = "no runs part: all answer the same contacts";
+  CHECK_THAT(called({"simulate", two_balls, "--steps", "100"}).out, ContainsSubstring(words));
+  CHECK_THAT(called({"simulate", two_balls, "--steps", "300"}).out, !ContainsSubstring(words));
+  CHECK_THAT(called({"simulate", two_balls, "--steps", "100", "--runs", "double"}).out, !ContainsSubstring(words));
+}
+
+TEST_CASE("simulate: a scene that is no JSON is told by line and column") {
+  const auto refused = [](const std::string& text, const std::string& complaint) {
+    const TextFile scene("typed.json", text);
+    require_refused(called({"simulate", scene.path()}), bad_usage, "typed.json: " + complaint);
+  };
+  refused("{\n  \"touchstone_scene\": 1,\n  \"bodies\": [1, 2.5,],\n}",
+          "line 3, column 21: one JSON object; unexpected \"]\" after a comma");
+  refused("{\n  \"touchstone_scene\": 1,\n}", "line 3, column 1: one JSON object; unexpected \"}\" after a comma");
+  refused("{\n  \"a\": 1 125\n}", "line 2, column 10: one JSON object; unexpected \"1\"");
+  refused("{\n  \"a\": [1", "line 2, column 10: one JSON object; the text ends there");
 }
 
 TEST_CASE("simulate: a trajectory cut off in the middle of a line and resumed is the same file") {

@@ -20,7 +20,8 @@ Scene bouncing(const std::string& advance) {
 
 }  // namespace
 
-TEST_CASE("drift: scheme, decisions and rounding add up exactly to the change of energy, at every step and in all") {
+TEST_CASE(
+    "drift: law, scheme, decisions and rounding add up exactly to the change of energy, at every step and in all") {
   for (const char* advance : {R"("option":1)", R"("option":1,"turn":"after_move")", R"("option":2)",
                               R"("option":1,"motion":"move_then_accelerate")"}) {
     const Scene scene = bouncing(advance);
@@ -36,6 +37,25 @@ TEST_CASE("drift: scheme, decisions and rounding add up exactly to the change of
         REQUIRE(run.now().drift.total() == run.now().energy - before[i]);
         REQUIRE(run.drift().total() == run.now().energy - start[i]);
       }
+    }
+  }
+}
+
+TEST_CASE("drift: what restitution is meant to take is the law's, and none of it the scheme's") {
+  // Two balls of masses 1 and 3 with a closing speed of 4 lose (1 - e^2) m/2 v^2 of the reduced mass 3/4; the floor
+  // takes (1 - e^2) of the other ball's 1/2 * 2 * 1^2.
+  std::string heavy = sphere(1, "[3,5,0]", "[0,0,0]"), falling = sphere(1, "[9,1.5,0]", "[0,-1,0]");
+  heavy.insert(1, "\"mass\":3,"), falling.insert(1, "\"mass\":2,");
+  for (const char* option : {R"("timestep":1,"option":2)", R"("timestep":0.5,"option":1)"}) {
+    const Scene scene = scene_from(
+        scene_text(option, R"("response":{"law":"restitution","restitution":0.5},)" + floor_of_scene + ",\"bodies\":[" +
+                               sphere(1, "[0,5,0]", "[4,0,0]") + "," + heavy + "," + falling + "]"));
+    Simulation simulation(scene, every);
+    simulation.advance();
+    for (std::size_t i = 0; i < every.size(); ++i) {
+      REQUIRE(simulation.run(i).now().impacts.size() == 2);
+      CHECK(simulation.run(i).now().drift.law == mpq_class(-3, 4) * (mpq_class(3, 8) * 16 + 1));
+      CHECK(simulation.run(i).now().drift.scheme == 0);
     }
   }
 }

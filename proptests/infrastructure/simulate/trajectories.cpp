@@ -108,9 +108,10 @@ TEST_CASE("trajectory: what was resumed knows its drift since the start") {
 
 TEST_CASE("trajectory: at the start nothing has drifted") {
   const std::string& text = whole();
-  const std::string nothing = R"("drift":{"scheme":"0","decision":"0","rounding":"0"})";
-  for (const char* drifted : {R"("drift":{"scheme":"7","decision":"0","rounding":"0"})",
-                              R"("drift":{"scheme":"0","decision":"1/2","rounding":"-1/2"})"})
+  const std::string nothing = R"("drift":{"law":"0","scheme":"0","decision":"0","rounding":"0"})";
+  for (const char* drifted : {R"("drift":{"law":"0","scheme":"7","decision":"0","rounding":"0"})",
+                              R"("drift":{"law":"-7","scheme":"7","decision":"0","rounding":"0"})",
+                              R"("drift":{"law":"0","scheme":"0","decision":"1/2","rounding":"-1/2"})"})
     CHECK_THAT(refusal_of(with(text, 2, nothing, drifted)), ContainsSubstring("0 before the first step"));
 }
 
