@@ -7,8 +7,8 @@
 //   bodies             [{name, shape, radius, half, fixed}]
 //   walls, room        [{name, normal, offset}]; least and greatest corner, or nothing
 //   runs               [{name, engine, ended, frames, contacts, energy, law, scheme, decision, rounding, momentum}],
-//                      each list by frame: position and velocity of each body in one list; points. An engine's rounding is
-//                      all that is its own; one that ended has fewer frames than the others
+//                      each list by frame: position and velocity of each body in one list; points. An engine's
+//                      rounding is all that is its own; one that ended has fewer frames than the others
 //   distances          [{runs, values}]
 //   partings           [{step, runs, contact}]
 'use strict';
@@ -17,7 +17,8 @@ const half = 100000;  // steps of viewer.js from the middle to the end of the lo
 const mostNamed = 12, fewBodies = 4;
 const dashes = ['', '6 3', '2 3', '9 2 2 2'];  // runs differ in dashes as well as in colour
 const colour = i => 'q' + i % 4, dash = i => dashes[(i + Math.floor(i / 4)) % 4];
-const wide = 360, high = 170, margin = {left: 62, right: 10, top: 10, bottom: 20};
+const wide = 360, high = 186, margin = {left: 62, right: 10, top: 10, bottom: 36};
+const front = {cosYaw: 1, sinYaw: 0, cosPitch: 1, sinPitch: 0}, edge = 16;  // pixels around what is seen from the front
 
 const short = x => x === 0 ? '0' :
     Math.abs(x) >= 0.001 && Math.abs(x) < 1e6 ? String(+x.toPrecision(6)) : x.toExponential(2);
@@ -30,11 +31,22 @@ function footOf({normal, offset}, within) {
   const square = squares(normal), e = (normal.reduce((sum, n, i) => sum + n * within.middle[i], 0) + offset) / square;
   return placed(within.middle.map((x, i) => x - e * normal[i]), within);
 }
+const tipOf = ({normal}, foot) => {
+  const long = half / 4 / Math.sqrt(squares(normal));
+  return foot.map((x, i) => Math.round(x + normal[i] * long));
+};
 // A wall far from everything is left out: it would make the rest small.
 const isNear = foot => foot.every(x => Math.abs(x) <= 2 * half);
 
+// Whether all that moves stays in the plane z = 0: a wall across the plane turns nothing out of it, and one along the
+// plane is never met.
+const isFlat = data =>
+    data.runs.every(({frames}) => frames.every(frame => frame.every((x, i) => i % 3 < 2 || x === 0))) &&
+    data.walls.every(({normal: [x, y, z]}) => z === 0 || (x === 0 && y === 0));
+
 // What every frame of every run fits into, and how fast the fastest body is. A wall does not change the scale; what is
-// drawn of it lies within reach: a square whose half side is half / 2.
+// drawn of it lies within reach: a square whose half side is half / 2. What stays in a plane is first seen from the
+// front, and fills the frame.
 function extent(data) {
   const low = [Infinity, Infinity, Infinity], high = low.map(x => -x);
   let fastest = 0;
@@ -53,9 +65,13 @@ function extent(data) {
   for (const corner of data.room ?? []) add(corner, [0, 0, 0]);
   const middle = low.map((x, i) => (x + high[i]) / 2), side = Math.max(...low.map((x, i) => high[i] - x));
   const scale = side > 0 ? 2 * half / side : 1, corner = Math.sqrt(squares(low.map((x, i) => (high[i] - x) / 2)));
-  const feet = data.walls.map(wall => footOf(wall, {middle, scale})).filter(isNear);
+  const ends = data.walls.map(wall => [wall, footOf(wall, {middle, scale})]).filter(([, foot]) => isNear(foot))
+      .map(([wall, foot]) => [foot, tipOf(wall, foot)]), feet = ends.map(([foot]) => foot);
   const reach = Math.max(1, corner * scale, ...feet.map(foot => Math.sqrt(squares(foot) + half * half / 2)));
-  return {low, high, middle, scale, reach, fastest};
+  const flat = isFlat(data), {width, height, room} = viewer.size;
+  const widest = i => Math.max(1, (high[i] - low[i]) * scale / 2, ...ends.flat().map(end => Math.abs(end[i])));
+  const frontReach = room * Math.max(widest(0) / (width / 2 - edge), widest(1) / (height / 2 - edge));
+  return {low, high, middle, scale, reach, fastest, flat, frontReach};
 }
 
 const placed = (p, {middle, scale}) => p.map((x, i) => Math.round((x - middle[i]) * scale));
@@ -70,19 +86,25 @@ function shortNames(bodies) {
   });
 }
 
-// The figures of one frame of a run, as viewer.js takes them.
+// The figures of one frame of a run, as viewer.js takes them; beside an engine where robust is, as a ghost.
 function figures(data, run, frame, within, show) {
+  const robust = run.engine && data.runs.find(({name, engine}) => name === 'robust' && !engine);
+  const ghosts = robust ? ofRun(data, robust, shown(robust, frame), within, {}) : [];
+  return [...ghosts.filter(({body}) => body).map(ghost => ({...ghost, label: '', whose: 'answer'})),
+          ...ofRun(data, run, frame, within, show)];
+}
+
+function ofRun(data, run, frame, within, show) {
   const list = [], numbers = run.frames[frame], named = data.bodies.length <= mostNamed;
   const names = shortNames(data.bodies);
   if (data.room) list.push({kind: 'box', label: '', whose: 'question', points: data.room.map(p => placed(p, within))});
   for (const wall of data.walls) {
-    const foot = footOf(wall, within), long = half / 4 / Math.sqrt(squares(wall.normal));
-    const tip = foot.map((x, i) => Math.round(x + wall.normal[i] * long));
-    if (isNear(foot)) list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tip]});
+    const foot = footOf(wall, within);
+    if (isNear(foot)) list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tipOf(wall, foot)]});
   }
   data.bodies.forEach((body, i) => {
     const p = numbers.slice(6 * i, 6 * i + 3), v = numbers.slice(6 * i + 3, 6 * i + 6);
-    const common = {label: named ? names[i] : `bodies[${i}]`, whose: 'question'}, at = placed(p, within);
+    const common = {body: true, label: named ? names[i] : `bodies[${i}]`, whose: 'question'}, at = placed(p, within);
     if (body.shape === 'particle') list.push({...common, kind: 'point', points: [at]});
     if (body.shape === 'sphere')
       list.push({...common, kind: 'sphere', points: [at], radius: Math.round(body.radius * within.scale)});
@@ -109,10 +131,18 @@ function drawn(data, run, now, within, show, turn) {
         drawing.add('edge', [place(k), place(k + 1)], {faces: []});
     });
   }
+  const isFront = within.flat && turn === front;
+  drawing.style = 'aid';
+  for (const wall of isFront ? data.walls : []) {  // as far as one sees
+    const foot = footOf(wall, within), [x, y] = wall.normal, size = Math.sqrt(x * x + y * y);
+    const far = [-y, x, 0].map(v => v * within.frontReach * viewer.size.width / viewer.size.room / size);
+    if (size > 0 && isNear(foot))
+      drawing.add('edge', [-1, 1].map(side => foot.map((v, i) => v + side * far[i])), {faces: []});
+  }
   drawing.style = 'truth';
   for (const point of run.contacts[frame])
     drawing.add('dot', [placed(point, within)], {radius: 7, ring: true});
-  drawing.reach = within.reach;
+  drawing.reach = isFront ? within.frontReach : within.reach;
   if (data.bodies.length > mostNamed) drawing.labels = [];
   return viewer.picture(drawing, turn);
 }
@@ -126,7 +156,7 @@ function roundNumbers(low, top) {
 }
 
 // Lines over frames as SVG. A logarithmic axis leaves out what is 0. Series: [{name, values, style, dash}].
-function plot(series, {frame, frames, marks, logarithmic, label}) {
+function plot(series, {frame, frames, marks, logarithmic, label, seconds}) {
   const all = series.flatMap(({values}) => values).filter(x => !logarithmic || x > 0);
   const last = Math.max(1, frames ?? series[0].values.length - 1), height = x => logarithmic ? Math.log10(x) : x;
   let low = Math.min(...all.map(height)), top = Math.max(...all.map(height));
@@ -158,11 +188,19 @@ function plot(series, {frame, frames, marks, logarithmic, label}) {
       roundNumbers(low - from, top - from);
   const words = !all.length ? '0 throughout' : close ? 'differences from ' + minus(String(from)) : '';
   const base = words && `<text class="scale" x="${margin.left}" y="${high - 6}">${words}</text>`;
+  // All plots of a page have the same axis of time, at the same height.
+  const foot = high - margin.bottom, times = seconds > 0 ? roundNumbers(0, seconds) : [];
+  const axis = times.map((t, i) => {
+    const at = +(margin.left + (wide - margin.left - margin.right) * t / seconds).toFixed(1);
+    return `<path class="tick" d="M${at} ${foot}v4"/><text class="scale" x="${at}" y="${foot + 15}" ` +
+        `text-anchor="${at > wide - 20 ? 'end' : 'middle'}">${short(t)}${i + 1 === times.length ? ' s' : ''}</text>`;
+  });
   return `<svg class="fig plot" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}" role="img" ` +
       `aria-label="${escaped(label)}">` +
       ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v + from)}H${wide - margin.right}"/>` +
                      `<text class="scale" x="${margin.left - 5}" y="${+(y(v + from) + 4).toFixed(1)}" ` +
                      `text-anchor="end">${tick(v)}</text>`).join('') +
+      (axis.length ? `<path class="axis" d="M${margin.left} ${foot}H${wide - margin.right}"/>` : '') + axis.join('') +
       base + marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') +
       '</svg>';
 }
@@ -181,12 +219,15 @@ function facts(run, now) {
 function markup(data, last) {
   const svg = `<svg class="fig space turns" viewBox="0 0 400 300" role="application" tabindex="0">` +
       `<g class="turning"></g></svg>`;
-  const views = data.runs.map(run => `<figure class="run"><figcaption><b>${escaped(run.name)}</b></figcaption>${svg}` +
-      `<dl class="facts"></dl></figure>`);
+  const names = data.runs.map(run => run.name);
+  const ghost = run => run.engine && names.includes('robust') ?
+      ' <span class="small quiet">robust as a ghost</span>' : '';
+  const views = data.runs.map(run => `<figure class="run"><figcaption><b>${escaped(run.name)}</b>${ghost(run)}` +
+      `</figcaption>${svg}<dl class="facts"></dl></figure>`);
   const speeds = [0.1, 0.25, 1, 4].map(x => `<option value="${x}"${x === 1 ? ' selected' : ''}>${x}\u00d7</option>`);
   const key = (name, i) => `<span class="key"><svg class="fig" width="26" height="8">` +
       `<path class="${colour(i)} stroke" stroke-dasharray="${dash(i)}" d="M0 4h26"/></svg>${escaped(name)}</span>`;
-  const legend = names => `<p class="small">${names.map(key).join('')}</p>`, names = data.runs.map(run => run.name);
+  const legend = names => `<p class="small">${names.map(key).join('')}</p>`;
   const parts = data.partings.map(({step, runs, contact}) =>
       `<li><button class="mark" data-step="${step}">step ${step}: ` +
       `${escaped(runs.join(' and '))} part at ${escaped(contact)}</button></li>`);
@@ -203,7 +244,7 @@ function markup(data, last) {
       (parts.length ? `<ul class="marks">${parts.join('')}</ul>` : '') +
       `<div class="plots"><section><h2>Energy</h2><div class="energy"></div>${legend(names)}</section>` +
       `<section><h2>Momentum, its length</h2><div class="momentum"></div>${legend(names)}</section>` +
-      (data.distances.length ? `<section><h2>How far apart</h2><div class="apart"></div>` +
+      (data.distances.length ? `<section><h2>How far apart</h2><div class="distance"></div>` +
           `${legend(data.distances.map(({runs}) => runs.join(' \u2013 ')))}</section>` : '') + '</div>';
 }
 
@@ -215,8 +256,8 @@ function show(place, data) {
   const views = [...place.querySelectorAll('.run')], choice = {velocities: true, trails: true};
   const marks = data.partings.map(({step}) => step / data.stride);
   let frame = 0, clock = 0, playing = false, before = null, held = null;
-  let yaw = Math.atan2(viewer.firstTurn.sinYaw, viewer.firstTurn.cosYaw);
-  let pitch = Math.atan2(viewer.firstTurn.sinPitch, viewer.firstTurn.cosPitch), turn = viewer.firstTurn;
+  let turn = within.flat ? front : viewer.firstTurn;
+  let yaw = Math.atan2(turn.sinYaw, turn.cosYaw), pitch = Math.atan2(turn.sinPitch, turn.cosPitch);
   const lines = (list, values, name) => list.map((one, i) =>
       ({name: name(one), values: values(one), style: colour(i), dash: dash(i)}));
   const energies = lines(data.runs, run => run.energy, run => run.name);
@@ -227,11 +268,11 @@ function show(place, data) {
       view.querySelector('.turning').innerHTML = drawn(data, data.runs[i], frame, within, choice, turn);
       view.querySelector('.facts').innerHTML = facts(data.runs[i], frame);
     });
-    const common = {frame, frames: last, marks};
+    const common = {frame, frames: last, marks, seconds: last * data.stride * data.timestep};
     one('.energy').innerHTML = plot(energies, {...common, label: 'energy of each run by step'});
     one('.momentum').innerHTML = plot(lengths, {...common, label: 'length of the momentum of each run by step'});
     if (apart.length)
-      one('.apart').innerHTML = plot(apart, {...common, logarithmic: true, label: 'distance between runs by step'});
+      one('.distance').innerHTML = plot(apart, {...common, logarithmic: true, label: 'distance between runs by step'});
     one('.scrub').value = frame;
     const step = frame * data.stride;
     one('.where').textContent = `step ${step} of ${last * data.stride}, ${(step * data.timestep).toFixed(3)} s`;
@@ -266,7 +307,7 @@ function show(place, data) {
     one('.' + name).addEventListener('change', event => { choice[name] = event.target.checked, draw(); });
   for (const button of place.querySelectorAll('.mark'))
     button.addEventListener('click', () => stop(Number(button.dataset.step) / data.stride));
-  for (const name of ['.energy', '.momentum', '.apart']) {
+  for (const name of ['.energy', '.momentum', '.distance']) {
     one(name)?.addEventListener('click', event => {
       const box = event.currentTarget.getBoundingClientRect(), x = (event.clientX - box.left) * wide / box.width;
       stop((x - margin.left) / (wide - margin.left - margin.right) * last);
@@ -304,7 +345,7 @@ function show(place, data) {
   globalThis.addEventListener?.('hashchange', () => named() && stop(named()[1] / data.stride));
 }
 
-return {extent, figures, drawn, plot, show};
+return {front, extent, figures, drawn, plot, show};
 })();
 
 drawnAlone('player', player.show);

@@ -386,7 +386,7 @@ function turning(svg, group, drawing, first) {
   return strokes => { drawing = strokes, draw(last); };
 }
 
-return {firstTurn, Strokes, picture, show};
+return {firstTurn, size: {width, height, room}, Strokes, picture, show};
 })();
 
 drawnAlone('space', viewer.show);

@@ -15,7 +15,8 @@ const run = (name, late) => ({
   name,
   frames: [0, 1, 2, 3 - late].map(x => [x, 0, 0, 2, 0, 0, 9, 0, 0, 0, 0, 0]),
   contacts: [[], [], [[2.5, 0, 0]], []],
-  energy: [2, 2, 2, 2 - late], scheme: [0, 0, 0, -late], decision: [0, 0, 0, 0], rounding: [0, 0, 1e-17, 1e-17],
+  energy: [2, 2, 2, 2 - late], law: [0, 0, 0, 0], scheme: [0, 0, 0, -late], decision: [0, 0, 0, 0],
+  rounding: [0, 0, 1e-17, 1e-17],
   momentum: [[2, 0, 0], [2, 0, 0], [2, 0, 0], [2, 0, 0]],
 });
 const data = (more = {}) => ({
@@ -63,8 +64,8 @@ test('player: a contact is a ring in its own frame, a trail the places before', 
 });
 
 test('player: every number is finite, whatever stands still or coincides', () => {
-  const still = {name: 'only', frames: [[1, 1, 1, 0, 0, 0]], contacts: [[[1, 1, 1]]], energy: [0], scheme: [0],
-                 decision: [0], rounding: [0], momentum: [[0, 0, 0]]};
+  const still = {name: 'only', frames: [[1, 1, 1, 0, 0, 0]], contacts: [[[1, 1, 1]]], energy: [0], law: [0],
+                 scheme: [0], decision: [0], rounding: [0], momentum: [[0, 0, 0]]};
   const point = {name: 'p', shape: 'particle', radius: 0, half: [0, 0, 0], fixed: false};
   const one = {timestep: 1, stride: 1, bodies: [point], walls: [], runs: [still], distances: [], partings: []};
   const svg = player.drawn(one, still, 0, player.extent(one), all, viewer.firstTurn);
@@ -92,6 +93,43 @@ test('player: what is drawn of a wall is within reach', () => {
   const corner = [foot[0] + 2 * (tip[1] - foot[1]), foot[1], foot[2] + 2 * (tip[1] - foot[1])];
   assert.ok(Math.hypot(...corner) <= within.reach);
   assert.ok(Math.hypot(...corner) > 0.99 * within.reach);
+});
+
+test('player: what stays in a plane is first seen from the front, and fills the frame', () => {
+  const one = data({walls: [{name: 'floor', normal: [0, 1, 0], offset: 2}]}), within = player.extent(one);
+  assert.ok(within.flat);
+  const svg = player.drawn(one, one.runs[1], 0, within, bare, player.front);
+  // The ball, 0.5 from the left end of 10.5, and 2 of 4 above the floor: 368 pixels are as wide as all that is drawn.
+  const [, x, y, r] = /<circle[^>]*cx="([\d.]+)" cy="([\d.]+)" r="([\d.]+)"/.exec(svg) ?? /x/.exec(svg);
+  assert.ok(Math.abs(x - (16 + 0.5 / 10.5 * 368)) < 0.1 && Math.abs(y - 150) < 0.1, `${x} ${y} ${r}`);
+  // The floor from one end of the frame to the other.
+  assert.match(svg, /M600 220.1L-200 220.1"/);
+  const deep = (more, frame) => player.extent(data({...more, runs: [{...run('double', 0), frames: [frame]}]})).flat;
+  const still = [0, 0, 0, 1, 0, 0, 9, 0, 0, 0, 0, 0], moving = [0, 0, 0, 1, 0, 1, 9, 0, 0, 0, 0, 0];
+  assert.ok(deep({}, still) && !deep({}, moving));
+  assert.ok(deep({walls: [{name: 'w', normal: [0, 0, 1], offset: 1}]}, still));
+  assert.ok(!deep({walls: [{name: 'w', normal: [0, 1, 1], offset: 1}]}, still));
+});
+
+test('player: beside an engine robust is drawn as a ghost, without names and arrows', () => {
+  const engine = {...run('engine', 0.5), engine: true};
+  const one = data({runs: [run('double', 0), run('robust', 0), engine]});
+  const within = player.extent(one), said = frame => player.figures(one, engine, frame, within, all)
+      .filter(({whose}) => whose === 'answer');
+  assert.deepEqual(said(3).map(({kind, label}) => [kind, label]), [['sphere', ''], ['box', '']]);
+  assert.deepEqual(said(3)[0].points, player.figures(one, one.runs[1], 3, within, bare)[1].points);
+  assert.ok(player.figures(one, one.runs[1], 3, within, all).every(({whose}) => whose === 'question'));
+  const alone = data({runs: [run('double', 0), engine]});
+  assert.ok(player.figures(alone, engine, 3, within, all).every(({whose}) => whose === 'question'));
+  assert.match(plain(shown(one).place.innerHTML), /engine robust as a ghost/);
+});
+
+test('player: all plots have one axis of seconds, at one height', () => {
+  const axis = more => [...player.plot([{name: 'a', values: [1, 3, 2], style: 'q0', dash: ''}],
+                                       {frame: 0, marks: [], label: '', seconds: 10, ...more})
+      .matchAll(/<text class="scale" x="([\d.]+)" y="165"[^>]*>(.*?)<\/text>/g)].map(found => found.slice(1));
+  assert.deepEqual(axis({}), [['62', '0'], ['206', '5'], ['350', '10 s']]);
+  assert.deepEqual(axis({logarithmic: true}), axis({}));
 });
 
 test('player: ticks are round numbers within the plot', () => {
@@ -139,7 +177,7 @@ test('player: a logarithmic plot leaves out what is 0', () => {
 
 test('player: an engine that ended stands where it came to, and its lines end there', () => {
   const short = {...run('engine', 0), engine: true, ended: 'step 2: no answer'};
-  for (const list of ['frames', 'contacts', 'energy', 'scheme', 'decision', 'rounding', 'momentum'])
+  for (const list of ['frames', 'contacts', 'energy', 'law', 'scheme', 'decision', 'rounding', 'momentum'])
     short[list] = short[list].slice(0, 2);
   const one = data(), within = player.extent(one);
   assert.equal(player.drawn(one, short, 3, within, bare, viewer.firstTurn),
@@ -183,7 +221,7 @@ test('player: it begins at the start, with a view, facts and plots for each run,
     assert.doesNotMatch(view.querySelector('.turning').innerHTML, /<b>/);
     assert.match(plain(view.querySelector('.facts').innerHTML), /energy2.*scheme0/);
   }
-  for (const name of ['.energy', '.momentum', '.apart']) assert.match(page.part(name).innerHTML, /<svg/);
+  for (const name of ['.energy', '.momentum', '.distance']) assert.match(page.part(name).innerHTML, /<svg/);
 });
 
 test('player: buttons, keys, the slider, a mark and a click in a plot go to a step, and no further than the ends', () => {
