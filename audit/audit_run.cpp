@@ -86,6 +86,10 @@ class Worker {
       ++asked_[family].left_out, ++robust_[family].left_out;
       return;
     }
+    if (engine_ != nullptr && !takes_alternative(operation_, question, engine_->declaration())) {
+      ++asked_[family].other_alternative, ++robust_[family].other_alternative;
+      return;
+    }
     try {
       auto examination = operation_.examine(question);
       pending.push_back({family, index, std::move(question), std::move(examination)});

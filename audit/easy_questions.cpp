@@ -51,6 +51,7 @@ class Examples {
           if (source.generic) number = std::rint(number * 64) / 4;  // drawn between -1 and 1
         }
         if (source.only_short && !std::all_of(question.numbers.begin(), question.numbers.end(), is_short)) continue;
+        if (!takes_alternative(operation_, question, declaration_)) continue;
         if (looks_outwards(operation_, question)) add(fitted(operation_, question, declaration_));
       }
     }

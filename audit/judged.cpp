@@ -56,18 +56,25 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   ++counted.cases[r];
   if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
   // A decision that rounding may have taken, or none at all, says nothing about the convention.
-  const bool meant = (verdict != Verdict::rounding || judgement.number) && verdict != Verdict::invalid;
+  const bool meant =
+      judgement.clear && (verdict != Verdict::rounding || judgement.number) && verdict != Verdict::invalid;
   if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
   if (meant && judgement.touch_reading < 0) ++cell.touches_open;
   cell.surplus += judgement.surplus;
+  cell.other_nearest += judgement.breaks_tie && verdict == Verdict::agree;
   cell.apart += judgement.apart;
+  if (range == Range::ordinary && (is_finding(verdict) || verdict == Verdict::agree)) {
+    const bool on_axis = has_direction_on_axis(asked.operation, asked.question);
+    if (on_axis) cell.found_on_axis += is_finding(verdict);
+    else cell.right_off_axis += verdict == Verdict::agree;
+  }
   if (verdict == Verdict::agree || verdict == Verdict::inexact || judgement.number) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }
   if (!is_shown(judgement)) return;
   if (counted.example && counted.example->range < range) return;
-  const bool generic = !judgement.degenerate && in_general_position(asked.operation, asked.question);
-  Finding found{asked.question, judgement, nullptr, asked.index, range, generic};
+  const std::size_t features = degenerate_features(asked.operation, asked.question, judgement.degenerate);
+  Finding found{asked.question, judgement, nullptr, asked.index, range, features};
   if (counted.example && !shown_before(found, *counted.example)) return;
   found.answer = answer;
   found.vector = asked.vector;

@@ -70,7 +70,7 @@ class Shrinker {
     }
     --most_solves_;
     std::optional<Finding> found = look(candidate);
-    if (!found || found->range > example_.range || found->generic < example_.generic) {
+    if (!found || found->range > example_.range || found->features > example_.features) {
       refused_.insert(candidate);
       return false;
     }
@@ -109,7 +109,7 @@ class Shrinker {
       return std::nullopt;
     }
     found.range = range_of(found.question, shrinking_.limits);
-    found.generic = !found.judgement.degenerate && in_general_position(operation, found.question);
+    found.features = degenerate_features(operation, found.question, found.judgement.degenerate);
     return found;
   }
 

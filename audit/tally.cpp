@@ -154,7 +154,7 @@ const char* cause_of(const Judgement& judgement) {
 
 bool shown_before(const Finding& a, const Finding& b) {
   if (a.range != b.range) return a.range < b.range;
-  if (a.generic != b.generic) return a.generic;
+  if (a.features != b.features) return a.features < b.features;
   if (smaller(a.question, b.question)) return true;
   return !smaller(b.question, a.question) && a.index < b.index;
 }
@@ -269,6 +269,10 @@ void Cell::merge(const Cell& other) {
   refused += other.refused;
   hash += other.hash;
   left_out += other.left_out;
+  found_on_axis += other.found_on_axis;
+  right_off_axis += other.right_off_axis;
+  other_nearest += other.other_nearest;
+  other_alternative += other.other_alternative;
   not_asked += other.not_asked;
   if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;
   for (const auto& [rule, n] : other.rules) rules[rule] += n;

@@ -40,7 +40,7 @@ struct Finding {
   Json answer;              ///< what the engine answered; null if nothing
   std::uint64_t index = 0;  ///< of the case within its operation and family
   Range range = Range::ordinary;
-  bool generic = true;  ///< audit/generic.h
+  std::size_t features = 0;  ///< degenerate ones (audit/generic.h)
   /// Its question as it was examined, by the shrinker or when first asked for; copies share it.
   std::shared_ptr<Once<std::unique_ptr<const Examination>>> examined =
       std::make_shared<Once<std::unique_ptr<const Examination>>>();
@@ -53,8 +53,8 @@ struct Finding {
 /// The verdict, or of `rounding` its kind: "cancellation" or "out_of_range".
 const char* cause_of(const Judgement& judgement);
 
-/// Whether `a` is the better example of one way of answering: ordinary numbers before extreme ones, generic before
-/// degenerate, then the smaller question, then the earlier case. A total order of the findings of one cell.
+/// Whether `a` is the better example of one way of answering: ordinary numbers before extreme ones, then fewer
+/// degenerate features, then the smaller question, then the earlier case. A total order of the findings of one cell.
 bool shown_before(const Finding& a, const Finding& b);
 
 /// Answers without enumerators, as a Way names them.
@@ -92,7 +92,11 @@ struct Cell {
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
   std::uint64_t hash = 0;                              ///< of what was true and answered: a sum over the cases
   std::uint64_t left_out = 0;                          ///< drawn, but extreme where only ordinary questions are asked
-  std::uint64_t not_asked = 0;                         ///< the engine had been given up before their turn: no cases
+  /// At ordinary size: findings where a direction has a component of 0, and right answers where none has.
+  std::uint64_t found_on_axis = 0, right_off_axis = 0;
+  std::uint64_t other_nearest = 0;             ///< right answers that break a tie otherwise than the truth
+  std::uint64_t other_alternative = 0;         ///< drawn, but of a kind that the engine does not answer
+  std::uint64_t not_asked = 0;                 ///< the engine had been given up before their turn: no cases
   std::string given_up;                        ///< why, in the engine's or our words; empty where all were asked
   std::map<std::string, std::uint64_t> rules;  ///< how often which rule refused it, without particulars ("simple")
 

@@ -40,7 +40,7 @@ Json finding_json(const Operation& operation, const Finding& finding, const Whos
                {"remark", finding.judgement.remark},
                {"touch", finding.judgement.touch_reading},
                {"range", name_of(finding.range)},
-               {"generic", finding.generic},
+               {"features", finding.features},
                {"repeat", repeat_command(operation, finding.question, whose.tally, whose.robust)}};
   if (!finding.vector.empty()) json["vector"] = finding.vector;
   if (const auto& number = finding.judgement.number)
@@ -103,6 +103,9 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
   if (cell.surplus > 0) result["surplus"] = cell.surplus;
   if (cell.apart > 0) result["apart"] = cell.apart;
   if (cell.left_out > 0) result["left_out"] = cell.left_out;
+  if (cell.found_on_axis > 0) result["on_axis"] = {{"found", cell.found_on_axis}, {"right_off", cell.right_off_axis}};
+  if (cell.other_nearest > 0) result["other_nearest"] = cell.other_nearest;
+  if (cell.other_alternative > 0) result["other_alternative"] = cell.other_alternative;
   if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
   return result;
 }
@@ -144,7 +147,7 @@ Finding read_finding(const Operation& operation, const Way& way, const Place& pl
   finding.index = place.at("index").count();
   if (place.value.contains("vector")) finding.vector = place.at("vector").text();
   finding.range = static_cast<Range>(place.at("range").one_of(range_words()));
-  finding.generic = place.at("generic").flag();
+  finding.features = place.at("features").count();
   static const std::vector<std::string> kinds{"cancellation", "out_of_range"};
   if (way.verdict == Verdict::rounding) finding.judgement.out_of_range = place.at("cause").one_of(kinds) == 1;
   return finding;
@@ -203,6 +206,12 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   cell.worst_ulps = place.at("worst_ulps").number();
   cell.hash = place.at("hash").hexadecimal();
   if (place.value.contains("left_out")) cell.left_out = place.at("left_out").count();
+  if (place.value.contains("on_axis")) {
+    cell.found_on_axis = place.at("on_axis").at("found").count();
+    cell.right_off_axis = place.at("on_axis").at("right_off").count();
+  }
+  if (place.value.contains("other_nearest")) cell.other_nearest = place.at("other_nearest").count();
+  if (place.value.contains("other_alternative")) cell.other_alternative = place.at("other_alternative").count();
   if (place.value.contains("not_asked")) {
     cell.not_asked = place.at("not_asked").count();
     cell.given_up = place.at("given_up").text();
@@ -234,6 +243,14 @@ Declaration read_declaration(const Place& place) {
   if (place.value.contains("polygons")) declared.polygons = place.at("polygons").flag();
   if (place.value.contains("pairs"))
     declared.pairs = static_cast<Declaration::Pairs>(place.at("pairs").one_of({"conservative", "exact"}));
+  if (place.value.contains("alternatives")) {
+    place.at("alternatives").each_member([&](const std::string& operation, const Place& answered) {
+      std::set<std::size_t>& of_operation = declared.alternatives[excerpt(operation, most_of_a_text)];
+      answered.each([&](const Place& which) { of_operation.insert(which.count()); });
+    });
+  }
+  if (place.value.contains("nearest"))
+    declared.nearest = static_cast<Declaration::Nearest>(place.at("nearest").one_of({"any", "named"}));
   return declared;
 }
 
@@ -248,6 +265,8 @@ std::string tally_json(const Tally& tally) {
   if (declared.skew_boxes) engine["skew_boxes"] = true;
   if (declared.polygons) engine["polygons"] = true;
   if (declared.pairs != Declaration::Pairs::conservative) engine["pairs"] = pairs_word(declared.pairs);
+  if (!declared.alternatives.empty()) engine["alternatives"] = declared.alternatives;
+  if (declared.nearest != Declaration::Nearest::any) engine["nearest"] = nearest_word(declared.nearest);
   if (!tally.repeat.options.empty() || tally.repeat.program != Repeat{}.program) {
     engine["program"] = tally.repeat.program;
     engine["options"] = tally.repeat.options;

@@ -81,8 +81,10 @@ bool is_connected(const Connection& connection) {
       connection.said.size() > 1 && std::all_of(connection.said.begin(), connection.said.end(), [&](const auto& entry) {
         return !entry.second.empty() && entry.second != "value" && entry.second == connection.said.begin()->second;
       });
-  return connection.wrong.empty() ||
-         (connection.right > 0 && !malformed && !constant && exchanged_names(connection).empty());
+  const bool numbers_alone = std::all_of(connection.wrong.begin(), connection.wrong.end(),
+                                         [](const auto& wrong) { return wrong.judgement.number.has_value(); });
+  const bool some_right = connection.right > 0 && !constant && exchanged_names(connection).empty();
+  return connection.wrong.empty() || (!malformed && (some_right || numbers_alone));
 }
 
 std::string why(const Connection& connection) {

@@ -18,7 +18,7 @@ void require_shares(const Tally& tally) {
   for (const std::uint64_t shard : tally.grid.done) share += share_of(tally.cases, {shard, tally.grid.shards}).size();
   for (const OperationTally& operation : tally.operations) {
     const Cell sum = operation.total();
-    const std::uint64_t asked = sum.cases() + sum.refused + sum.left_out + sum.not_asked;
+    const std::uint64_t asked = sum.cases() + sum.refused + sum.left_out + sum.other_alternative + sum.not_asked;
     if (tally.grid.size > 0 ? asked != share : tally.grid.shards > 1 && asked > share)
       throw InvalidInput("operations", fmt::format("of {} {} cases, which is what the shards hold, got {}",
                                                    operation.operation, share, asked));

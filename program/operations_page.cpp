@@ -23,6 +23,9 @@ closed sets, degenerate inputs, errors - is its contract, the comment at its nam
   `A | B` stands for one of these words, "index" for a place in a list, counted from 0.
 - **Words**: the enumerators of the answer. Where "plain" names a word, `true` and `false` are answers as well, and
   `false` means that word.
+- **Other formulas** of textbooks and programs for the same question are in
+  [reference/standard/](../reference/standard): the judge does not blame an engine where they round
+  ([judging.md](judging.md#who-is-to-blame)).
 - **Time** grows like this with n, the elements of all lists of a question in general position (vertices and faces of
   meshes are elements): of `robust`, of the oracle's truth and margin, of all that `ask` prints but the textbook
   formula, and of that formula. Where nothing is said, a question has no lists.
@@ -77,6 +80,10 @@ void print_operation(const Operation& operation, std::ostream& out) {
   out << "-> " << spaced(operation.answer_description()) << "\n```\n";
   const std::string time = time_in_words(operation);
   if (!time.empty()) out << "\nTime: " << time << ".\n";
+  std::string formulas;
+  for (const TrackedFormula& formula : operation.row().standard)
+    formulas += (formulas.empty() ? "" : "; ") + std::string(formula.name);
+  if (!formulas.empty()) out << "\nOther formulas: " << formulas << ".\n";
   std::vector<std::string> plain;
   plain_words(operation.answer_shape(), plain);
   if (operation.words().empty()) return;

@@ -134,6 +134,15 @@ std::string about_moves(const Operation& operation, const Findings& findings) {
   return moved ? "No question without a `move` was kept as wrong: what was cached before it?" : "";
 }
 
+std::string about_axes(const Cell& total) {
+  constexpr std::uint64_t enough = 20;  // right answers to others
+  const std::uint64_t found = total.findings(Range::ordinary);
+  const bool on_axis = found >= fewest && total.found_on_axis == found && total.right_off_axis >= enough;
+  return on_axis ? "Every wrong answer of ordinary size is to a direction of which a component is 0, and " +
+                       counted(total.right_off_axis, "other") + " are right: is that component divided by?"
+                 : "";
+}
+
 /// The length of the longest list of bodies, points or the like.
 std::size_t longest_list(const Json& value) {
   std::size_t longest = 0;
@@ -167,6 +176,7 @@ std::vector<std::string> hints(const OperationTally& tally, const Declaration& d
     for (std::string& reading : about_readings(*operation, findings, declaration)) said.push_back(std::move(reading));
     said.push_back(about_degrees(*operation, findings, declaration));
   }
+  said.push_back(about_axes(total));
   said.push_back(about_moves(*operation, findings));
   said.push_back(about_lengths(*operation, findings));
   said.erase(std::remove(said.begin(), said.end(), std::string()), said.end());

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "audit/audit_run.h"
+#include "audit/generic.h"
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/judge/tolerated.h"
@@ -164,8 +166,8 @@ std::string right_case(const Operation& operation) {
   constexpr std::uint64_t most_drawn = 40;
   constexpr std::size_t longest = 400;
   std::unique_ptr<Examination> best;
-  // A case that decides by a clear margin before one that only just does; of two, that with the shorter input.
-  std::pair<bool, std::size_t> least{true, longest};
+  // The richest case, with the fewest degenerate features; of two, that with the shorter input.
+  std::pair<std::size_t, std::size_t> least{std::numeric_limits<std::size_t>::max(), longest};
   const std::size_t families = operation.families().size();
   for (std::uint64_t i = 0; i < most_drawn; ++i) {
     DrawStream draws = case_draws(operation, i % families, 1, i / families);
@@ -174,7 +176,8 @@ std::string right_case(const Operation& operation) {
     if (range_of(question) != Range::ordinary || length >= longest) continue;
     try {
       auto examination = std::make_unique<Examination>(operation, question);
-      const std::pair<bool, std::size_t> key{examination->degenerate(), length};
+      const std::pair<std::size_t, std::size_t> key{degenerate_features(operation, question, examination->degenerate()),
+                                                    length};
       if (key >= least || examination->judge_reference().verdict != Verdict::agree) continue;
       const Drawing& drawing = examination->drawing();
       if (drawing.figures.empty() && drawing.space.empty()) continue;

@@ -14,8 +14,8 @@ namespace touchstone::report {
 std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
                          Speaker speaker, const Repeat& repeat);
 
-/// A question of ordinary size on which the textbook formula is right, drawn: what the findings are held against. The
-/// simplest of the first few that the families draw; empty where none can be drawn.
+/// A question of ordinary size on which the textbook formula is right, drawn: what the findings are held against. Of
+/// the first few that the families draw, the one with the fewest degenerate features; empty where none can be drawn.
 std::string right_case(const Operation& operation);
 
 /// Who answered, as a caption begins: "Formula", "Robust", "my engine 1.0".

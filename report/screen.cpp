@@ -71,8 +71,8 @@ std::string named(const std::string& head, const std::vector<Row>& rows) {
   return rows.empty() ? "" : wrapped(head + names, 2) + "\n";
 }
 
-/// How telling a finding is: first at ordinary size, then what is no matter of rounding, then in general position, then
-/// what fits on a line, then what is most frequent among the operation's answers.
+/// How telling a finding is: first at ordinary size, then what is no matter of rounding, then with few degenerate
+/// features, then what fits on a line, then what is most frequent among the operation's answers.
 struct Telling {
   const OperationTally* operation;
   WayOfOperation shown;
@@ -86,7 +86,7 @@ struct Telling {
     const Finding& example = *shown.counted.example;
     const Verdict verdict = shown.way.verdict;
     const int cause = verdict == Verdict::algorithm ? 0 : verdict == Verdict::rounding ? 1 : 2;
-    return std::tuple(example.range, cause, !example.generic, !fits(), -frequency);
+    return std::tuple(example.range, cause, example.features, !fits(), -frequency);
   }
 };
 /// The most telling findings: of each operation its first, and where there is room for more the others.

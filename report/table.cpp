@@ -116,6 +116,7 @@ std::string counts(const Tally& tally, Detail detail) {
     const Cell total = operation.total();
     if (total.nothing_right()) notes += operation.operation + ": " + nothing_right_in_words(total) + "\n";
     if (total.surplus > 0) notes += operation.operation + ": " + surplus_in_words(total, tally.max_surplus) + "\n";
+    if (total.other_nearest > 0) notes += operation.operation + ": " + other_nearest_in_words(total) + "\n";
     if (total.not_asked > 0) notes += operation.operation + ": " + not_asked_in_words(total) + "\n";
   }
   return laid_out(rows) + "\n" + notes;

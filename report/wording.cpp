@@ -9,6 +9,7 @@
 
 #include "audit/repeat.h"
 #include "catalogue/codec/plain.h"
+#include "catalogue/operation/blame.h"
 #include "oracle/exact/surd.h"
 #include "report/viewport.h"
 
@@ -138,10 +139,14 @@ std::string why_rounding(const Finding& finding, const Operation* operation, Spe
            "results "
            "changed the decision.";
   }
-  const char* reason =
+  std::string reason =
       "rounds and is wrong on this input too, or the input is beside a touch by less than its last places";
   if (const auto right = formula_is_right(finding, operation, binary32)) {
+    const char* const other =
+        *right ? standard_formula_that_rounds(finding.examination(*operation), binary32) : nullptr;
     reason = !*right ? "rounds and is wrong on this input too"
+             : other != nullptr
+                 ? "is right here, but another of its kind (" + std::string(other) + ") is in doubt of its decision"
              : finding.judgement.out_of_range
                  ? "is right here, but numbers leave the range of that type on the way"
                  : "is right here, but the input is beside a touch by less than its last places";
@@ -219,6 +224,11 @@ Speaker speaker_of(const Declaration& declaration) {
 std::string nothing_right_in_words(const Cell& cell) {
   return "none of " + grouped(cell.answered()) +
          " answers is right: look at the connection first, with touchstone check-engine";
+}
+
+std::string other_nearest_in_words(const Cell& cell) {
+  return counted(cell.other_nearest, "answer") + (cell.other_nearest == 1 ? " names" : " name") +
+         " other points, as near as the contract's: right for \"nearest\":\"any\"";
 }
 
 std::string not_asked_in_words(const Cell& cell) {

@@ -35,6 +35,8 @@ std::string meaning(Verdict verdict, Speaker speaker);
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32);
 /// "none of 1,498 answers is right: ...", what to do then.
 std::string nothing_right_in_words(const Cell& cell);
+/// "70 answers name other points, as near as the contract's: right for `nearest` any"
+std::string other_nearest_in_words(const Cell& cell);
 /// "12,345 questions not asked: the engine was given up after ..."
 std::string not_asked_in_words(const Cell& cell);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
+
 #include "audit/engines/engine_answer.h"
 #include "audit/engines/serve.h"
 #include "audit/engines/signature.h"
@@ -15,6 +17,7 @@
 ///     using number = double;                                           // or float; left out: double
 ///     static constexpr double tolerance = 0;                           // left out: 0
 ///     static constexpr auto pairs = touchstone::Pairs::exact;          // left out: conservative
+///     static constexpr auto nearest = touchstone::Nearest::named;      // left out: any
 ///     static constexpr bool skew_boxes = true;                         // left out: boxes at right angles alone
 ///     static constexpr bool polygons = true;                           // left out: meshes of triangles alone
 ///     bool segment_segment(const touchstone::Segment2d& a, const touchstone::Segment2d& b) { ... }
@@ -28,6 +31,7 @@ namespace touchstone {
 
 using Boundary = catalogue::Declaration::Boundary;
 using Pairs = catalogue::Declaration::Pairs;
+using Nearest = catalogue::Declaration::Nearest;
 
 namespace audit {
 
@@ -70,21 +74,27 @@ constexpr void require_signature() {
   }(static_cast<const signatures_of<Row>*>(nullptr));
 }
 
-/// The arguments of those alternatives of a question for which the engine has no overload: "(Sphere3<double> a, ...)".
+/// The alternatives of a question for which the engine has an overload, and the arguments of those for which it has none:
+/// "(Sphere3<double> a, ...)".
+struct Alternatives {
+  std::set<std::size_t> answered{};
+  std::vector<std::string> left_out{};
+};
 template <class Row, class Engine>
-std::vector<std::string> alternatives_left_out() {
-  std::vector<std::string> left_out;
+Alternatives alternatives_of() {
+  Alternatives found;
   [&]<class... Ts>(const std::variant<Ts...>*) {
     std::size_t at = 0;
     const auto look = [&]<class Alternative>(const Alternative*) {
       constexpr bool answers =
           answers_row<Engine, Row, Alternative> || answers_row<Engine, Row, rebound_t<Alternative, float>>;
-      if (!answers) left_out.push_back(arguments_text(*find_operation(Row::metadata().name), at));
+      if (answers) found.answered.insert(at);
+      else found.left_out.push_back(arguments_text(*find_operation(Row::metadata().name), at));
       ++at;
     };
     (look(static_cast<const Ts*>(nullptr)), ...);
   }(static_cast<const alternatives_t<typename Row::Question>*>(nullptr));
-  return left_out;
+  return found;
 }
 
 template <class Engine>
@@ -114,6 +124,7 @@ Declaration declaration_of() {
   if constexpr (requires { Engine::boundary; }) declaration.boundary = Engine::boundary;
   if constexpr (requires { Engine::tolerance; }) declaration.tolerance = Engine::tolerance;
   if constexpr (requires { Engine::pairs; }) declaration.pairs = Engine::pairs;
+  if constexpr (requires { Engine::nearest; }) declaration.nearest = Engine::nearest;
   if constexpr (requires { Engine::skew_boxes; }) declaration.skew_boxes = Engine::skew_boxes;
   if constexpr (requires { Engine::polygons; }) declaration.polygons = Engine::polygons;
   return declaration;
@@ -164,9 +175,11 @@ Served served(Engine& engine) {
     require_signature<Row, Engine>();
     if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
       const Operation& operation = *find_operation(Row::metadata().name);
+      if (operation.metadata().is_implementation()) return;  // engines are asked the operation itself
       all.hello.operations.insert(operation.name());
-      for (const std::string& arguments : alternatives_left_out<Row, Engine>())
-        all.left_out.push_back(operation.name() + arguments);
+      const Alternatives alternatives = alternatives_of<Row, Engine>();
+      if (!alternatives.left_out.empty()) all.hello.declaration.alternatives[operation.name()] = alternatives.answered;
+      for (const std::string& arguments : alternatives.left_out) all.left_out.push_back(operation.name() + arguments);
       all.operations.emplace(operation.name(),
                              ServedOperation{operation, QuestionText(operation), [&engine](const Question& question) {
                                                return ask_engine<Row>(engine, question);

@@ -13,7 +13,8 @@ namespace touchstone::audit {
 namespace {
 
 constexpr std::array<const char*, 3> boundary_words{"closed", "open", "unspecified"};
-constexpr std::array<const char*, 2> number_words{"binary64", "binary32"}, pairs_words{"conservative", "exact"};
+constexpr std::array<const char*, 2> number_words{"binary64", "binary32"}, pairs_words{"conservative", "exact"},
+    nearest_words{"any", "named"};
 
 template <std::size_t n>
 std::size_t word_index(const Json& value, const char* field, const std::array<const char*, n>& words) {
@@ -33,8 +34,8 @@ bool is_asked(const Operation& operation) { return !operation.metadata().is_impl
 
 /// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
-  static const std::vector<const char*> fields{"engine",    "ops",   "number",     "boundary",
-                                               "tolerance", "pairs", "skew_boxes", "polygons"};
+  static const std::vector<const char*> fields{"engine", "ops",     "number",     "boundary", "tolerance",
+                                               "pairs",  "nearest", "skew_boxes", "polygons", "alternatives"};
   std::vector<std::string> remarks, known;
   for (const auto& [key, value] : hello.items()) {
     if (std::find(fields.begin(), fields.end(), key) == fields.end())
@@ -54,6 +55,25 @@ std::vector<std::string> remarks_on(const Json& hello) {
   return remarks;
 }
 
+/// {"ray_aabb":[1]}. Names that nobody knows are remarked on where the operations are listed.
+void read_alternatives(const Json& json, Declaration& declaration) {
+  if (!json.is_object()) throw InvalidInput("alternatives", expected("an object of lists", json));
+  for (const auto& [name, answered] : json.items()) {
+    const std::string field = unknown_path("alternatives", name);
+    const Operation* const operation = find_operation(name);
+    if (operation == nullptr) continue;
+    const std::size_t count = operation->zeros_of_alternatives().size();
+    const std::string rule = "a list of places in the alternatives, counted from 0";
+    if (!answered.is_array()) throw InvalidInput(field, expected(rule, answered));
+    for (const Json& place : answered) {
+      const double which = is_typed_number(place) ? read_double(place, field) : -1;
+      if (!(which >= 0 && which < static_cast<double>(count) && which == std::trunc(which)))
+        throw InvalidInput(field, expected(rule, answered));
+      declaration.alternatives[name].insert(static_cast<std::size_t>(which));
+    }
+  }
+}
+
 std::uint64_t read_id(const Json& id) {
   // A language with one number type, or one that reads every number as a double, writes 262.0.
   if (is_typed_number(id)) {
@@ -68,6 +88,8 @@ std::uint64_t read_id(const Json& id) {
 std::string boundary_word(Declaration::Boundary boundary) { return boundary_words[static_cast<std::size_t>(boundary)]; }
 
 std::string pairs_word(Declaration::Pairs pairs) { return pairs_words[static_cast<std::size_t>(pairs)]; }
+
+std::string nearest_word(Declaration::Nearest nearest) { return nearest_words[static_cast<std::size_t>(nearest)]; }
 
 std::string why_never_asked(const Operation& implementation) {
   return implementation.name() + ": a method of " + implementation.metadata().implementation_of +
@@ -111,11 +133,15 @@ Hello read_hello(const std::string& line) {
   }
   if (json.contains("pairs"))
     hello.declaration.pairs = static_cast<Declaration::Pairs>(word_index(json["pairs"], "pairs", pairs_words));
+  if (json.contains("nearest"))
+    hello.declaration.nearest =
+        static_cast<Declaration::Nearest>(word_index(json["nearest"], "nearest", nearest_words));
   const auto read_ability = [&json](const char* name, bool& ability) {
     if (!json.contains(name)) return;
     if (!json[name].is_boolean()) throw InvalidInput(name, expected("true or false", json[name]));
     ability = json[name].get<bool>();
   };
+  if (json.contains("alternatives")) read_alternatives(json["alternatives"], hello.declaration);
   read_ability("skew_boxes", hello.declaration.skew_boxes);
   read_ability("polygons", hello.declaration.polygons);
   hello.remarks = remarks_on(json);
@@ -130,8 +156,10 @@ std::string written_hello(const Hello& hello) {
   line["boundary"] = boundary_word(hello.declaration.boundary);
   line["tolerance"] = written(hello.declaration.tolerance);
   if (hello.declaration.pairs != Declaration::Pairs::conservative) line["pairs"] = pairs_word(hello.declaration.pairs);
+  if (hello.declaration.nearest != Declaration::Nearest::any) line["nearest"] = nearest_word(hello.declaration.nearest);
   if (hello.declaration.skew_boxes) line["skew_boxes"] = true;
   if (hello.declaration.polygons) line["polygons"] = true;
+  if (!hello.declaration.alternatives.empty()) line["alternatives"] = hello.declaration.alternatives;
   return one_line(line) + "\n";
 }
 

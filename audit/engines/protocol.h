@@ -20,6 +20,9 @@ std::string boundary_word(Declaration::Boundary boundary);
 /// "conservative", "exact"
 std::string pairs_word(Declaration::Pairs pairs);
 
+/// "any", "named"
+std::string nearest_word(Declaration::Nearest nearest);
+
 struct Hello {
   Declaration declaration;
   std::set<std::string>
@@ -33,7 +36,7 @@ std::string greeting();
 std::string why_never_asked(const Operation& method);
 
 /// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0,
-/// conservative, no skew boxes.
+/// conservative, any nearest points, no skew boxes.
 /// Throws InvalidInput naming the field and the rule.
 Hello read_hello(const std::string& line);
 std::string written_hello(const Hello& hello);

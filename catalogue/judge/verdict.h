@@ -4,7 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace touchstone::catalogue {
@@ -43,6 +45,7 @@ struct Judgement {
   std::string remark;  ///< for `invalid`, and of an answer that a checker refuses: what is wrong with it
   int touch_reading =
       0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
+  bool clear = true;          ///< of a touch: no formula that the judge knows rounds there
   std::uint64_t surplus = 0;  ///< of an answer that must cover: what it holds beyond the truth
   std::uint64_t apart = 0;    ///< of the same: how much there is beyond the truth that it may hold
   /// The answer's enumerators ("boundary"), "value" where it has none, "true" or "false" where it was a plain one;
@@ -53,6 +56,7 @@ struct Judgement {
   bool degenerate = false;  ///< the margin is 0
   /// Where the verdict is about a number, whatever is decided being right: the worst one.
   std::optional<OffNumber> number = {};
+  bool breaks_tie = false;  ///< it names other points than the truth does, and they are as near
 };
 
 /// How a foreign engine wants to be judged.
@@ -65,8 +69,14 @@ struct Declaration {
   /// What lists of pairs hold: those alone that meet, or these and others, as a broad phase does.
   enum class Pairs { conservative, exact };
   Pairs pairs = Pairs::conservative;
+  /// Where several pairs of points are as near as any: whether it names the contract's, or one of them.
+  enum class Nearest { any, named };
+  Nearest nearest = Nearest::any;
   bool skew_boxes = false;  ///< takes oriented boxes that are not at right angles
   bool polygons = false;    ///< takes faces of more than three corners
+  /// Of operations whose questions have alternatives (in the plane, in space): those that it answers, where it does not
+  /// answer all, counted from 0.
+  std::map<std::string, std::set<std::size_t>> alternatives = {};
 };
 
 }  // namespace touchstone::catalogue

@@ -21,6 +21,13 @@ Examination::Examination(const Operation& implementation, const Examination& of_
       question_(of_operation.question_),
       solution_(of_operation.solution_) {}
 
+Examination::Examination(const Examination& question, EncodedTruth other)
+    : operation_(question.operation_),
+      row_(question.row_),
+      question_(question.question_),
+      solution_(std::make_shared<Solution>(
+          Solution{std::move(other), question.solution_->margin, question.solution_->certificate})) {}
+
 const oracle::Certificate& Examination::certificate() const {
   return certificate_.value([&] { return solution_->certificate(); });
 }
@@ -63,18 +70,18 @@ bool Examination::formula_right_exactly() const {
   return right_exactly_.value([&] { return is_right_exactly(*this); });
 }
 
-Examination::Tracking Examination::tracked(bool binary32) const {
+Examination::Tracking Examination::tracked(const TrackedFormula& formula, bool binary32) const {
   Tracking known;
   const bool checked = checks_numbers(row_);
   if (binary32) {
     Tracked<float>::inconclusive() = Tracked<float>::out_of_range() = false;
-    known.answer_in_float = row_.reference_tracked_in_float(question_);
+    known.answer_in_float = formula.in_float(question_);
     known.compared_in_doubt = Tracked<float>::inconclusive();
     known.inconclusive = known.compared_in_doubt || checked;
     known.out_of_range = Tracked<float>::out_of_range();
   } else {
     Tracked<double>::inconclusive() = Tracked<double>::out_of_range() = false;
-    known.answer = row_.reference_tracked(question_);
+    known.answer = formula.in_double(question_);
     const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
     const auto& numbers = known.answer.numbers;
     known.compared_in_doubt = Tracked<double>::inconclusive();
@@ -85,7 +92,15 @@ Examination::Tracking Examination::tracked(bool binary32) const {
 }
 
 const Examination::Tracking& Examination::tracking(bool binary32) const {
-  return formula_[binary32].tracking.value([&] { return tracked(binary32); });
+  return formula_[binary32].tracking.value([&] { return tracked(row_.reference_tracked, binary32); });
+}
+
+const std::vector<Examination::Tracking>& Examination::standard(bool binary32) const {
+  return formula_[binary32].standard.value([&] {
+    std::vector<Tracking> all;
+    for (const TrackedFormula& formula : row_.standard) all.push_back(tracked(formula, binary32));
+    return all;
+  });
 }
 
 Json Examination::reference(bool binary32) const { return operation_.answer_json(formula(binary32)); }

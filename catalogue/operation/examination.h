@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "catalogue/codec/json.h"
 #include "catalogue/judge/verdict.h"
@@ -24,6 +25,8 @@ class Examination {
   Examination(const Operation& operation, const Question& question);
   /// The same question of another implementation of the operation: the truth is the same.
   Examination(const Operation& implementation, const Examination& of_operation);
+  /// The same question with another right answer in the place of the truth.
+  Examination(const Examination& question, EncodedTruth other);
 
   const Operation& operation() const { return operation_; }
   const RowFunctions& row() const { return row_; }
@@ -59,6 +62,8 @@ class Examination {
     EncodedValue<Tracked<float>> answer_in_float;
   };
   const Tracking& tracking(bool binary32 = false) const;
+  /// The same of the other formulas of textbooks.
+  const std::vector<Tracking>& standard(bool binary32 = false) const;
   /// Whether rounding may have changed the course of the formula.
   bool inconclusive(bool binary32 = false) const { return tracking(binary32).inconclusive; }
   bool out_of_range(bool binary32 = false) const { return tracking(binary32).out_of_range; }
@@ -84,9 +89,10 @@ class Examination {
   struct InNumbers {
     Once<EncodedValue<double>> answer;
     Once<Tracking> tracking;
+    Once<std::vector<Tracking>> standard;
     Once<Judgement> judgement;
   };
-  Tracking tracked(bool binary32) const;
+  Tracking tracked(const TrackedFormula& formula, bool binary32) const;
 
   const Operation& operation_;
   const RowFunctions& row_;

@@ -73,4 +73,9 @@ Question fitted(const Operation& operation, const Question& question, const Decl
   return declaration.binary32 ? operation.in_binary32(result) : result;
 }
 
+bool takes_alternative(const Operation& operation, const Question& question, const Declaration& declaration) {
+  const auto only = declaration.alternatives.find(operation.name());
+  return only == declaration.alternatives.end() || only->second.count(question.words[0]) > 0;
+}
+
 }  // namespace touchstone::catalogue

@@ -11,6 +11,9 @@ namespace touchstone::catalogue {
 /// allow, unless the engine takes skew ones.
 Question fitted(const Operation& operation, const Question& question, const Declaration& declaration);
 
+/// Whether the engine answers this alternative of the operation's questions.
+bool takes_alternative(const Operation& operation, const Question& question, const Declaration& declaration);
+
 /// The half axes of a box at right angles: the first as it is, the second without its part along the first, the third
 /// across both, each as long as that leaves it. Those at right angles, to within a few units in the last place, and
 /// those that are dependent stay what they are.

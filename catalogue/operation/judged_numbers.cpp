@@ -10,22 +10,41 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// A number of the textbook formula, in the engine's number type.
+/// A number of a formula, in the engine's number type.
 struct FormulaNumber {
   double value, spread;
 };
-/// By their places in the truth; empty where the formula, which decides otherwise or leaves it out, has none.
-using FormulaNumbers = std::vector<std::optional<FormulaNumber>>;
+struct FormulaNumbers {
+  /// By their places in the truth; empty where the formula, which decides otherwise or leaves it out, has none.
+  std::vector<std::optional<FormulaNumber>> at;
+  /// What the formula should have answered: of several right answers the one that is nearest to its own.
+  EncodedTruth truth;
+};
 
 template <class Float>
 FormulaNumbers numbers_of(const Examination& question, const EncodedValue<Tracked<Float>>& formula) {
   const EncodedTruth& truth = question.solution().answer;
-  FormulaNumbers numbers(truth.numbers.size());
+  FormulaNumbers numbers{{}, other_as_near(question, in_doubles(formula)).value_or(truth)};
+  numbers.at.resize(truth.numbers.size());
   for (const PairedNumber& pair : paired_numbers(*question.row().answer, truth, formula, Reading::less)) {
     const Tracked<Float>& number = formula.numbers[pair.in_answer];
-    numbers[pair.in_truth] = {static_cast<double>(number.value()), number.spread()};
+    numbers.at[pair.in_truth] = {static_cast<double>(number.value()), number.spread()};
   }
   return numbers;
+}
+
+FormulaNumbers numbers_of(const Examination& question, const Examination::Tracking& formula, bool binary32) {
+  return binary32 ? numbers_of(question, formula.answer_in_float) : numbers_of(question, formula.answer);
+}
+
+/// Divides by 0 in exact arithmetic, too: what rounding may do to it, nothing says.
+bool formula_is_undefined(const Examination& question) {
+  const std::vector<Exact>& numbers = question.formula_exactly().numbers;
+  return !std::all_of(numbers.begin(), numbers.end(), [](const Exact& number) { return number.defined(); });
+}
+
+int gravity(Verdict verdict) {
+  return verdict == Verdict::algorithm ? 3 : verdict == Verdict::rounding ? 2 : verdict == Verdict::inexact ? 1 : 0;
 }
 
 /// The greatest size of a number of that meaning.
@@ -54,33 +73,46 @@ bool at_most(const mpq_class& size, double limit) { return !std::isfinite(limit)
 class NumberJudge {
  public:
   NumberJudge(const Examination& question, const Declaration& declaration)
-      : question_(question),
-        declaration_(declaration),
-        unit_(declaration.binary32 ? 0x1p-24 : 0x1p-53),
-        formula_(declaration.binary32 ? numbers_of(question, question.tracking(true).answer_in_float)
-                                      : numbers_of(question, question.tracking(false).answer)) {}
+      : question_(question), declaration_(declaration), unit_(declaration.binary32 ? 0x1p-24 : 0x1p-53) {
+    const bool alone = question.row().standard.empty();
+    if (alone || !formula_is_undefined(question))
+      formulas_.push_back(numbers_of(question, question.tracking(declaration.binary32), declaration.binary32));
+    for (const Examination::Tracking& formula : question.standard(declaration.binary32))
+      formulas_.push_back(numbers_of(question, formula, declaration.binary32));
+  }
 
+  /// By the formula that excuses most.
   Verdict verdict_on(const PairedNumber& place, double answered) const {
     const mpq_class exact = value_of(question_.solution().answer.numbers[place.in_truth]),
                     gap = abs(exact_value(answered) - exact);
     if (place.meaning != Meaning::number && at_most(gap, declaration_.tolerance)) return Verdict::inexact;
-    // Beyond the range the infinity is right, and where the formula says it, nothing excuses a number.
-    const double right = nearest(question_.solution().answer.numbers[place.in_truth], declaration_.binary32);
-    const auto& formula = formula_[place.in_truth];
-    if (std::isinf(right) && formula && formula->value == right) return Verdict::algorithm;
-    const std::optional<double> spread = spread_at(place);
-    const bool has_a_digit = 2 * gap < abs(exact);
-    const bool explained = spread ? at_most(gap, explained_spreads * *spread) : has_a_digit;
-    if (explained && (has_a_digit || sgn(exact) == 0)) return Verdict::inexact;
-    return explained || formula_is_as_bad(place, exact, gap) || jumps() ? Verdict::rounding : Verdict::algorithm;
+    Verdict least = Verdict::algorithm;
+    for (const FormulaNumbers& formula : formulas_) {
+      const Verdict verdict = verdict_by(formula, place, exact, gap);
+      if (gravity(verdict) < gravity(least)) least = verdict;
+    }
+    return least;
   }
 
  private:
+  Verdict verdict_by(const FormulaNumbers& formula, const PairedNumber& place, const mpq_class& exact,
+                     const mpq_class& gap) const {
+    // Beyond the range the infinity is right, and where the formula says it, nothing excuses a number.
+    const double right = nearest(question_.solution().answer.numbers[place.in_truth], declaration_.binary32);
+    const auto& number = formula.at[place.in_truth];
+    if (std::isinf(right) && number && number->value == right) return Verdict::algorithm;
+    const std::optional<double> spread = spread_at(formula, place);
+    const bool has_a_digit = 2 * gap < abs(exact);
+    const bool explained = spread ? at_most(gap, explained_spreads * *spread) : has_a_digit;
+    if (explained && (has_a_digit || sgn(exact) == 0)) return Verdict::inexact;
+    return explained || is_as_bad(formula, place, gap) || jumps() ? Verdict::rounding : Verdict::algorithm;
+  }
+
   /// What rounding may do to a number of the truth, to first order; empty where the formula does not tell.
-  std::optional<double> spread_at(const PairedNumber& place) const {
+  std::optional<double> spread_at(const FormulaNumbers& formula, const PairedNumber& place) const {
     std::optional<double> spread;
-    if (formula_[place.in_truth]) spread = formula_[place.in_truth]->spread;
-    else if (question_.row().metadata->formula_answers_less) spread = spread_of_what_is_left_out();
+    if (formula.at[place.in_truth]) spread = formula.at[place.in_truth]->spread;
+    else if (question_.row().metadata->formula_answers_less) spread = spread_of_what_is_left_out(formula);
     // Whoever moves the origin rounds all coordinates there; whoever takes velocities relatively to another, these.
     const RowFunctions& row = question_.row();
     double scale = 0;
@@ -90,20 +122,22 @@ class NumberJudge {
   }
 
   /// What the formula leaves out follows from what it has, and is as far off relatively to its greatest number.
-  double spread_of_what_is_left_out() const {
+  double spread_of_what_is_left_out(const FormulaNumbers& formula) const {
     double spread = 0, size = 0, greatest_left_out = 0;
-    for (std::size_t i = 0; i < formula_.size(); ++i) {
-      if (formula_[i])
-        spread = std::max(spread, formula_[i]->spread), size = std::max(size, std::fabs(formula_[i]->value));
+    for (std::size_t i = 0; i < formula.at.size(); ++i) {
+      if (formula.at[i])
+        spread = std::max(spread, formula.at[i]->spread), size = std::max(size, std::fabs(formula.at[i]->value));
       else greatest_left_out = std::max(greatest_left_out, std::fabs(question_.nearest_truth().numbers[i]));
     }
     return spread / size * greatest_left_out;
   }
 
-  bool formula_is_as_bad(const PairedNumber& place, const mpq_class& exact, const mpq_class& gap) const {
-    const auto& number = formula_[place.in_truth];
+  bool is_as_bad(const FormulaNumbers& formula, const PairedNumber& place, const mpq_class& gap) const {
+    const auto& number = formula.at[place.in_truth];
     if (!number) return question_.judge_reference(declaration_.binary32).verdict == Verdict::rounding;
-    return !std::isfinite(number->value) || explained_spreads * abs(exact_value(number->value) - exact) >= gap;
+    if (!std::isfinite(number->value)) return true;
+    const mpq_class own = abs(exact_value(number->value) - value_of(formula.truth.numbers[place.in_truth]));
+    return explained_spreads * own >= gap;
   }
 
   /// A number that is another one on the other side of a touch, where the question is near one.
@@ -114,14 +148,20 @@ class NumberJudge {
   const Examination& question_;
   const Declaration& declaration_;
   double unit_;
-  FormulaNumbers formula_;
+  std::vector<FormulaNumbers> formulas_;
 };
 
-int gravity(Verdict verdict) {
-  return verdict == Verdict::algorithm ? 3 : verdict == Verdict::rounding ? 2 : verdict == Verdict::inexact ? 1 : 0;
-}
-
 }  // namespace
+
+std::optional<EncodedTruth> other_as_near(const Examination& question, const EncodedValue<double>& answer) {
+  const RowFunctions& row = question.row();
+  const auto finite = [](double number) { return std::isfinite(number); };
+  if (row.as_near == nullptr || !std::all_of(answer.numbers.begin(), answer.numbers.end(), finite)) return std::nullopt;
+  const EncodedTruth& truth = question.solution().answer;
+  auto other = row.as_near(question.question(), truth, answer);
+  if (other && other->numbers == truth.numbers) return std::nullopt;
+  return other;
+}
 
 JudgedNumber worst_number(const Examination& question, const EncodedValue<double>& answer, Reading reading,
                           const Declaration& declaration) {

@@ -16,6 +16,16 @@ struct JudgedNumber {
   OffNumber number;
 };
 
+/// What a formula computed under running error analysis.
+template <class Float>
+EncodedValue<double> in_doubles(const EncodedValue<Tracked<Float>>& formula) {
+  return encoded_with<double>(formula,
+                              [](const Tracked<Float>& number) { return static_cast<double>(number.value()); });
+}
+
+/// The right answer that is nearest to a complete answer, where it names other points than the truth does, as near.
+std::optional<EncodedTruth> other_as_near(const Examination& question, const EncodedValue<double>& answer);
+
 /// Of the numbers of an answer beyond the stated bound, all of them finite, the one with the gravest verdict
 /// (`inexact`, `rounding`, `algorithm`), and of these the one that is furthest off in ulps.
 JudgedNumber worst_number(const Examination& question, const EncodedValue<double>& answer, Reading reading,

@@ -11,7 +11,7 @@
 #include "catalogue/codec/expected.h"
 #include "catalogue/judge/compare.h"
 #include "catalogue/judge/tolerated.h"
-#include "catalogue/numbers/ulps.h"
+#include "catalogue/operation/blame.h"
 #include "catalogue/operation/judged_numbers.h"
 #include "catalogue/operation/operation.h"
 
@@ -21,54 +21,6 @@ namespace {
 bool holds_numbers(const Shape& shape) {
   return shape.kind == Shape::Kind::number || std::any_of(shape.parts.begin(), shape.parts.end(),
                                                           [](const auto& part) { return holds_numbers(*part.shape); });
-}
-
-/// How many elements the lists of an answer could hold beyond the truth: so many different places each.
-std::uint64_t most_surplus(const Examination& question) {
-  const RowFunctions& row = question.row();
-  const std::vector<Listed> truth = listed(*row.answer, question.solution().answer.words);
-  const std::vector<std::uint64_t> places =
-      row.places != nullptr
-          ? row.places(question.question())
-          : std::vector<std::uint64_t>(truth.size(), elements_of_lists(*row.question, question.question()));
-  std::uint64_t most = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const std::uint64_t n = places[i], all = truth[i].width == 1 ? n : n < 2 ? 0 : n * (n - 1) / 2;  // or pairs
-    most += all - truth[i].elements.size();
-  }
-  return most;
-}
-
-Comparison compared(const Examination& question, const EncodedValue<double>& answer, Reading reading, bool binary32,
-                    Judgement& judgement) {
-  const RowFunctions& row = question.row();
-  const EncodedTruth& truth = question.solution().answer;
-  Comparison found;
-  if (row.defect != nullptr) {
-    judgement.remark = row.defect(question.question(), answer);
-    found.decision = judgement.remark.empty();
-  } else if (row.metadata->kind == Kind::covering && reading != Reading::complete) {
-    const Covering covering = covered(*row.answer, truth.words, answer.words);
-    found.decision = covering.missing == 0;
-    judgement.surplus = covering.surplus;
-    judgement.apart = most_surplus(question);
-  } else {
-    found = compared(*row.answer, truth, answer, reading, binary32);
-  }
-  return found;
-}
-
-Comparison compared_formula(const Examination& question, bool binary32, Judgement& judgement) {
-  const Metadata& metadata = *question.row().metadata;
-  const bool less = metadata.formula_answers_less || metadata.kind == Kind::covering;
-  return compared(question, question.formula(binary32), less ? Reading::less : Reading::complete, binary32, judgement);
-}
-
-/// The decision turns on products so small that formulas that compare products lose them.
-bool products_underflow(const Examination& question, bool binary32) {
-  const auto& margin = question.margin();
-  return margin && sgn(*margin) != 0 && question.row().metadata->margin_degree > 1 &&
-         *margin < exact_value(binary32 ? 0x1p-126 : 0x1p-1022);
 }
 
 /// What every judgement adds to its verdict: how `rounding` came about, and whether the question is degenerate.
@@ -90,42 +42,6 @@ int covered_reading(const Examination& question, const EncodedValue<double>& ans
   const Shape& shape = *question.row().answer;
   if (covered(shape, question.solution().answer.words, answer.words).missing == 0) return 1;
   return covered(shape, question.open()->words, answer.words).missing == 0 ? -1 : 0;
-}
-
-/// Of an answer that a checker refuses: whether it is well formed, and on the wrong side by no more than sums of
-/// rounded products of the question's greatest numbers may be off, or about as much as the textbook formula's answer in
-/// that number type. Numbers that are none may have left the range.
-bool may_be_rounding(const Examination& question, const EncodedValue<double>& answer, bool binary32) {
-  constexpr double most_units = 256;
-  const auto excess_of = [&](const EncodedValue<double>& encoded) {
-    return question.row().excess(question.question(), encoded, question.nearest_truth());
-  };
-  const Excess excess = excess_of(answer);
-  if (!excess) return checks_numbers(question.row()) && question.out_of_range(binary32);
-  if (*excess <= most_units * (binary32 ? 0x1p-23 : 0x1p-52)) return true;
-  const Excess of_formula = excess_of(question.formula(binary32));
-  return of_formula && *excess <= explained_spreads * *of_formula;
-}
-
-/// More than the truth, of an engine that promises to list that alone.
-bool lists_too_much(const Judgement& judgement, const Declaration& declaration) {
-  return declaration.pairs == Declaration::Pairs::exact && judgement.surplus > 0;
-}
-
-/// For a foreign implementation rounding is to blame where the question is near a touch, or where the textbook formula
-/// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
-/// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
-/// right, the number type was good enough, and what is to blame is the choice of another.
-bool rounding_is_to_blame(const Examination& question, const EncodedValue<double>* answer,
-                          const Declaration& declaration) {
-  const bool binary32 = declaration.binary32;
-  if (question.row().excess != nullptr && answer != nullptr && !may_be_rounding(question, *answer, binary32))
-    return false;
-  if (checks_numbers(question.row())) return question.judge_reference(binary32).verdict == Verdict::rounding;
-  if (products_underflow(question, binary32) || beside_a_touch(question, binary32)) return true;
-  Judgement formula;
-  return question.inconclusive(binary32) &&
-         (!compared_formula(question, binary32, formula).decision || lists_too_much(formula, declaration));
 }
 
 /// answer: nullptr where it was a plain true or false.
@@ -205,6 +121,44 @@ void require_places(const Examination& question, const EncodedValue<double>& ans
   }
 }
 
+/// The question with the answer for its truth that names the points which are nearest to the answer's and as near to
+/// each other as those of the truth; nothing where there is no other. What is decided is right.
+std::unique_ptr<const Examination> with_points_as_near(const Examination& question,
+                                                       const EncodedValue<double>& partial_answer) {
+  const Shape& shape = *question.row().answer;
+  const EncodedTruth& truth = question.solution().answer;
+  EncodedValue<double> answer = question.nearest_truth();  // in the place of numbers that are left out
+  for (const PairedNumber& pair : paired_numbers(shape, truth, partial_answer, Reading::partial))
+    answer.numbers[pair.in_truth] = partial_answer.numbers[pair.in_answer];
+  auto other = other_as_near(question, answer);
+  return other ? std::make_unique<const Examination>(question, *std::move(other)) : nullptr;
+}
+
+/// A right decision with numbers that are too far off the truth's.
+void judge_numbers(Judgement& judgement, Comparison& found, const Examination& question,
+                   const EncodedValue<double>& answer, const Declaration& declaration) {
+  const double most_ulps = question.row().metadata->ulps;
+  JudgedNumber worst = worst_number(question, answer, Reading::partial, declaration);
+  if (const auto other = with_points_as_near(question, answer)) {
+    Judgement ignored;
+    const Comparison near = compared(*other, answer, Reading::partial, declaration.binary32, ignored);
+    const bool within = near.finite && near.ulps <= most_ulps;
+    const JudgedNumber as_near = within ? JudgedNumber{Verdict::agree, near.ulps, {}}
+                                        : worst_number(*other, answer, Reading::partial, declaration);
+    const bool tie = as_near.verdict == Verdict::agree || as_near.verdict == Verdict::inexact,
+               any = declaration.nearest == Declaration::Nearest::any;
+    if (any && (tie || as_near.verdict == Verdict::rounding)) worst = as_near;
+    if (tie) {
+      judgement.breaks_tie = true;
+      judgement.remark = "other points than the contract names, and as near";
+      if (!any) worst.verdict = Verdict::algorithm;
+    }
+  }
+  judgement.verdict = worst.verdict;
+  if (worst.verdict != Verdict::agree) judgement.number = worst.number;
+  found.ulps = worst.ulps;
+}
+
 Judgement judgement_of_answer(const Examination& question, const Json& json, const Declaration& declaration) {
   const RowFunctions& row = question.row();
   try {
@@ -226,10 +180,7 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
     } else if (found.ulps > row.metadata->ulps) {
-      const JudgedNumber worst = worst_number(question, answer, Reading::partial, declaration);
-      judgement.verdict = worst.verdict;
-      judgement.number = worst.number;
-      found.ulps = worst.ulps;
+      judge_numbers(judgement, found, question, answer, declaration);
     }
     judgement.ulps = found.ulps;
     judgement.touch_reading = reading;
@@ -327,7 +278,10 @@ Judgement judgement_of_robust(const Examination& question, std::size_t environme
 }
 
 Judgement judgement_of_engine(const Examination& question, const Json& answer, const Declaration& declaration) {
-  return with_particulars(judgement_of_answer(question, answer, declaration), question, declaration.binary32);
+  Judgement judgement =
+      with_particulars(judgement_of_answer(question, answer, declaration), question, declaration.binary32);
+  if (judgement.touch_reading != 0) judgement.clear = is_clear(question, declaration.binary32);
+  return judgement;
 }
 
 std::string residual_complaint(const Examination& question) {

@@ -20,6 +20,9 @@
 ///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
 ///   TOUCHSTONE_ARRAYS(op)                    where robust::batch has a function of that name: decisions over arrays
 ///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
+///   static void standard(const auto& add) {  other formulas of textbooks (reference/standard/), if there are any:
+///     add("whose it is", [](const auto&... q) { return ...; });
+///   }
 ///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
 ///   static const Metadata& metadata();               names, pages, kind of judgement
 ///   static std::vector<HardCase<Question>> hard_cases();
@@ -146,6 +149,9 @@ struct Hooks {
   std::string (*exact_defect)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
   /// Of an answer with a defect, next to the truth in nearest doubles: how far it is from a right one.
   Excess (*excess)(const Question&, const answer_t<Row>& answer, const answer_t<Row>& truth) = nullptr;
+  /// Where points of two shapes are as near as those of the truth: the truth with those that are nearest to an answer's.
+  std::optional<truth_t<Row>> (*as_near)(const Question&, const truth_t<Row>& truth,
+                                         const answer_t<Row>& answer) = nullptr;
   /// Repairs random numbers into a valid question (a ring that does not cross itself).
   void (*repair)(Question&) = nullptr;
   /// Times 2^k what is a length (default: every number).

@@ -64,6 +64,13 @@ struct ArrayFunctions {
   std::vector<std::size_t> (*columns)(const Question&) = nullptr;
 };
 
+/// A formula for an operation under running error analysis. Tracked<double>::inconclusive() is not reset.
+struct TrackedFormula {
+  const char* name;
+  EncodedValue<Tracked<double>> (*in_double)(const Question&);
+  EncodedValue<Tracked<float>> (*in_float)(const Question&);
+};
+
 /// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three
 /// modules over encoded values, and what the row adds to them. Whatever may be nullptr says so.
 struct RowFunctions {
@@ -75,9 +82,9 @@ struct RowFunctions {
   EncodedValue<double> (*reference)(const Question&);
   EncodedValue<double> (*reference_in_float)(const Question&);
   EncodedValue<Exact> (*reference_exactly)(const Question&);
-  EncodedValue<Tracked<double>> (*reference_tracked)(
-      const Question&);  ///< Tracked<double>::inconclusive() is not reset
-  EncodedValue<Tracked<float>> (*reference_tracked_in_float)(const Question&);
+  TrackedFormula reference_tracked;
+  /// Other formulas of textbooks for the same question (reference/standard/), for which an engine is not blamed either.
+  std::vector<TrackedFormula> standard;
 
   /// In that floating-point environment (catalogue/judge/environment.h).
   EncodedValue<double> (*robust)(const Question&, std::size_t environment);
@@ -109,6 +116,8 @@ struct RowFunctions {
   std::string (*defect)(const Question&, const EncodedValue<double>& answer);
   std::string (*exact_defect)(const Question&, const EncodedValue<mpq_class>& answer);
   Excess (*excess)(const Question&, const EncodedValue<double>& answer, const EncodedValue<double>& truth);
+  std::optional<EncodedTruth> (*as_near)(const Question&, const EncodedTruth& truth,
+                                         const EncodedValue<double>& answer);
   void (*repair)(Question&);
   void (*scale)(Question&, int exponent);
   std::vector<std::uint64_t> (*places)(const Question&);

@@ -84,8 +84,6 @@ StageFunctions stage_functions() {
 /// A number of a question as one of the type in which it is asked.
 inline constexpr auto in_float = [](double number) { return static_cast<float>(number); };
 inline constexpr auto in_exact = [](double number) { return Exact(exact_value(number)); };
-inline constexpr auto in_tracked = [](double number) { return Tracked<double>(number); };
-inline constexpr auto in_tracked_float = [](double number) { return Tracked<float>(static_cast<float>(number)); };
 inline constexpr auto in_integers = [](double number) { return static_cast<std::int64_t>(number); };
 inline constexpr auto rational = [](const TrueNumber& number) { return number.rational_part(); };
 
@@ -110,12 +108,26 @@ struct RowOf {
   static EncodedValue<Exact> reference_exactly(const Question& question) {
     return packed_as<Exact>(formula<Exact>(question, in_exact));
   }
-  static EncodedValue<Tracked<double>> reference_tracked(const Question& question) {
-    return packed_as<Tracked<double>>(formula<Tracked<double>>(question, in_tracked));
+  /// The textbook's formula, and others.
+  struct Reference {
+    auto operator()(const auto&... q) const { return Row::reference(q...); }
+  };
+  template <class Formula, class Float>
+  static EncodedValue<Tracked<Float>> tracked(const Question& question) {
+    const auto given = [](double number) { return Tracked<Float>(static_cast<Float>(number)); };
+    return packed_as<Tracked<Float>>(applied(Formula(), unpacked<rebound_t<Asked, Tracked<Float>>>(question, given)));
   }
-  static EncodedValue<Tracked<float>> reference_tracked_in_float(const Question& question) {
-    return packed_as<Tracked<float>>(formula<Tracked<float>>(question, in_tracked_float));
+  template <class Formula>
+  static TrackedFormula tracked_formula(const char* name) {
+    return {name, tracked<Formula, double>, tracked<Formula, float>};
   }
+  struct AddStandard {
+    std::vector<TrackedFormula>& all;
+    template <class Formula>
+    void operator()(const char* name, Formula) const {
+      all.push_back(tracked_formula<Formula>(name));
+    }
+  };
 
   static EncodedValue<double> robust(const Question& question, std::size_t environment) {
     return packed(
@@ -173,6 +185,12 @@ struct RowOf {
   static Excess excess(const Question& question, const EncodedValue<double>& answer,
                        const EncodedValue<double>& truth) {
     return hooks().excess(unpacked<Asked>(question), unpacked<Answer>(answer), unpacked<Answer>(truth));
+  }
+  static std::optional<EncodedTruth> as_near(const Question& question, const EncodedTruth& truth,
+                                             const EncodedValue<double>& answer) {
+    const auto other = hooks().as_near(unpacked<Asked>(question), typed(truth), unpacked<Answer>(answer));
+    if (!other) return std::nullopt;
+    return packed_as<TrueNumber>(*other);
   }
   static void repair(Question& question) {
     auto asked = unpacked<Asked>(question);
@@ -277,8 +295,8 @@ RowFunctions RowOf<Row>::functions() {
   f.reference = reference;
   f.reference_in_float = reference_in_float;
   f.reference_exactly = reference_exactly;
-  f.reference_tracked = reference_tracked;
-  f.reference_tracked_in_float = reference_tracked_in_float;
+  f.reference_tracked = tracked_formula<Reference>("");
+  if constexpr (requires(const AddStandard& add) { Row::standard(add); }) Row::standard(AddStandard{f.standard});
   f.robust = robust;
   f.solve = solve;
   if constexpr (oracle_takes<Row, rebound_t<Asked, mpq_class>>) f.solve_as_typed = solve_as_typed;
@@ -304,6 +322,7 @@ RowFunctions RowOf<Row>::functions() {
   if (given.defect) f.defect = defect;
   if (given.exact_defect) f.exact_defect = exact_defect;
   if (given.excess) f.excess = excess;
+  if (given.as_near) f.as_near = as_near;
   if (given.repair) f.repair = repair;
   if (given.scale) f.scale = scale;
   if (given.places) f.places = places;

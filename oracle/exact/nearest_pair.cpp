@@ -77,6 +77,18 @@ bool none_before(const std::vector<Vector>& points, const Vector& x, const Vecto
 
 }  // namespace
 
+Point nearest_to(const Point& point, const Hull& a, const Hull& b, const Point& on_a, const Vector& way) {
+  const Vector v = a[1] - a[0], w = b[1] - b[0], across = cross(v, w);
+  const Rational length = dot(v, v);
+  if (sgn(length) == 0 || sgn(dot(across, across)) != 0) return on_a;
+  // All are on the line of a, between the ends of a and of b.
+  const auto along = [&](const Vector& from_a) { return Rational(dot(from_a, v) / length); };
+  const Rational first = along((b[0] - a[0]) - way), second = along((b[1] - a[0]) - way);
+  const Rational low = std::max(Rational(0), std::min(first, second)),
+                 high = std::min(Rational(1), std::max(first, second));
+  return a[0] + std::min(std::max(along(point - a[0]), low), high) * v;
+}
+
 NearestPair nearest_pair(const Hull& hull_a, const Hull& hull_b) {
   const Point& origin = hull_a[0];
   std::vector<Vector> a, b;

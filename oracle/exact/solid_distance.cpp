@@ -209,8 +209,7 @@ Vector shortest_way(const WholeSolid& a, const WholeSolid& b) {
   return shortest.way();
 }
 
-Point first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector& way) {
-  const Point start = rational_point(a.vertices[0]);
+Point nearest_to(const Point& start, const WholeSolid& a, const WholeSolid& b, const Vector& way) {
   const LowestPart lowest(a, way, {0, 0, 0}), highest(b, minus(way), way);
   std::optional<Point> nearest;
   Rational least;
@@ -220,6 +219,10 @@ Point first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector& way)
     nearest = p, least = square;
   }
   return nearest.value();
+}
+
+Point first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector& way) {
+  return nearest_to(rational_point(a.vertices[0]), a, b, way);
 }
 
 /// What the lowest vertices alone allow, and as much of the way as the others want: it holds all of these off.

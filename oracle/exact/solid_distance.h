@@ -26,7 +26,10 @@ struct WholeSolid {
 /// The shortest way from a point of b to one of a.
 Vector3<Rational> shortest_way(const WholeSolid& a, const WholeSolid& b);
 
-/// Of all points of a that are at the end of that way from a point of b, the one nearest to a's first vertex.
+/// Of all points of a that are at the end of that way from a point of b, the one nearest to a point.
+Point3<Rational> nearest_to(const Point3<Rational>& point, const WholeSolid& a, const WholeSolid& b,
+                            const Vector3<Rational>& way);
+/// To a's first vertex.
 Point3<Rational> first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector3<Rational>& way);
 
 /// A vector g with g . (p - on_a) >= 0 for all vertices p of a, and h . (p - on_b) >= 0 for those of b, h = on_a - a's

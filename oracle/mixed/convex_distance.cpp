@@ -32,7 +32,7 @@ Truth<ConvexDistance<Surd>> apart(const Motion& m, const WholeSolid& a, const Wh
   const Vector3<Rational> way = shortest_way(a, b);
   const Point3<Rational> on_a = first_nearest(a, b, way), on_b = on_a + Rational(-1) * way;
   const auto in_units = [&m](const Point3<Rational>& p) {
-    return Point3<Surd>{Rational(p.x * m.unit), Rational(p.y * m.unit), Rational(p.z * m.unit)};
+    return in_space({Rational(p.x * m.unit), Rational(p.y * m.unit), Rational(p.z * m.unit)});
   };
   const Rational square(dot(way, way) * m.unit * m.unit);
   auto truth = truth_of_distance(
@@ -52,7 +52,26 @@ Truth<ConvexDistance<Surd>> truth_of(const Mesh<Number>& a, const Mesh<Number>& 
   return apart(m, solid(first, m.a), solid(second, m.b));
 }
 
+Point3<Rational> rational(const Point3<Surd>& p) {
+  return {p.x.rational_part(), p.y.rational_part(), p.z.rational_part()};
+}
+
 }  // namespace
+
+ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistance<Surd>& truth, const Point3d& on_a) {
+  const ConvexMesh first("a", a), second("b", b);
+  const Motion m = motion(first, second, {});
+  const auto in_units = [&m](const auto& v) -> std::decay_t<decltype(v)> {
+    return {Rational(v.x / m.unit), Rational(v.y / m.unit), Rational(v.z / m.unit)};
+  };
+  const Vector3<Rational> way = rational(*truth.on_a) - rational(*truth.on_b);
+  const Point3<Rational> nearest =
+      nearest_to(in_units(exact_in_space(on_a)), solid(first, m.a), solid(second, m.b), in_units(way));
+  const Point3<Rational> point{Rational(nearest.x * m.unit), Rational(nearest.y * m.unit),
+                               Rational(nearest.z * m.unit)};
+  return {truth.relation, in_space(point), in_space(point + Rational(-1) * way), truth.squared_distance,
+          truth.distance};
+}
 
 Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b) { return truth_of(a, b); }
 

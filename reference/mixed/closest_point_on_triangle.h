@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "geometry/closest.h"
@@ -8,8 +9,16 @@
 
 namespace touchstone::reference {
 
+/// What part of a whole a number is.
+struct ByQuotient {
+  template <class Real>
+  static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& whole) {
+    return {Real(x / whole), Real(y / whole)};
+  }
+};
+
 /// By the region in which p lies: of a corner, of an edge, or of the face.
-template <class Real>
+template <class Real, class Division = ByQuotient>
 Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& triangle) {
   const auto& [a, b, c] = triangle;
   const Vector3<Real> ab = b - a, ac = c - a;
@@ -27,8 +36,8 @@ Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& t
   const Real leaves_b = Real(on_ac_of_b - from_b), leaves_c = Real(from_c - on_ac_of_c);
   if (of_a <= zero && leaves_b >= zero && leaves_c >= zero)
     return b + Real(leaves_b / Real(leaves_b + leaves_c)) * (c - b);
-  const Real all = Real(of_a + of_b + of_c);
-  return a + (Real(of_b / all) * ab + Real(of_c / all) * ac);
+  const auto [to_b, to_c] = Division::parts(of_b, of_c, Real(of_a + of_b + of_c));
+  return a + (to_b * ab + to_c * ac);
 }
 
 /// The point of a closed triangle in space that is nearest to a point, and how far it is: the distance and its square.

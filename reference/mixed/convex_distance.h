@@ -119,7 +119,8 @@ DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) 
 /// have a common point, touching included, the relation is `meeting`, both distances are 0 and no points are given.
 /// Where many pairs are as near, because faces or edges are parallel, the points on a of all of them are a convex set,
 /// and the one that is nearest to a.vertices[0] is the answer, with the point of b that is as near to it as any. There
-/// is only one such pair.
+/// is only one such pair. Engines may name another that is as near, unless they declare that they name this one
+/// (`nearest`, docs/engines.md).
 /// Refused by robust and oracle: NaN or infinity in a vertex; then what is not the surface of a convex solid, by the
 /// rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh. That page
 /// also says which meshes are valid: faces in one plane, flat vertices, vertices of no face, and a surface that is

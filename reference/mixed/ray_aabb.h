@@ -18,7 +18,11 @@ struct SlabTimes {
       between = between && min <= from && from <= max;
       return;
     }
-    const Real to_min = Real(Real(min - from) / way), to_max = Real(Real(max - from) / way);
+    narrow(way, Real(Real(min - from) / way), Real(Real(max - from) / way));
+  }
+
+  /// By the times at which it is at either side.
+  void narrow(const Real& way, const Real& to_min, const Real& to_max) {
     const bool forwards = Real(0) < way;
     const Real &entry = forwards ? to_min : to_max, &exit = forwards ? to_max : to_min;
     if (first < entry) first = entry;

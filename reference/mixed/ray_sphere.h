@@ -15,6 +15,7 @@ struct RootsOfSphere {
   bool real = false;
   Real smaller = Real(0), greater = Real(0);
 
+  RootsOfSphere() = default;
   template <class Vector>
   RootsOfSphere(const Vector& p, const Vector& v, const Real& r) {
     using std::sqrt;

@@ -42,7 +42,8 @@ NearestEnds<Point> nearest_of_segments(const Point& a0, const Point& a1, const P
 /// a, b: any unit of length, the same for both; the squared distance is in its square. Shapes are closed: segments that
 /// cross or touch have the distance 0, and both points are the common one.
 /// Where many pairs are as near, because the segments are parallel, the pair with the least parameter on a is the
-/// answer: the point of a that is nearest to a.a. There is only one such pair.
+/// answer: the point of a that is nearest to a.a. There is only one such pair. Engines may name another that is as
+/// near, unless they declare that they name this one (`nearest`, docs/engines.md).
 /// A segment of length 0 is valid: it is a point.
 /// NaN or infinity: refused by robust and oracle (field "a[0][0]", "b[1][2]" ..., "finite number").
 ///

@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_capsules.h"
 #include "oracle/mixed/capsule_capsule.h"
 #include "reference/mixed/capsule_capsule.h"
+#include "reference/standard/pair_of_segments.h"
 #include "robust/mixed/capsule_capsule.h"
 
 namespace touchstone::catalogue::rows {
@@ -29,6 +30,15 @@ struct capsule_capsule {
                                    .cost = 20,
                                    .longest_vector = 2300};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("Ericson, closest points of segments", [](const auto&... q) {
+      return ::touchstone::reference::standard::capsule_capsule<::touchstone::reference::standard::ByClamping>(q...);
+    });
+    add("Eberly, robust closest points of segments", [](const auto&... q) {
+      return ::touchstone::reference::standard::capsule_capsule<::touchstone::reference::standard::OnSquare>(q...);
+    });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/closest_point_on_segment.h"
 #include "reference/mixed/closest_point_on_segment.h"
+#include "reference/standard/point_and_segment.h"
 #include "robust/mixed/closest_point_on_segment.h"
 
 namespace touchstone::catalogue::rows {
@@ -33,6 +34,12 @@ struct closest_point_on_segment {
                                    .cost = 4,
                                    .longest_vector = 2300};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("Ericson, closest point of a segment", [](const auto&... q) {
+      return either<Answers>(::touchstone::reference::standard::closest_point_on_segment(q...));
+    });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

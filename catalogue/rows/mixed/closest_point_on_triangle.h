@@ -6,6 +6,7 @@
 #include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/closest_point_on_triangle.h"
 #include "reference/mixed/closest_point_on_triangle.h"
+#include "reference/standard/point_and_triangle.h"
 #include "robust/mixed/closest_point_on_triangle.h"
 
 namespace touchstone::catalogue::rows {
@@ -28,6 +29,17 @@ struct closest_point_on_triangle {
                                    .cost = 10,
                                    .longest_vector = 2300};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("foot on the plane, else the nearest edge", [](const auto&... q) {
+      return ::touchstone::reference::standard::closest_point_on_triangle<
+          ::touchstone::reference::standard::ByFaceOrEdges>(q...);
+    });
+    add("Ericson, closest point of a triangle, times a reciprocal", [](const auto&... q) {
+      return ::touchstone::reference::standard::closest_point_on_triangle<::touchstone::reference::standard::ByRegions>(
+          q...);
+    });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

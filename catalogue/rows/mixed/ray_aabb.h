@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/ray_aabb.h"
 #include "reference/mixed/ray_aabb.h"
+#include "reference/standard/slabs.h"
 #include "robust/batch/ray_aabb.h"
 #include "robust/mixed/ray_aabb.h"
 
@@ -44,6 +45,16 @@ struct ray_aabb {
   }
   static bool has_interior(const Aabb2d& box) { return box.min.x < box.max.x && box.min.y < box.max.y; }
   static bool has_interior(const Aabb3d& box) { return has_interior(without_z(box)) && box.min.z < box.max.z; }
+
+  static void standard(const auto& add) {
+    add("slabs, times the reciprocal of the direction", [](const auto&... q) {
+      return ::touchstone::reference::standard::ray_aabb<::touchstone::reference::standard::ByReciprocalDirection>(
+          q...);
+    });
+    add("slabs, from the box's center", [](const auto&... q) {
+      return ::touchstone::reference::standard::ray_aabb<::touchstone::reference::standard::ByHalfExtents>(q...);
+    });
+  }
 
   static std::vector<HardCase<Question>> hard_cases() { return line_box_cases<ray_aabb>(); }
 

@@ -6,6 +6,7 @@
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/ray_triangle.h"
 #include "reference/mixed/ray_triangle.h"
+#include "reference/standard/moeller_trumbore.h"
 #include "robust/batch/ray_triangle.h"
 #include "robust/mixed/ray_triangle.h"
 
@@ -35,6 +36,15 @@ struct ray_triangle {
       return ::touchstone::robust::ray_triangle_relation(std::get<0>(q), std::get<1>(q));
     }
   };
+
+  static void standard(const auto& add) {
+    add("Moeller and Trumbore, times the reciprocal of the determinant", [](const auto&... q) {
+      return ::touchstone::reference::standard::ray_triangle<::touchstone::reference::standard::ByReciprocal>(q...);
+    });
+    add("Moeller and Trumbore, undivided", [](const auto&... q) {
+      return ::touchstone::reference::standard::ray_triangle<::touchstone::reference::standard::ByDeterminant>(q...);
+    });
+  }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {

@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/segment_aabb.h"
 #include "reference/mixed/segment_aabb.h"
+#include "reference/standard/slabs.h"
 #include "robust/mixed/segment_aabb.h"
 
 namespace touchstone::catalogue::rows {
@@ -43,6 +44,16 @@ struct segment_aabb {
   }
   static bool has_interior(const Aabb2d& box) { return box.min.x < box.max.x && box.min.y < box.max.y; }
   static bool has_interior(const Aabb3d& box) { return has_interior(without_z(box)) && box.min.z < box.max.z; }
+
+  static void standard(const auto& add) {
+    add("slabs, times the reciprocal of the direction", [](const auto&... q) {
+      return ::touchstone::reference::standard::segment_aabb<::touchstone::reference::standard::ByReciprocalDirection>(
+          q...);
+    });
+    add("slabs, from the box's center", [](const auto&... q) {
+      return ::touchstone::reference::standard::segment_aabb<::touchstone::reference::standard::ByHalfExtents>(q...);
+    });
+  }
 
   static std::vector<HardCase<Question>> hard_cases() { return line_box_cases<segment_aabb>(); }
 

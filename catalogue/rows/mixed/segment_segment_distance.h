@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/segment_segment_distance.h"
 #include "reference/mixed/segment_segment_distance.h"
+#include "reference/standard/pair_of_segments.h"
 #include "robust/mixed/segment_segment_distance.h"
 
 namespace touchstone::catalogue::rows {
@@ -34,6 +35,19 @@ struct segment_segment_distance {
         .cost = 20,
         .longest_vector = 2300};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("Ericson, closest points of segments", [](const auto&... q) {
+      return either<Answers>(
+          ::touchstone::reference::standard::segment_segment_distance<::touchstone::reference::standard::ByClamping>(
+              q...));
+    });
+    add("Eberly, robust closest points of segments", [](const auto&... q) {
+      return either<Answers>(
+          ::touchstone::reference::standard::segment_segment_distance<::touchstone::reference::standard::OnSquare>(
+              q...));
+    });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -154,8 +168,21 @@ struct segment_segment_distance {
   static Question map_centre() { return InPlane{{{0.5, 0.5}, {24, 24}}, {{24, 0}, {12, 12}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
+  static std::optional<Answers<TrueNumber>> as_near(const Question& question, const Answers<TrueNumber>& truth,
+                                                    const Answers<double>& answer) {
+    using Other = std::optional<Answers<TrueNumber>>;
+    const auto of_alternative = [&]<class Segments>(const Segments& segments) -> Other {
+      constexpr std::size_t which = std::is_same_v<Segments, InPlane> ? 0 : 1;
+      const auto* const said = std::get_if<which>(&answer);
+      if (said == nullptr) return std::nullopt;
+      const auto& [a, b] = segments;
+      return ::touchstone::oracle::as_near(a, b, std::get<which>(truth), said->on_a);
+    };
+    return visited(of_alternative, question);
+  }
+
   static Hooks<segment_segment_distance> hooks() {
-    return {.map_centre = map_centre, .map_axes = map_axes, .laws = {.maps = Laws::Maps::axes}};
+    return {.as_near = as_near, .map_centre = map_centre, .map_axes = map_axes, .laws = {.maps = Laws::Maps::axes}};
   }
 
  private:

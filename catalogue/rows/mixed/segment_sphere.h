@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/segment_sphere.h"
 #include "reference/mixed/segment_sphere.h"
+#include "reference/standard/roots_of_sphere.h"
 #include "robust/mixed/segment_sphere.h"
 
 namespace touchstone::catalogue::rows {
@@ -44,6 +45,17 @@ struct segment_sphere {
   }
   static bool has_interior(const Circle2d& disc) { return disc.radius > 0; }
   static bool has_interior(const Sphere3d& ball) { return ball.radius > 0; }
+
+  static void standard(const auto& add) {
+    add("half the linear coefficient", [](const auto&... q) {
+      return ::touchstone::reference::standard::segment_sphere<::touchstone::reference::standard::ByHalfCoefficient>(
+          q...);
+    });
+    add("unit direction", [](const auto&... q) {
+      return ::touchstone::reference::standard::segment_sphere<::touchstone::reference::standard::ByUnitDirection>(
+          q...);
+    });
+  }
 
   static std::vector<HardCase<Question>> hard_cases() { return line_ball_cases<segment_sphere>(); }
 

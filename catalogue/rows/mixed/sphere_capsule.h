@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_capsules.h"
 #include "oracle/mixed/sphere_capsule.h"
 #include "reference/mixed/sphere_capsule.h"
+#include "reference/standard/point_and_segment.h"
 #include "robust/mixed/sphere_capsule.h"
 
 namespace touchstone::catalogue::rows {
@@ -29,6 +30,13 @@ struct sphere_capsule {
                                    .cost = 4,
                                    .longest_vector = 2300};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("Ericson, closest point of a segment",
+        [](const auto&... q) { return ::touchstone::reference::standard::sphere_capsule_by_nearest_point(q...); });
+    add("Ericson, squared distance from a segment",
+        [](const auto&... q) { return ::touchstone::reference::standard::sphere_capsule_by_squares(q...); });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

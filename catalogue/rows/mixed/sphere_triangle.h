@@ -7,6 +7,7 @@
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/mixed/sphere_triangle.h"
 #include "reference/mixed/sphere_triangle.h"
+#include "reference/standard/point_and_triangle.h"
 #include "robust/mixed/sphere_triangle.h"
 
 namespace touchstone::catalogue::rows {
@@ -29,6 +30,15 @@ struct sphere_triangle {
                                    .cost = 10,
                                    .longest_vector = 2300};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("foot on the plane, else the nearest edge", [](const auto&... q) {
+      return ::touchstone::reference::standard::sphere_triangle<::touchstone::reference::standard::ByFaceOrEdges>(q...);
+    });
+    add("Ericson, closest point of a triangle, times a reciprocal", [](const auto&... q) {
+      return ::touchstone::reference::standard::sphere_triangle<::touchstone::reference::standard::ByRegions>(q...);
+    });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

@@ -9,6 +9,7 @@
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/mixed/triangle_aabb.h"
 #include "reference/mixed/triangle_aabb.h"
+#include "reference/standard/triangle_in_box.h"
 #include "robust/mixed/triangle_aabb.h"
 
 namespace touchstone::catalogue::rows {
@@ -29,6 +30,11 @@ struct triangle_aabb {
                                    .answer = "contact",
                                    .margin_degree = 1};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("Akenine-Moeller, seen from the box's center",
+        [](const auto&... q) { return ::touchstone::reference::standard::triangle_aabb(q...); });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

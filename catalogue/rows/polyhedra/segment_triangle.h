@@ -8,6 +8,7 @@
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/segment_triangle.h"
 #include "reference/polyhedra/segment_triangle.h"
+#include "reference/standard/moeller_trumbore.h"
 #include "robust/batch/segment_triangle.h"
 #include "robust/polyhedra/segment_triangle.h"
 
@@ -38,6 +39,16 @@ struct segment_triangle {
       return ::touchstone::robust::segment_triangle_relation(std::get<0>(q), std::get<1>(q));
     }
   };
+
+  static void standard(const auto& add) {
+    add("Moeller and Trumbore, times the reciprocal of the determinant", [](const auto&... q) {
+      return ::touchstone::reference::standard::segment_triangle<::touchstone::reference::standard::ByReciprocal>(q...);
+    });
+    add("Moeller and Trumbore, undivided", [](const auto&... q) {
+      return ::touchstone::reference::standard::segment_triangle<::touchstone::reference::standard::ByDeterminant>(
+          q...);
+    });
+  }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {

@@ -59,10 +59,8 @@ struct inelastic_collision {
   }
 
   static Hooks<inelastic_collision> hooks() {
-    return {.repair = repair,
-            .map_centre = map_centre,
-            .draw = draw,
-            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+    return {
+        .repair = repair, .map_centre = map_centre, .draw = draw, .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 
  private:

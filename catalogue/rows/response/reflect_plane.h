@@ -52,9 +52,7 @@ struct reflect_plane {
   }
 
   static Hooks<reflect_plane> hooks() {
-    return {.map_centre = map_centre,
-            .draw = draw,
-            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+    return {.map_centre = map_centre, .draw = draw, .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 
  private:

@@ -81,11 +81,8 @@ struct reflect_wall {
   }
 
   static Hooks<reflect_wall> hooks() {
-    return {.residuals = residuals,
-            .map_centre = map_centre,
-            .map_axes = map_axes,
-            .draw = draw,
-            .laws = {.scales = true}};
+    return {
+        .residuals = residuals, .map_centre = map_centre, .map_axes = map_axes, .draw = draw, .laws = {.scales = true}};
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/obb_obb.h"
+#include "reference/standard/oriented_boxes.h"
 #include "reference/volumes/obb_obb.h"
 #include "robust/volumes/obb_obb.h"
 
@@ -28,6 +29,11 @@ struct obb_obb {
                                    .margin_degree = 2,
                                    .cost = 10};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("Gottschalk, in the frame of the first box",
+        [](const auto&... q) { return ::touchstone::reference::standard::obb_obb(q...); });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

@@ -5,6 +5,7 @@
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/point_in_obb.h"
+#include "reference/standard/oriented_boxes.h"
 #include "reference/volumes/point_in_obb.h"
 #include "robust/volumes/point_in_obb.h"
 
@@ -28,6 +29,11 @@ struct point_in_obb {
         .margin_degree = 2,
         .cost = 2};
     return metadata;
+  }
+
+  static void standard(const auto& add) {
+    add("unit axes and half lengths",
+        [](const auto&... q) { return ::touchstone::reference::standard::point_in_obb(q...); });
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

@@ -49,6 +49,14 @@ struct Right {
   std::optional<bool> segment_segment(const Segment2d&, const Segment2d&) { return std::nullopt; }
 };
 
+struct Tree {
+  static constexpr const char* name = "tree 1";
+  std::vector<std::variant<PairsReply, BodiesReply, RayReply>> broad_phase(const std::vector<Aabb3d>&,
+                                                                           const std::vector<Commandd>&) {
+    return {};
+  }
+};
+
 template <class Engine>
 std::string said(const std::string& operation, const std::string& input) {
   Engine engine{};
@@ -134,11 +142,21 @@ TEST_CASE("adapter: an engine has the operations that it has functions for") {
   REQUIRE(served(engine).hello.operations == expected);
 }
 
+TEST_CASE("adapter: an engine of an operation does not claim its methods, so nobody complains of them") {
+  Tree engine;
+  const Hello hello = served(engine).hello;
+  REQUIRE(hello.operations == std::set<std::string>{"broad_phase"});
+  REQUIRE(read_hello(written_hello(hello)).remarks.empty());
+}
+
 TEST_CASE("adapter: above the table stand the operations found, the overloads not found, and how many there are else") {
   Planar engine;
   const Served all = served(engine);
   REQUIRE(all.left_out == std::vector<std::string>{"sphere_sphere(Sphere3<double> a, Sphere3<double> b)",
                                                    "aabb_aabb(Aabb3<double> a, Aabb3<double> b)"});
+  const std::map<std::string, std::set<std::size_t>> in_plane{{"aabb_aabb", {0}}, {"sphere_sphere", {0}}};
+  REQUIRE(all.hello.declaration.alternatives == in_plane);
+  REQUIRE(read_hello(written_hello(all.hello)).declaration.alternatives == in_plane);
   std::size_t operations = 0;
   for (const Operation* operation : all_operations()) operations += operation->metadata().is_implementation() ? 0 : 1;
   const std::string text = program::operations_found(all);

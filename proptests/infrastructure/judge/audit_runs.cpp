@@ -163,11 +163,36 @@ TEST_CASE("audit_runs: what is shown is never a worse example than what was foun
         CHECK(shown->judgement.verdict == judgement.verdict);
         CHECK(shown->judgement.said == judgement.said);
         CHECK_FALSE(shown->answer.is_null());
-        const bool generic = !judgement.degenerate && in_general_position(operation, question);
-        CHECK_FALSE(shown_before({question, judgement, nullptr, i, range_of(question), generic}, *shown));
+        const std::size_t features = degenerate_features(operation, question, judgement.degenerate);
+        CHECK_FALSE(shown_before({question, judgement, nullptr, i, range_of(question), features}, *shown));
       }
     }
   }
+}
+
+TEST_CASE("audit_runs: the example shown is no more degenerate than its bug needs") {
+  // `<` for `<=`: balls that touch, with radii, in two places.
+  const auto open = [](const Question&, const Examination& examination) {
+    return examination.touch() ? parse_line(R"({"contact":"disjoint"})") : examination.rounded_truth();
+  };
+  const Cell total = Run{.operation = "sphere_sphere", .cases = 2000, .answer = open}.tally().operations[0].total();
+  const Finding* const shown = total.example(Verdict::algorithm);
+  REQUIRE(shown != nullptr);
+  INFO(one_line(find_operation("sphere_sphere")->print(shown->question)));
+  CHECK(shown->features == 1);
+}
+
+TEST_CASE("audit_runs: alternatives that an engine does not declare are not asked, and are no unsupported questions") {
+  Run run{.operation = "sphere_sphere", .answer = [](const Question& question, const Examination& examination) {
+            return question.words[0] == 1 ? examination.rounded_truth() : Json(nullptr);
+          }};
+  run.declaration.alternatives["sphere_sphere"] = {1};
+  const Cell in_space = run.tally().operations[0].total();
+  CHECK(in_space.count(Verdict::unsupported) == 0);
+  CHECK(in_space.other_alternative > 500);
+  CHECK(in_space.cases() + in_space.refused + in_space.other_alternative == run.cases);
+  run.declaration.alternatives.clear();
+  CHECK(run.tally().operations[0].total().count(Verdict::unsupported) > 500);
 }
 
 TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupported, neither stops the run") {

@@ -5,7 +5,8 @@
 
 #include "audit/judged.h"
 #include "catalogue/operation/fitted.h"
-#include "catalogue/operation/row_of.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/operation/row.h"
 #include "proptests/uses.h"
 
 /// Engines of one formula, asked in this process.
@@ -17,16 +18,26 @@ struct Asking {
   bool ordinary_only = true;
   bool skew_boxes = false;
   std::string family{};  ///< that one alone; or all
+  Declaration::Nearest nearest = Declaration::Nearest::any;
+  const Operation* operation = nullptr;  ///< asked in the place of the row's
 };
+
+/// A plain yes or no, or a whole answer, as over a pipe.
+inline Json plain_or_packed(const Operation&, bool answer) { return answer; }
+template <class Answer>
+Json plain_or_packed(const Operation& operation, const Answer& answer) {
+  return parse_line(one_line(operation.answer_json(packed(answer))));
+}
 
 /// What an audit counts of a formula, which takes the arguments of the row's operation. `look` hears of every
 /// judgement.
 template <class Row, class Formula, class Look>
 Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
-  const Operation& operation = operation_of_row<Row>();
+  const Operation& operation = asking.operation != nullptr ? *asking.operation : operation_of_row<Row>();
   Tally tally;
   tally.declaration = {"by formula", Declaration::Boundary::closed, asking.binary32, 0};
   tally.declaration.skew_boxes = asking.skew_boxes;
+  tally.declaration.nearest = asking.nearest;
   tally.operations.push_back({operation.name(), {}});
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     if (!asking.family.empty() && asking.family != operation.families()[family]) continue;
@@ -39,7 +50,7 @@ Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
       try {
         const auto examination = operation.examine(question);
         const auto answer = applied(formula, unpacked<typename Row::Question>(question));
-        const Json json = parse_line(one_line(operation.answer_json(packed(answer))));
+        const Json json = plain_or_packed(operation, answer);
         const Judgement judgement = examination->judge_engine(json, tally.declaration);
         count(cell, {operation, question, examination->outcome(), i}, judgement, json);
         look(*examination, judgement);

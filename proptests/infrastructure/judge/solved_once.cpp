@@ -53,9 +53,11 @@ RowFunctions counting() {
     return add(counts.in_float, q), counted_row().reference_in_float(q);
   };
   row.reference_exactly = [](const Question& q) { return add(counts.exactly, q), counted_row().reference_exactly(q); };
-  row.reference_tracked = [](const Question& q) { return add(counts.tracked, q), counted_row().reference_tracked(q); };
-  row.reference_tracked_in_float = [](const Question& q) {
-    return add(counts.tracked_in_float, q), counted_row().reference_tracked_in_float(q);
+  row.reference_tracked.in_double = [](const Question& q) {
+    return add(counts.tracked, q), counted_row().reference_tracked.in_double(q);
+  };
+  row.reference_tracked.in_float = [](const Question& q) {
+    return add(counts.tracked_in_float, q), counted_row().reference_tracked.in_float(q);
   };
   row.robust = [](const Question& q, std::size_t e) { return add(counts.robust[e], q), counted_row().robust(q, e); };
   row.decide = [](const Question& q, std::size_t e) { return add(counts.decided[e], q), counted_row().decide(q, e); };

@@ -187,6 +187,37 @@ TEST_CASE("tallies: points are in general position if no three are on one line, 
   CHECK(general("line_point_at", R"({"line":{"origin":[0,0],"direction":[0,0]},"t":1})"));
 }
 
+TEST_CASE("tallies: degenerate features are counted") {
+  const auto features = [](const char* operation, const char* question) {
+    const Operation& asked = *find_operation(operation);
+    return degenerate_features(asked, asked.parse(parse_line(question)), false);
+  };
+  CHECK(features("segment_segment", R"({"a":[[0,0],[1,0]],"b":[[0,1],[3,4]]})") == 0);
+  // Equal ends, which are on a line with any third point.
+  CHECK(features("segment_segment", R"({"a":[[1,0],[1,0]],"b":[[2,1],[3,4]]})") == 2);
+  CHECK(features("sphere_sphere", R"({"a":{"center":[0,0],"radius":1},"b":{"center":[3,0],"radius":1}})") == 0);
+  CHECK(features("sphere_sphere", R"({"a":{"center":[0,0],"radius":0},"b":{"center":[3,0],"radius":0}})") == 2);
+  // Two radii, equal balls, centers in one place.
+  CHECK(features("sphere_sphere", R"({"a":{"center":[0,0],"radius":0},"b":{"center":[0,0],"radius":0}})") == 4);
+  CHECK(features("ray_aabb", R"({"ray":{"origin":[5,7],"direction":[1,0]},"aabb":{"min":[0,1],"max":[2,3]}})") == 0);
+  CHECK(features("ray_aabb", R"({"ray":{"origin":[5,7],"direction":[1,0]},"aabb":{"min":[0,1],"max":[2,1]}})") == 1);
+  CHECK(features("line_point_at", R"({"line":{"origin":[0,1],"direction":[0,0]},"t":1})") == 1);
+  CHECK(features("momentum", R"({"bodies":[]})") == 1);
+  const Operation& line = *find_operation("orientation");
+  CHECK(degenerate_features(line, line.parse(parse_line(R"({"p0":[0,0],"p1":[0.1,0.3],"p":[0.3,0.9]})")), true) == 1);
+}
+
+TEST_CASE("tallies: a direction with a component of 0, of a ray or from end to end of a segment") {
+  const auto on_axis = [](const char* operation, const char* question) {
+    const Operation& asked = *find_operation(operation);
+    return has_direction_on_axis(asked, asked.parse(parse_line(question)));
+  };
+  CHECK(on_axis("ray_aabb", R"({"ray":{"origin":[5,7],"direction":[1,0]},"aabb":{"min":[0,1],"max":[2,3]}})"));
+  CHECK_FALSE(on_axis("ray_aabb", R"({"ray":{"origin":[5,7],"direction":[1,2]},"aabb":{"min":[0,1],"max":[0,3]}})"));
+  CHECK(on_axis("segment_aabb", R"({"segment":[[5,7],[5,8]],"aabb":{"min":[0,1],"max":[2,3]}})"));
+  CHECK_FALSE(on_axis("segment_aabb", R"({"segment":[[5,7],[6,8]],"aabb":{"min":[0,1],"max":[0,3]}})"));
+}
+
 TEST_CASE("tallies: smaller is a total order, fewest digits first") {
   const std::vector<Question> ascending{{{0, 0}},  {{0, 1}},    {{1, 0}},     {{0, -1}},   {{1, 1}},
                                         {{12, 0}}, {{0.25, 0}}, {{0.1, 0.1}}, {{1e10, 0}}, {{5e-324, 0}}};

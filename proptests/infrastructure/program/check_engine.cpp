@@ -109,6 +109,25 @@ TEST_CASE("check-engine: an engine with a bug is connected, and is said to be wr
   CHECK_THAT(call.out, ContainsSubstring("\nconnected: 1 operation\nconnected, and wrong at an easy question: 1 op"));
 }
 
+TEST_CASE("check-engine: an engine of which only the numbers are off is connected") {
+  const TextFile engine("doubled.py", R"(import json, sys
+sys.stdin.readline()
+print(json.dumps({"engine": "doubled", "ops": ["line_point_at"]}), flush=True)
+for line in sys.stdin:
+    q = json.loads(line, parse_int=float)
+    l, t = q["input"]["line"], q["input"]["t"]
+    point = [o + 2 * t * d for o, d in zip(l["origin"], l["direction"])]
+    print(json.dumps({"id": q["id"], "answer": {"point": point}}), flush=True)
+)");
+  const std::string command = std::string("python3 ") + engine.path();
+  const Called call = called({"check-engine", "--timeout", "60", command.c_str()});
+  INFO(call.out << call.err);
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out,
+             ContainsSubstring("0 of 5 right") && ContainsSubstring("a number is off: ") &&
+                 ContainsSubstring("\nconnected: 1 operation\nconnected, and wrong at an easy question: 1 op"));
+}
+
 TEST_CASE("check-engine: every operation is told apart, and a name misspelt is told with the one meant") {
   const Called call = checked("rightly", "orientation,segment_segment,ray_segmnt");
   INFO(call.out << call.err);

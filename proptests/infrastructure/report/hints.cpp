@@ -7,6 +7,7 @@
 #include "catalogue/rows/broad_phase/broad_phase.h"
 #include "catalogue/rows/lines/orientation.h"
 #include "catalogue/rows/lines/parametric_circle.h"
+#include "catalogue/rows/mixed/ray_aabb.h"
 #include "catalogue/rows/mixed/sphere_plane.h"
 #include "catalogue/rows/planes/point_ground_plane.h"
 #include "catalogue/rows/response/momentum.h"
@@ -103,6 +104,28 @@ TEST_CASE("hints: an angle in degrees") {
   says_nothing_of<rows::parametric_circle>(right);
   CHECK_THAT(said<rows::parametric_circle>(degrees), is_said);
   CHECK_THAT(said<rows::parametric_circle>(backwards), !is_said);
+}
+
+TEST_CASE("hints: wrong where a component of the direction is 0") {
+  const auto right = [](const auto& ray, const auto& box) { return robust::ray_aabb(ray, box); };
+  // Along an axis that the direction does not change, the ray is taken to be between the sides.
+  const auto ignores_axis = [&](const auto& ray, auto box) {
+    const auto widen = [&](double from, double way, double& min, double& max) {
+      if (way == 0) min = std::min(min, from), max = std::max(max, from);
+    };
+    widen(ray.origin.x, ray.direction.x, box.min.x, box.max.x);
+    widen(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
+    return right(ray, box);
+  };
+  const auto misses_corners = [&](const auto& ray, const auto& box) {
+    const auto passage = right(ray, box);
+    const bool grazes = passage.first && *passage.first == *passage.last;
+    return grazes ? Passage<double>{PassageRelation::none, {}, {}} : passage;
+  };
+  const auto is_said = ContainsSubstring("a component is 0");
+  says_nothing_of<rows::ray_aabb>(right);
+  CHECK_THAT(said<rows::ray_aabb>(ignores_axis), is_said);
+  CHECK_THAT(said<rows::ray_aabb>(misses_corners), !is_said);
 }
 
 TEST_CASE("hints: wrong after a move alone") {
