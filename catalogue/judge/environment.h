@@ -7,7 +7,7 @@
 #include <string>
 
 #if defined(__SSE2__)
-#include <immintrin.h>
+#include <xmmintrin.h>
 #endif
 
 /// The floating-point environments that a host application can set.

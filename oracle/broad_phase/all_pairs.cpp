@@ -184,7 +184,7 @@ Integer least_lack(const Integer& gap, const Ball*) { return Integer(gap * gap);
 const Integer& least_lack(const Integer& gap, const Box*) { return gap; }
 
 template <class Solid>
-Truth<std::vector<IndexPair>> truth(Scaled<Solid> scaled) {
+Truth<std::vector<IndexPair>> truth_all_pairs(Scaled<Solid> scaled) {
   const auto& solids = scaled.solids;
   Truth<std::vector<IndexPair>> found;
   std::optional<Integer> least;
@@ -211,16 +211,18 @@ Truth<std::vector<IndexPair>> truth(Scaled<Solid> scaled) {
 
 }  // namespace
 
-Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres) { return truth(validated(spheres)); }
-Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes) { return truth(validated(boxes)); }
+Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres) {
+  return truth_all_pairs(validated(spheres));
+}
+Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes) { return truth_all_pairs(validated(boxes)); }
 
 template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Number>>& spheres) {
-  return truth(validated(spheres));
+  return truth_all_pairs(validated(spheres));
 }
 template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes) {
-  return truth(validated(boxes));
+  return truth_all_pairs(validated(boxes));
 }
 template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Rational>>&);
 template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Rational>>&);

@@ -124,7 +124,8 @@ struct Proofs {
 };
 
 template <class Number>
-Truth<Replies> truth(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands) {
+Truth<Replies> truth_broad_phase(const std::vector<Aabb3<Number>>& boxes,
+                                 const std::vector<Command<Number>>& commands) {
   validation::validate_program(
       boxes, commands, [](const std::string& field, const auto& shape) { validation::validate_numbers(field, shape); },
       [](const std::string& field, const auto& shape) { validation::validate(field, shape); });
@@ -136,11 +137,11 @@ Truth<Replies> truth(const std::vector<Aabb3<Number>>& boxes, const std::vector<
 }  // namespace
 
 Truth<Replies> broad_phase(const std::vector<Aabb3d>& boxes, const std::vector<Command<double>>& commands) {
-  return truth(boxes, commands);
+  return truth_broad_phase(boxes, commands);
 }
 template <Exact Number>
 Truth<Replies> broad_phase(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands) {
-  return truth(boxes, commands);
+  return truth_broad_phase(boxes, commands);
 }
 template Truth<Replies> broad_phase(const std::vector<Aabb3<Rational>>&, const std::vector<Command<Rational>>&);
 

@@ -8,7 +8,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Height> truth(const Number& slope, const Number& intercept, const Point2<Number>& point) {
+Truth<Height> truth_explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
   validation::validate("slope", slope), validation::validate("intercept", intercept),
       validation::validate("point", point);
   const Rational e(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
@@ -23,12 +23,12 @@ Truth<Height> truth(const Number& slope, const Number& intercept, const Point2<N
 }  // namespace
 
 Truth<Height> explicit_line(double slope, double intercept, const Point2d& point) {
-  return truth(slope, intercept, point);
+  return truth_explicit_line(slope, intercept, point);
 }
 
 template <Exact Number>
 Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
-  return truth(slope, intercept, point);
+  return truth_explicit_line(slope, intercept, point);
 }
 template Truth<Height> explicit_line(const Rational&, const Rational&, const Point2<Rational>&);
 

@@ -8,11 +8,11 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-using Scale = CommonScale<Number, 5>;
+using ImplicitCircleScale = CommonScale<Number, 5>;
 
 template <class Number>
-Scale<Number> validated(const Circle2<Number>& circle, const Point2<Number>& point) {
-  const Scale<Number> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
+ImplicitCircleScale<Number> validated_implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
+  const ImplicitCircleScale<Number> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
   if (!n.finite() || validation::negative(circle.radius))
     validation::validate_numbers("circle", circle), validation::validate_numbers("point", point),
         validation::validate("circle", circle), validation::validate("point", point);
@@ -20,7 +20,7 @@ Scale<Number> validated(const Circle2<Number>& circle, const Point2<Number>& poi
 }
 
 template <class Value, class Number>
-Truth<Location> truth(const Scale<Number>& n) {
+Truth<Location> truth_implicit_circle(const ImplicitCircleScale<Number>& n) {
   const Vector2<Value> from_center = whole_point<Value>(n, 3) - whole_point<Value>(n, 0);
   const Value radius = whole<Value>(n, 2), distance = dot(from_center, from_center), square(radius * radius);
   const Value e(distance - square);
@@ -35,18 +35,20 @@ Truth<Location> truth(const Scale<Number>& n) {
 }
 
 template <class Number>
-Truth<Location> truth_of(const Circle2<Number>& circle, const Point2<Number>& point) {
-  const Scale<Number> n = validated(circle, point);
-  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+Truth<Location> truth_of_implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
+  const ImplicitCircleScale<Number> n = validated_implicit_circle(circle, point);
+  return n.bits() <= most_bits_in_words ? truth_implicit_circle<Int128>(n) : truth_implicit_circle<Integer>(n);
 }
 
 }  // namespace
 
-Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) { return truth_of(circle, point); }
+Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) {
+  return truth_of_implicit_circle(circle, point);
+}
 
 template <Exact Number>
 Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
-  return truth_of(circle, point);
+  return truth_of_implicit_circle(circle, point);
 }
 template Truth<Location> implicit_circle(const Circle2<Rational>&, const Point2<Rational>&);
 

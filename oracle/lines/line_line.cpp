@@ -11,11 +11,11 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-using Scale = CommonScale<Number, 8>;
+using LineLineScale = CommonScale<Number, 8>;
 
 template <class Number>
-Scale<Number> validated(const Line2<Number>& a, const Line2<Number>& b) {
-  const Scale<Number> n({a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y});
+LineLineScale<Number> validated_line_line(const Line2<Number>& a, const Line2<Number>& b) {
+  const LineLineScale<Number> n({a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y});
   const auto is_point = [](const Line2<Number>& line) { return line.p == line.q; };
   if (!n.finite() || is_point(a) || is_point(b))
     validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
@@ -51,7 +51,7 @@ struct Lines {
 };
 
 template <class Value, class Number>
-Lines<Value> intersect(const Scale<Number>& n) {
+Lines<Value> intersect(const LineLineScale<Number>& n) {
   const Line2<Value> a{whole_point<Value>(n, 0), whole_point<Value>(n, 2)};
   const Line2<Value> b{whole_point<Value>(n, 4), whole_point<Value>(n, 6)};
   return {a, b, cross_product(line_through(a.p, a.q), line_through(b.p, b.q))};
@@ -62,19 +62,20 @@ const Integer& narrow(const Integer& value) { return value; }
 
 /// t of p + t (q - p) = (x/w, y/w) by one coordinate that moves: x - p.x w is a multiple of q.x - p.x there.
 template <class Value, class Coordinate>
-Rational parameter(const Coordinate& meet, const Value& w, const Value& from, const Value& to) {
+Rational parameter_line_line(const Coordinate& meet, const Value& w, const Value& from, const Value& to) {
   const ExactDivision<Value> divide(Value(to - from));
   return quotient(divide(Coordinate(meet - product(from, w))), w);
 }
 
 template <class Value>
-Rational parameter(const Lines<Value>& s, const Line2<Value>& line) {
+Rational parameter_line_line(const Lines<Value>& s, const Line2<Value>& line) {
   const Value w = narrow(s.meet.w);
-  return line.p.x != line.q.x ? parameter(s.meet.x, w, line.p.x, line.q.x) : parameter(s.meet.y, w, line.p.y, line.q.y);
+  return line.p.x != line.q.x ? parameter_line_line(s.meet.x, w, line.p.x, line.q.x)
+                              : parameter_line_line(s.meet.y, w, line.p.y, line.q.y);
 }
 
 template <class Value, class Number>
-Certificate certificate(const Scale<Number>& n, const Lines<Value>& s) {
+Certificate certificate_line_line(const LineLineScale<Number>& n, const Lines<Value>& s) {
   const Vector2<Value> direction = s.a.q - s.a.p;
   if (sgn(s.meet.w) != 0)
     return {"transversal", {{"determinant", {n.actual(rational(cross(direction, s.b.q - s.b.p)), 2)}}}};
@@ -88,38 +89,38 @@ Certificate certificate(const Scale<Number>& n, const Lines<Value>& s) {
 }
 
 template <class Value, class Number>
-Truth<LineLine<Rational>> solved(const Scale<Number>& n, const Lines<Value>& s) {
+Truth<LineLine<Rational>> solved_line_line(const LineLineScale<Number>& n, const Lines<Value>& s) {
   if (sgn(s.meet.w) == 0) {
     const bool same = sgn(s.meet.x) == 0 && sgn(s.meet.y) == 0;
     return {{same ? LineRelation::same : LineRelation::parallel, {}, {}, {}}, Rational(0)};
   }
-  Rational ta = parameter(s, s.a);
+  Rational ta = parameter_line_line(s, s.a);
   Point2<Rational> point = actual_point(n, point_at(Segment2<Value>{s.a.p, s.a.q}, ta));
-  return {{LineRelation::crossing, std::move(ta), parameter(s, s.b), std::move(point)},
+  return {{LineRelation::crossing, std::move(ta), parameter_line_line(s, s.b), std::move(point)},
           n.actual(absolute(s.meet.w), 2)};
 }
 
 template <class Value, class Number>
-Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
+Truth<LineLine<Rational>> truth_line_line(const LineLineScale<Number>& n) {
   Lines<Value> s = intersect<Value>(n);
-  Truth<LineLine<Rational>> found = solved(n, s);
-  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+  Truth<LineLine<Rational>> found = solved_line_line(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate_line_line(n, s); };
   return found;
 }
 
 template <class Number>
-Truth<LineLine<Rational>> truth_of(const Line2<Number>& a, const Line2<Number>& b) {
-  const Scale<Number> n = validated(a, b);
-  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+Truth<LineLine<Rational>> truth_of_line_line(const Line2<Number>& a, const Line2<Number>& b) {
+  const LineLineScale<Number> n = validated_line_line(a, b);
+  return n.bits() <= most_bits_in_words ? truth_line_line<Int128>(n) : truth_line_line<Integer>(n);
 }
 
 }  // namespace
 
-Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b) { return truth_of(a, b); }
+Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b) { return truth_of_line_line(a, b); }
 
 template <Exact Number>
 Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_line_line(a, b);
 }
 template Truth<LineLine<Rational>> line_line(const Line2<Rational>&, const Line2<Rational>&);
 

@@ -31,7 +31,7 @@ struct Travelled {
 };
 
 template <class Number>
-Truth<Point2<Rational>> truth(Travelled<Number> s) {
+Truth<Point2<Rational>> truth_line_point_at(Travelled<Number> s) {
   std::function<Certificate()> certificate = [s] {
     return Certificate{"displacement", {{"displacement", {s.lengths.actual(s.x, 1), s.lengths.actual(s.y, 1)}}}};
   };
@@ -47,12 +47,12 @@ Truth<Point2<Rational>> truth(Travelled<Number> s) {
 }  // namespace
 
 Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t) {
-  return truth(Travelled<double>(line, t));
+  return truth_line_point_at(Travelled<double>(line, t));
 }
 
 template <Exact Number>
 Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const Number& t) {
-  return truth(Travelled<Number>(line, t));
+  return truth_line_point_at(Travelled<Number>(line, t));
 }
 template Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>&, const Rational&);
 

@@ -8,7 +8,8 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-CommonScale<Number, 6> validated(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
+CommonScale<Number, 6> validated_orientation(const Point2<Number>& p0, const Point2<Number>& p1,
+                                             const Point2<Number>& p) {
   const CommonScale<Number, 6> numbers({p0.x, p0.y, p1.x, p1.y, p.x, p.y});
   if (!numbers.finite())
     validation::validate("p0", p0), validation::validate("p1", p1),
@@ -18,7 +19,7 @@ CommonScale<Number, 6> validated(const Point2<Number>& p0, const Point2<Number>&
 
 /// | x0 y0 1 | x1 y1 1 | x y 1 | by cofactors of the last column, in squares of the unit.
 template <class Value, class Number>
-Truth<Side> truth(const CommonScale<Number, 6>& n) {
+Truth<Side> truth_orientation(const CommonScale<Number, 6>& n) {
   const Point2<Value> a = whole_point<Value>(n, 0), b = whole_point<Value>(n, 2), c = whole_point<Value>(n, 4);
   const Value e((b.x * c.y - b.y * c.x) - (a.x * c.y - a.y * c.x) + (a.x * b.y - a.y * b.x));
   return {sgn(e) > 0   ? Side::left
@@ -30,23 +31,25 @@ Truth<Side> truth(const CommonScale<Number, 6>& n) {
 }
 
 template <class Number>
-Truth<Side> truth_of(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  const CommonScale<Number, 6> n = validated(p0, p1, p);
-  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+Truth<Side> truth_of_orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
+  const CommonScale<Number, 6> n = validated_orientation(p0, p1, p);
+  return n.bits() <= most_bits_in_words ? truth_orientation<Int128>(n) : truth_orientation<Integer>(n);
 }
 
 }  // namespace
 
-Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) { return truth_of(p0, p1, p); }
+Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  return truth_of_orientation(p0, p1, p);
+}
 
 template <Exact Number>
 Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  return truth_of(p0, p1, p);
+  return truth_of_orientation(p0, p1, p);
 }
 template Truth<Side> orientation(const Point2<Rational>&, const Point2<Rational>&, const Point2<Rational>&);
 
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const CommonScale<double, 6> n = validated(p0, p1, p);
+  const CommonScale<double, 6> n = validated_orientation(p0, p1, p);
   if (n.bits() <= most_bits_in_words) {
     using Word = Point2<std::int64_t>;
     return orientation_side<Int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)}, Word{n.word(4), n.word(5)});

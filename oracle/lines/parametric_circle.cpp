@@ -61,13 +61,13 @@ Found find(const CommonScale<Number, 3>& circle, const Number& u) {
 }
 
 template <class Number>
-CommonScale<Number, 3> validated(const Circle2<Number>& circle, const Number& u) {
+CommonScale<Number, 3> validated_parametric_circle(const Circle2<Number>& circle, const Number& u) {
   validation::validate_numbers("circle", circle), validation::validate_numbers("u", u),
       validation::validate("circle", circle), validation::validate("u", u);
   return CommonScale<Number, 3>({circle.center.x, circle.center.y, circle.radius});
 }
 
-Certificate certificate(double u, const CosineAndSine& turn) {
+Certificate certificate_parametric_circle(double u, const CosineAndSine& turn) {
   const auto ends = [](const Enclosure& x) {
     const Integer low(x.nearest - x.width), high(x.nearest + x.width);
     return std::vector<Rational>{scaled(low, x.exponent), scaled(high, x.exponent)};
@@ -81,8 +81,8 @@ Certificate certificate(double u, const CosineAndSine& turn) {
 }
 
 template <class Number>
-Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
-  const CommonScale<Number, 3> n = validated(circle, u);
+Truth<Point2<Rational>> truth_parametric_circle(const Circle2<Number>& circle, const Number& u) {
+  const CommonScale<Number, 3> n = validated_parametric_circle(circle, u);
   Truth<Point2<Rational>> result;
   if (validation::zero(u) || validation::zero(circle.radius)) {
     result.answer = actual_point(n, {rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))});
@@ -91,7 +91,7 @@ Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
     Found found = find(n, u);
     result.answer = std::move(found.point);
     if constexpr (std::is_same_v<Number, double>)
-      result.certificate = [u, turn = std::move(found.enclosures)] { return certificate(u, turn); };
+      result.certificate = [u, turn = std::move(found.enclosures)] { return certificate_parametric_circle(u, turn); };
   }
   result.margin = std::min(rounding_margin(result.answer.x), rounding_margin(result.answer.y));
   return result;
@@ -99,11 +99,13 @@ Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
 
 }  // namespace
 
-Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u) { return truth(circle, u); }
+Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u) {
+  return truth_parametric_circle(circle, u);
+}
 
 template <Exact Number>
 Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u) {
-  return truth(circle, u);
+  return truth_parametric_circle(circle, u);
 }
 template Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>&, const Rational&);
 

@@ -9,11 +9,11 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-using Scale = CommonScale<Number, 6>;
+using PointOnSegmentScale = CommonScale<Number, 6>;
 
 template <class Number>
-Scale<Number> validated(const Point2<Number>& point, const Segment2<Number>& segment) {
-  const Scale<Number> n({point.x, point.y, segment.a.x, segment.a.y, segment.b.x, segment.b.y});
+PointOnSegmentScale<Number> validated_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
+  const PointOnSegmentScale<Number> n({point.x, point.y, segment.a.x, segment.a.y, segment.b.x, segment.b.y});
   if (!n.finite())
     validation::validate("point", point), validation::validate("segment", segment);  // names the field: slower
   return n;
@@ -28,7 +28,7 @@ struct Situation {
 };
 
 template <class Value, class Number>
-Situation<Value> examine(const Scale<Number>& n) {
+Situation<Value> examine(const PointOnSegmentScale<Number>& n) {
   Situation<Value> s{whole_point<Value>(n, 0), whole_segment<Value>(n, 2), {}, {}, {}};
   const Vector2<Value> v = s.segment.b - s.segment.a, w = s.point - s.segment.a;
   const Value distance = dot(w, w);
@@ -40,18 +40,18 @@ Situation<Value> examine(const Scale<Number>& n) {
 }
 
 template <class Value>
-Rational parameter(const Situation<Value>& s) {
+Rational parameter_point_on_segment(const Situation<Value>& s) {
   return sgn(s.length) == 0 ? Rational(0) : quotient(s.along, s.length);
 }
 
 template <class Value, class Number>
-Certificate certificate(const Scale<Number>& n, const Situation<Value>& s) {
+Certificate certificate_point_on_segment(const PointOnSegmentScale<Number>& n, const Situation<Value>& s) {
   if (s.on) {
-    const Rational t = parameter(s);
+    const Rational t = parameter_point_on_segment(s);
     return {"weights", {{"weights", {Rational(1 - t), t}}}};
   }
   // From the point to the nearest point of the segment; every point of the segment is at least as far along.
-  const Rational t = std::clamp(parameter(s), Rational(0), Rational(1));
+  const Rational t = std::clamp(parameter_point_on_segment(s), Rational(0), Rational(1));
   const Point2<Rational> nearest = actual_point(n, point_at(s.segment, t)),
                          from = actual_point(n, {rational(s.point.x), rational(s.point.y)});
   const Vector2<Rational> normal = nearest - from;
@@ -60,35 +60,37 @@ Certificate certificate(const Scale<Number>& n, const Situation<Value>& s) {
 }
 
 template <class Value, class Number>
-Truth<PointOnSegment<Rational>> solved(const Scale<Number>& n, const Situation<Value>& s) {
-  if (s.on) return {{Incidence::on, parameter(s)}, Rational(0)};
+Truth<PointOnSegment<Rational>> solved_point_on_segment(const PointOnSegmentScale<Number>& n,
+                                                        const Situation<Value>& s) {
+  if (s.on) return {{Incidence::on, parameter_point_on_segment(s)}, Rational(0)};
   const SquaredLength<Value> distance = squared_distance(s.point, s.segment, Extent::segment);
   return {{Incidence::off, {}}, n.actual(quotient(distance.numerator, distance.denominator), 2)};
 }
 
 template <class Value, class Number>
-Truth<PointOnSegment<Rational>> truth(const Scale<Number>& n) {
+Truth<PointOnSegment<Rational>> truth_point_on_segment(const PointOnSegmentScale<Number>& n) {
   Situation<Value> s = examine<Value>(n);
-  Truth<PointOnSegment<Rational>> found = solved(n, s);
-  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+  Truth<PointOnSegment<Rational>> found = solved_point_on_segment(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate_point_on_segment(n, s); };
   return found;
 }
 
 template <class Number>
-Truth<PointOnSegment<Rational>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
-  const Scale<Number> n = validated(point, segment);
-  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+Truth<PointOnSegment<Rational>> truth_of_point_on_segment(const Point2<Number>& point,
+                                                          const Segment2<Number>& segment) {
+  const PointOnSegmentScale<Number> n = validated_point_on_segment(point, segment);
+  return n.bits() <= most_bits_in_words ? truth_point_on_segment<Int128>(n) : truth_point_on_segment<Integer>(n);
 }
 
 }  // namespace
 
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2d& point, const Segment2d& segment) {
-  return truth_of(point, segment);
+  return truth_of_point_on_segment(point, segment);
 }
 
 template <Exact Number>
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
-  return truth_of(point, segment);
+  return truth_of_point_on_segment(point, segment);
 }
 template Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 

@@ -11,7 +11,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-CommonScale<Number, 8> validated(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+CommonScale<Number, 8> validated_ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
   const CommonScale<Number, 8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x,
                                   segment.a.y, segment.b.x, segment.b.y});
   const bool still = validation::zero(ray.direction.x) && validation::zero(ray.direction.y);
@@ -22,9 +22,9 @@ CommonScale<Number, 8> validated(const Ray2<Number>& ray, const Segment2<Number>
 }
 
 template <class Value>
-struct Solved {
+struct RaySegmentSolved {
   template <class Number>
-  explicit Solved(const CommonScale<Number, 8>& n)
+  explicit RaySegmentSolved(const CommonScale<Number, 8>& n)
       : ray(from_origin(whole_segment<Value>(n, 0))),
         segment(whole_segment<Value>(n, 4)),
         common(ray, Extent::ray, segment) {}
@@ -40,7 +40,7 @@ struct Solved {
 };
 
 template <class Value, class Number>
-Certificate certificate(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
+Certificate certificate_ray_segment(const CommonScale<Number, 8>& n, const RaySegmentSolved<Value>& s) {
   const CommonPoints<Value>& common = s.common;
   const auto line = [&](const Vector2<Value>& normal) -> decltype(Certificate::facts) {
     return {{"normal", {rational(normal.x), rational(normal.y)}},
@@ -64,7 +64,7 @@ Certificate certificate(const CommonScale<Number, 8>& n, const Solved<Value>& s)
 }
 
 template <class Value, class Number>
-Truth<RaySegment<Rational>> solved(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
+Truth<RaySegment<Rational>> solved_ray_segment(const CommonScale<Number, 8>& n, const RaySegmentSolved<Value>& s) {
   const CommonPoints<Value>& common = s.common;
   const auto end_distance = [&] { return n.actual(least_end_distance(s.ray, Extent::ray, s.segment), 2); };
   if (!common.any) return {{RayRelation::none, {}, {}, {}}, end_distance()};
@@ -81,26 +81,29 @@ Truth<RaySegment<Rational>> solved(const CommonScale<Number, 8>& n, const Solved
 }
 
 template <class Value, class Number>
-Truth<RaySegment<Rational>> truth(const CommonScale<Number, 8>& n) {
-  Solved<Value> s(n);
-  Truth<RaySegment<Rational>> found = solved(n, s);
-  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+Truth<RaySegment<Rational>> truth_ray_segment(const CommonScale<Number, 8>& n) {
+  RaySegmentSolved<Value> s(n);
+  Truth<RaySegment<Rational>> found = solved_ray_segment(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate_ray_segment(n, s); };
   return found;
 }
 
 template <class Number>
-Truth<RaySegment<Rational>> truth_of(const Ray2<Number>& ray, const Segment2<Number>& segment) {
-  const CommonScale<Number, 8> n = validated(ray, segment);
-  return n.bits() < most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);  // origin + direction: one bit more
+Truth<RaySegment<Rational>> truth_of_ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+  const CommonScale<Number, 8> n = validated_ray_segment(ray, segment);
+  return n.bits() < most_bits_in_words ? truth_ray_segment<Int128>(n)
+                                       : truth_ray_segment<Integer>(n);  // origin + direction: one bit more
 }
 
 }  // namespace
 
-Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) { return truth_of(ray, segment); }
+Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) {
+  return truth_of_ray_segment(ray, segment);
+}
 
 template <Exact Number>
 Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
-  return truth_of(ray, segment);
+  return truth_of_ray_segment(ray, segment);
 }
 template Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>&, const Segment2<Rational>&);
 

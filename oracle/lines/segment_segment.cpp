@@ -11,7 +11,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-CommonScale<Number, 8> validated(const Segment2<Number>& a, const Segment2<Number>& b) {
+CommonScale<Number, 8> validated_segment_segment(const Segment2<Number>& a, const Segment2<Number>& b) {
   const CommonScale<Number, 8> numbers({a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y});
   if (!numbers.finite())
     validation::validate("a", a), validation::validate("b", b);  // names the field: far slower than the question
@@ -19,9 +19,9 @@ CommonScale<Number, 8> validated(const Segment2<Number>& a, const Segment2<Numbe
 }
 
 template <class Value>
-struct Solved {
+struct SegmentSegmentSolved {
   template <class Number>
-  explicit Solved(const CommonScale<Number, 8>& n)
+  explicit SegmentSegmentSolved(const CommonScale<Number, 8>& n)
       : a(whole_segment<Value>(n, 0)), b(whole_segment<Value>(n, 4)), common(a, Extent::segment, b) {}
 
   Segment2<Value> a, b;
@@ -34,7 +34,7 @@ bool at_end(const Fraction<Value>& t) {
 }
 
 template <class Value, class Number>
-Certificate certificate(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
+Certificate certificate_segment_segment(const CommonScale<Number, 8>& n, const SegmentSegmentSolved<Value>& s) {
   const CommonPoints<Value>& common = s.common;
   const auto line = [&](const char* kind, const Vector2<Value>& normal) {
     const Rational offset = n.actual(halfway(normal, s.a, Extent::segment, s.b), 1);
@@ -56,7 +56,8 @@ Certificate certificate(const CommonScale<Number, 8>& n, const Solved<Value>& s)
 }
 
 template <class Value, class Number>
-Truth<SegmentSegment<Rational>> solved(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
+Truth<SegmentSegment<Rational>> solved_segment_segment(const CommonScale<Number, 8>& n,
+                                                       const SegmentSegmentSolved<Value>& s) {
   const CommonPoints<Value>& common = s.common;
   const auto end_distance = [&] { return n.actual(least_end_distance(s.a, Extent::segment, s.b), 2); };
   if (!common.any) return {{SegmentRelation::disjoint, {}, {}, {}, {}}, end_distance()};
@@ -73,31 +74,33 @@ Truth<SegmentSegment<Rational>> solved(const CommonScale<Number, 8>& n, const So
 }
 
 template <class Value, class Number>
-Truth<SegmentSegment<Rational>> truth(const CommonScale<Number, 8>& n) {
-  Solved<Value> s(n);
-  Truth<SegmentSegment<Rational>> found = solved(n, s);
-  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+Truth<SegmentSegment<Rational>> truth_segment_segment(const CommonScale<Number, 8>& n) {
+  SegmentSegmentSolved<Value> s(n);
+  Truth<SegmentSegment<Rational>> found = solved_segment_segment(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate_segment_segment(n, s); };
   return found;
 }
 
 template <class Number>
-Truth<SegmentSegment<Rational>> truth_of(const Segment2<Number>& a, const Segment2<Number>& b) {
-  const CommonScale<Number, 8> n = validated(a, b);
-  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+Truth<SegmentSegment<Rational>> truth_of_segment_segment(const Segment2<Number>& a, const Segment2<Number>& b) {
+  const CommonScale<Number, 8> n = validated_segment_segment(a, b);
+  return n.bits() <= most_bits_in_words ? truth_segment_segment<Int128>(n) : truth_segment_segment<Integer>(n);
 }
 
 }  // namespace
 
-Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) { return truth_of(a, b); }
+Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) {
+  return truth_of_segment_segment(a, b);
+}
 
 template <Exact Number>
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_segment_segment(a, b);
 }
 template Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>&, const Segment2<Rational>&);
 
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
-  const CommonScale<double, 8> n = validated(a, b);
+  const CommonScale<double, 8> n = validated_segment_segment(a, b);
   if (n.bits() <= most_bits_in_words) {
     using Words = Segment2<std::int64_t>;
     return segment_segment_relation<Int128>(Words{{n.word(0), n.word(1)}, {n.word(2), n.word(3)}},

@@ -8,7 +8,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Contact> truth(const Capsule3<Number>& a, const Capsule3<Number>& b) {
+Truth<Contact> truth_capsule_capsule(const Capsule3<Number>& a, const Capsule3<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validation::validate("a", a), validation::validate("b", b);
   const auto ends = [](const Segment3<Number>& s) { return Hull{exact(s.a), exact(s.b)}; };
@@ -19,11 +19,11 @@ Truth<Contact> truth(const Capsule3<Number>& a, const Capsule3<Number>& b) {
 
 }  // namespace
 
-Truth<Contact> capsule_capsule(const Capsule3d& a, const Capsule3d& b) { return truth(a, b); }
+Truth<Contact> capsule_capsule(const Capsule3d& a, const Capsule3d& b) { return truth_capsule_capsule(a, b); }
 
 template <Exact Number>
 Truth<Contact> capsule_capsule(const Capsule3<Number>& a, const Capsule3<Number>& b) {
-  return truth(a, b);
+  return truth_capsule_capsule(a, b);
 }
 template Truth<Contact> capsule_capsule(const Capsule3<Rational>&, const Capsule3<Rational>&);
 

@@ -9,20 +9,22 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Point, class Segment>
-NearestPair solved(const Point& point, const Segment& segment) {
+NearestPair solved_closest_point_on_segment(const Point& point, const Segment& segment) {
   validation::validate_numbers("point", point), validation::validate_numbers("segment", segment);
   return nearest_pair({exact_in_space(segment.a), exact_in_space(segment.b)}, {exact_in_space(point)});
 }
 
 template <class Number>
-Truth<ClosestPoint2<Surd>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
-  const NearestPair nearest = solved(point, segment);
+Truth<ClosestPoint2<Surd>> truth_of_closest_point_on_segment(const Point2<Number>& point,
+                                                             const Segment2<Number>& segment) {
+  const NearestPair nearest = solved_closest_point_on_segment(point, segment);
   return truth_of_distance(ClosestPoint2<Surd>{in_plane(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
 template <class Number>
-Truth<ClosestPoint3<Surd>> truth_of(const Point3<Number>& point, const Segment3<Number>& segment) {
-  const NearestPair nearest = solved(point, segment);
+Truth<ClosestPoint3<Surd>> truth_of_closest_point_on_segment(const Point3<Number>& point,
+                                                             const Segment3<Number>& segment) {
+  const NearestPair nearest = solved_closest_point_on_segment(point, segment);
   return truth_of_distance(ClosestPoint3<Surd>{in_space(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
@@ -30,19 +32,19 @@ Truth<ClosestPoint3<Surd>> truth_of(const Point3<Number>& point, const Segment3<
 }  // namespace
 
 Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2d& point, const Segment2d& segment) {
-  return truth_of(point, segment);
+  return truth_of_closest_point_on_segment(point, segment);
 }
 Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3d& point, const Segment3d& segment) {
-  return truth_of(point, segment);
+  return truth_of_closest_point_on_segment(point, segment);
 }
 
 template <Exact Number>
 Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
-  return truth_of(point, segment);
+  return truth_of_closest_point_on_segment(point, segment);
 }
 template <Exact Number>
 Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment) {
-  return truth_of(point, segment);
+  return truth_of_closest_point_on_segment(point, segment);
 }
 template Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 template Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Rational>&, const Segment3<Rational>&);

@@ -43,7 +43,7 @@ Truth<ConvexDistance<Surd>> apart(const Motion& m, const WholeSolid& a, const Wh
 }
 
 template <class Number>
-Truth<ConvexDistance<Surd>> truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
+Truth<ConvexDistance<Surd>> truth_of_convex_distance(const Mesh<Number>& a, const Mesh<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   const ConvexMesh first("a", a), second("b", b);
   const Motion m = motion(first, second, {});
@@ -73,11 +73,11 @@ ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistanc
           truth.distance};
 }
 
-Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b) { return truth_of(a, b); }
+Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b) { return truth_of_convex_distance(a, b); }
 
 template <Exact Number>
 Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Number>& a, const Mesh<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_convex_distance(a, b);
 }
 template Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Rational>&, const Mesh<Rational>&);
 

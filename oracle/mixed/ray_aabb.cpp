@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Ray, class Box>
-Truth<Passage<Rational>> truth(const Ray& ray, const Box& aabb) {
+Truth<Passage<Rational>> truth_ray_aabb(const Ray& ray, const Box& aabb) {
   validation::validate_numbers("ray", ray), validation::validate_numbers("aabb", aabb);
   validation::validate("ray", ray), validation::validate("aabb", aabb);
   return passage_of_box(line_of(ray), coordinates(aabb.min), coordinates(aabb.max));
@@ -17,16 +17,16 @@ Truth<Passage<Rational>> truth(const Ray& ray, const Box& aabb) {
 
 }  // namespace
 
-Truth<Passage<Rational>> ray_aabb(const Ray2d& ray, const Aabb2d& aabb) { return truth(ray, aabb); }
-Truth<Passage<Rational>> ray_aabb(const Ray3d& ray, const Aabb3d& aabb) { return truth(ray, aabb); }
+Truth<Passage<Rational>> ray_aabb(const Ray2d& ray, const Aabb2d& aabb) { return truth_ray_aabb(ray, aabb); }
+Truth<Passage<Rational>> ray_aabb(const Ray3d& ray, const Aabb3d& aabb) { return truth_ray_aabb(ray, aabb); }
 
 template <Exact Number>
 Truth<Passage<Rational>> ray_aabb(const Ray2<Number>& ray, const Aabb2<Number>& aabb) {
-  return truth(ray, aabb);
+  return truth_ray_aabb(ray, aabb);
 }
 template <Exact Number>
 Truth<Passage<Rational>> ray_aabb(const Ray3<Number>& ray, const Aabb3<Number>& aabb) {
-  return truth(ray, aabb);
+  return truth_ray_aabb(ray, aabb);
 }
 template Truth<Passage<Rational>> ray_aabb(const Ray2<Rational>&, const Aabb2<Rational>&);
 template Truth<Passage<Rational>> ray_aabb(const Ray3<Rational>&, const Aabb3<Rational>&);

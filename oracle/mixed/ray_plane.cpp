@@ -12,7 +12,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<LinePlane<Rational>> truth(const Ray3<Number>& ray, const Plane<Number>& plane) {
+Truth<LinePlane<Rational>> truth_ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
   validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
   validation::validate("ray", ray), validation::validate("plane", plane);
   const auto& [x, y, z] = ray.direction;
@@ -25,11 +25,11 @@ Truth<LinePlane<Rational>> truth(const Ray3<Number>& ray, const Plane<Number>& p
 
 }  // namespace
 
-Truth<LinePlane<Rational>> ray_plane(const Ray3d& ray, const Plane3d& plane) { return truth(ray, plane); }
+Truth<LinePlane<Rational>> ray_plane(const Ray3d& ray, const Plane3d& plane) { return truth_ray_plane(ray, plane); }
 
 template <Exact Number>
 Truth<LinePlane<Rational>> ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
-  return truth(ray, plane);
+  return truth_ray_plane(ray, plane);
 }
 template Truth<LinePlane<Rational>> ray_plane(const Ray3<Rational>&, const Plane<Rational>&);
 

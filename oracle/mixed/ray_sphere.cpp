@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Ray, class Ball>
-Truth<Passage<Surd>> truth(const Ray& ray, const Ball& sphere) {
+Truth<Passage<Surd>> truth_ray_sphere(const Ray& ray, const Ball& sphere) {
   validation::validate_numbers("ray", ray), validation::validate_numbers("sphere", sphere);
   validation::validate("ray", ray), validation::validate("sphere", sphere);
   return passage_of_ball(line_of(ray), coordinates(sphere.center), exact(sphere.radius));
@@ -17,16 +17,16 @@ Truth<Passage<Surd>> truth(const Ray& ray, const Ball& sphere) {
 
 }  // namespace
 
-Truth<Passage<Surd>> ray_sphere(const Ray2d& ray, const Circle2d& sphere) { return truth(ray, sphere); }
-Truth<Passage<Surd>> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) { return truth(ray, sphere); }
+Truth<Passage<Surd>> ray_sphere(const Ray2d& ray, const Circle2d& sphere) { return truth_ray_sphere(ray, sphere); }
+Truth<Passage<Surd>> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) { return truth_ray_sphere(ray, sphere); }
 
 template <Exact Number>
 Truth<Passage<Surd>> ray_sphere(const Ray2<Number>& ray, const Circle2<Number>& sphere) {
-  return truth(ray, sphere);
+  return truth_ray_sphere(ray, sphere);
 }
 template <Exact Number>
 Truth<Passage<Surd>> ray_sphere(const Ray3<Number>& ray, const Sphere3<Number>& sphere) {
-  return truth(ray, sphere);
+  return truth_ray_sphere(ray, sphere);
 }
 template Truth<Passage<Surd>> ray_sphere(const Ray2<Rational>&, const Circle2<Rational>&);
 template Truth<Passage<Surd>> ray_sphere(const Ray3<Rational>&, const Sphere3<Rational>&);

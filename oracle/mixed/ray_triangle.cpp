@@ -62,7 +62,7 @@ struct Solved {
 };
 
 template <class Number>
-Certificate certificate(const Solved<Number>& s) {
+Certificate certificate_ray_triangle(const Solved<Number>& s) {
   const auto numbers = [&s](const WitnessPlane& plane) {
     const auto& [x, y, z] = plane.normal;
     return std::vector<Rational>{Rational(x), Rational(y), Rational(z), s.scale.actual(plane.offset, 1)};
@@ -82,7 +82,7 @@ Certificate certificate(const Solved<Number>& s) {
 }
 
 template <class Number>
-Truth<RayTriangle<Rational>> truth_of(const Ray3<Number>& ray, const Triangle3<Number>& triangle) {
+Truth<RayTriangle<Rational>> truth_of_ray_triangle(const Ray3<Number>& ray, const Triangle3<Number>& triangle) {
   validation::validate_numbers("ray", ray), validation::validate_numbers("triangle", triangle);
   validation::validate("ray", ray);
   Solved<Number> s(ray, triangle);
@@ -93,19 +93,19 @@ Truth<RayTriangle<Rational>> truth_of(const Ray3<Number>& ray, const Triangle3<N
     truth.answer = {one ? Relation::point : Relation::segment, s.on_ray(s.common.first), s.first_point(), {}};
     if (one) truth.answer.location = s.location();
   }
-  truth.certificate = [s = std::move(s)] { return certificate(s); };
+  truth.certificate = [s = std::move(s)] { return certificate_ray_triangle(s); };
   return truth;
 }
 
 }  // namespace
 
 Truth<RayTriangle<Rational>> ray_triangle(const Ray3d& ray, const Triangle3d& triangle) {
-  return truth_of(ray, triangle);
+  return truth_of_ray_triangle(ray, triangle);
 }
 
 template <Exact Number>
 Truth<RayTriangle<Rational>> ray_triangle(const Ray3<Number>& ray, const Triangle3<Number>& triangle) {
-  return truth_of(ray, triangle);
+  return truth_of_ray_triangle(ray, triangle);
 }
 template Truth<RayTriangle<Rational>> ray_triangle(const Ray3<Rational>&, const Triangle3<Rational>&);
 

@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Segment, class Box>
-Truth<Passage<Rational>> truth(const Segment& segment, const Box& aabb) {
+Truth<Passage<Rational>> truth_segment_aabb(const Segment& segment, const Box& aabb) {
   validation::validate_numbers("segment", segment), validation::validate_numbers("aabb", aabb);
   validation::validate("aabb", aabb);
   return passage_of_box(line_of(segment), coordinates(aabb.min), coordinates(aabb.max));
@@ -17,16 +17,20 @@ Truth<Passage<Rational>> truth(const Segment& segment, const Box& aabb) {
 
 }  // namespace
 
-Truth<Passage<Rational>> segment_aabb(const Segment2d& segment, const Aabb2d& aabb) { return truth(segment, aabb); }
-Truth<Passage<Rational>> segment_aabb(const Segment3d& segment, const Aabb3d& aabb) { return truth(segment, aabb); }
+Truth<Passage<Rational>> segment_aabb(const Segment2d& segment, const Aabb2d& aabb) {
+  return truth_segment_aabb(segment, aabb);
+}
+Truth<Passage<Rational>> segment_aabb(const Segment3d& segment, const Aabb3d& aabb) {
+  return truth_segment_aabb(segment, aabb);
+}
 
 template <Exact Number>
 Truth<Passage<Rational>> segment_aabb(const Segment2<Number>& segment, const Aabb2<Number>& aabb) {
-  return truth(segment, aabb);
+  return truth_segment_aabb(segment, aabb);
 }
 template <Exact Number>
 Truth<Passage<Rational>> segment_aabb(const Segment3<Number>& segment, const Aabb3<Number>& aabb) {
-  return truth(segment, aabb);
+  return truth_segment_aabb(segment, aabb);
 }
 template Truth<Passage<Rational>> segment_aabb(const Segment2<Rational>&, const Aabb2<Rational>&);
 template Truth<Passage<Rational>> segment_aabb(const Segment3<Rational>&, const Aabb3<Rational>&);

@@ -12,7 +12,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<LinePlane<Rational>> truth(const Segment3<Number>& segment, const Plane<Number>& plane) {
+Truth<LinePlane<Rational>> truth_segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
   validation::validate_numbers("segment", segment), validation::validate_numbers("plane", plane);
   validation::validate("plane", plane);
   const LinePlaneHeights heights(exact(segment.a), exact(segment.b), exact(plane));
@@ -24,12 +24,12 @@ Truth<LinePlane<Rational>> truth(const Segment3<Number>& segment, const Plane<Nu
 }  // namespace
 
 Truth<LinePlane<Rational>> segment_plane(const Segment3d& segment, const Plane3d& plane) {
-  return truth(segment, plane);
+  return truth_segment_plane(segment, plane);
 }
 
 template <Exact Number>
 Truth<LinePlane<Rational>> segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
-  return truth(segment, plane);
+  return truth_segment_plane(segment, plane);
 }
 template Truth<LinePlane<Rational>> segment_plane(const Segment3<Rational>&, const Plane<Rational>&);
 

@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Segment>
-NearestPair solved(const Segment& a, const Segment& b) {
+NearestPair solved_segment_segment_distance(const Segment& a, const Segment& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   return nearest_pair({exact_in_space(a.a), exact_in_space(a.b)}, {exact_in_space(b.a), exact_in_space(b.b)});
 }
@@ -21,13 +21,13 @@ Truth<Answer> proved(Answer answer, const NearestPair& nearest) {
 }
 
 template <class Number>
-Truth<ClosestPair2<Surd>> truth_of(const Segment2<Number>& a, const Segment2<Number>& b) {
-  const NearestPair nearest = solved(a, b);
+Truth<ClosestPair2<Surd>> truth_of_segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
+  const NearestPair nearest = solved_segment_segment_distance(a, b);
   return proved(ClosestPair2<Surd>{in_plane(nearest.on_a), in_plane(nearest.on_b), {}, {}}, nearest);
 }
 template <class Number>
-Truth<ClosestPair3<Surd>> truth_of(const Segment3<Number>& a, const Segment3<Number>& b) {
-  const NearestPair nearest = solved(a, b);
+Truth<ClosestPair3<Surd>> truth_of_segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
+  const NearestPair nearest = solved_segment_segment_distance(a, b);
   return proved(ClosestPair3<Surd>{in_space(nearest.on_a), in_space(nearest.on_b), {}, {}}, nearest);
 }
 
@@ -60,16 +60,20 @@ ClosestPair3<Surd> as_near(const Segment3d& a, const Segment3d& b, const Closest
   return {in_space(point), in_space(point + way), truth.squared_distance, truth.distance};
 }
 
-Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b) { return truth_of(a, b); }
-Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d& a, const Segment3d& b) { return truth_of(a, b); }
+Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b) {
+  return truth_of_segment_segment_distance(a, b);
+}
+Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d& a, const Segment3d& b) {
+  return truth_of_segment_segment_distance(a, b);
+}
 
 template <Exact Number>
 Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_segment_segment_distance(a, b);
 }
 template <Exact Number>
 Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_segment_segment_distance(a, b);
 }
 template Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Rational>&, const Segment2<Rational>&);
 template Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Rational>&, const Segment3<Rational>&);

@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Segment, class Ball>
-Truth<Passage<Surd>> truth(const Segment& segment, const Ball& sphere) {
+Truth<Passage<Surd>> truth_segment_sphere(const Segment& segment, const Ball& sphere) {
   validation::validate_numbers("segment", segment), validation::validate_numbers("sphere", sphere);
   validation::validate("sphere", sphere);
   return passage_of_ball(line_of(segment), coordinates(sphere.center), exact(sphere.radius));
@@ -17,16 +17,20 @@ Truth<Passage<Surd>> truth(const Segment& segment, const Ball& sphere) {
 
 }  // namespace
 
-Truth<Passage<Surd>> segment_sphere(const Segment2d& segment, const Circle2d& sphere) { return truth(segment, sphere); }
-Truth<Passage<Surd>> segment_sphere(const Segment3d& segment, const Sphere3d& sphere) { return truth(segment, sphere); }
+Truth<Passage<Surd>> segment_sphere(const Segment2d& segment, const Circle2d& sphere) {
+  return truth_segment_sphere(segment, sphere);
+}
+Truth<Passage<Surd>> segment_sphere(const Segment3d& segment, const Sphere3d& sphere) {
+  return truth_segment_sphere(segment, sphere);
+}
 
 template <Exact Number>
 Truth<Passage<Surd>> segment_sphere(const Segment2<Number>& segment, const Circle2<Number>& sphere) {
-  return truth(segment, sphere);
+  return truth_segment_sphere(segment, sphere);
 }
 template <Exact Number>
 Truth<Passage<Surd>> segment_sphere(const Segment3<Number>& segment, const Sphere3<Number>& sphere) {
-  return truth(segment, sphere);
+  return truth_segment_sphere(segment, sphere);
 }
 template Truth<Passage<Surd>> segment_sphere(const Segment2<Rational>&, const Circle2<Rational>&);
 template Truth<Passage<Surd>> segment_sphere(const Segment3<Rational>&, const Sphere3<Rational>&);

@@ -8,7 +8,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Contact> truth(const Sphere3<Number>& sphere, const Capsule3<Number>& capsule) {
+Truth<Contact> truth_sphere_capsule(const Sphere3<Number>& sphere, const Capsule3<Number>& capsule) {
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("capsule", capsule);
   validation::validate("sphere", sphere), validation::validate("capsule", capsule);
   const auto& [a, b] = capsule.segment;
@@ -19,11 +19,13 @@ Truth<Contact> truth(const Sphere3<Number>& sphere, const Capsule3<Number>& caps
 
 }  // namespace
 
-Truth<Contact> sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) { return truth(sphere, capsule); }
+Truth<Contact> sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
+  return truth_sphere_capsule(sphere, capsule);
+}
 
 template <Exact Number>
 Truth<Contact> sphere_capsule(const Sphere3<Number>& sphere, const Capsule3<Number>& capsule) {
-  return truth(sphere, capsule);
+  return truth_sphere_capsule(sphere, capsule);
 }
 template Truth<Contact> sphere_capsule(const Sphere3<Rational>&, const Capsule3<Rational>&);
 

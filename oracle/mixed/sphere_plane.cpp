@@ -8,7 +8,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Contact> truth(const Sphere3<Number>& sphere, const Plane<Number>& plane) {
+Truth<Contact> truth_sphere_plane(const Sphere3<Number>& sphere, const Plane<Number>& plane) {
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("plane", plane);
   validation::validate("sphere", sphere), validation::validate("plane", plane);
   const Plane<Rational> exactly = exact(plane);
@@ -34,11 +34,11 @@ Truth<Contact> truth(const Sphere3<Number>& sphere, const Plane<Number>& plane) 
 
 }  // namespace
 
-Truth<Contact> sphere_plane(const Sphere3d& sphere, const Plane3d& plane) { return truth(sphere, plane); }
+Truth<Contact> sphere_plane(const Sphere3d& sphere, const Plane3d& plane) { return truth_sphere_plane(sphere, plane); }
 
 template <Exact Number>
 Truth<Contact> sphere_plane(const Sphere3<Number>& sphere, const Plane<Number>& plane) {
-  return truth(sphere, plane);
+  return truth_sphere_plane(sphere, plane);
 }
 template Truth<Contact> sphere_plane(const Sphere3<Rational>&, const Plane<Rational>&);
 

@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Contact> truth(const Sphere3<Number>& sphere, const Triangle3<Number>& triangle) {
+Truth<Contact> truth_sphere_triangle(const Sphere3<Number>& sphere, const Triangle3<Number>& triangle) {
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("triangle", triangle);
   validation::validate("sphere", sphere);
   const NearestPair nearest =
@@ -19,11 +19,13 @@ Truth<Contact> truth(const Sphere3<Number>& sphere, const Triangle3<Number>& tri
 
 }  // namespace
 
-Truth<Contact> sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) { return truth(sphere, triangle); }
+Truth<Contact> sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {
+  return truth_sphere_triangle(sphere, triangle);
+}
 
 template <Exact Number>
 Truth<Contact> sphere_triangle(const Sphere3<Number>& sphere, const Triangle3<Number>& triangle) {
-  return truth(sphere, triangle);
+  return truth_sphere_triangle(sphere, triangle);
 }
 template Truth<Contact> sphere_triangle(const Sphere3<Rational>&, const Triangle3<Rational>&);
 

@@ -14,12 +14,12 @@
 namespace touchstone::oracle {
 namespace {
 
-using Point = std::array<Integer, 3>;
+using TriangleAabbPoint = std::array<Integer, 3>;
 
 /// In units of the scale.
 struct Whole {
-  std::array<Point, 3> triangle;
-  Point min, max;
+  std::array<TriangleAabbPoint, 3> triangle;
+  TriangleAabbPoint min, max;
 };
 
 /// The point of the triangle that is farthest within all six faces, and how far.
@@ -56,19 +56,19 @@ Deepest deepest(const Whole& q) {
 
 std::vector<Point3<Integer>> corners_of_triangle(const Whole& q) {
   std::vector<Point3<Integer>> all;
-  for (const Point& p : q.triangle) all.push_back({p[0], p[1], p[2]});
+  for (const TriangleAabbPoint& p : q.triangle) all.push_back({p[0], p[1], p[2]});
   return all;
 }
 std::vector<Point3<Integer>> corners_of_box(const Whole& q) {
   std::vector<Point3<Integer>> all;
-  for (const Point* x : {&q.min, &q.max})
-    for (const Point* y : {&q.min, &q.max})
-      for (const Point* z : {&q.min, &q.max}) all.push_back({(*x)[0], (*y)[1], (*z)[2]});
+  for (const TriangleAabbPoint* x : {&q.min, &q.max})
+    for (const TriangleAabbPoint* y : {&q.min, &q.max})
+      for (const TriangleAabbPoint* z : {&q.min, &q.max}) all.push_back({(*x)[0], (*y)[1], (*z)[2]});
   return all;
 }
 
 template <class Scale>
-Certificate certificate(const Scale& scale, const Whole& q, const Deepest& found) {
+Certificate certificate_triangle_aabb(const Scale& scale, const Whole& q, const Deepest& found) {
   const std::vector<Point3<Integer>> triangle = corners_of_triangle(q), box = corners_of_box(q);
   const auto facts_of = [&scale](const WitnessPlane& plane) -> Certificate {
     const auto& n = plane.normal;
@@ -87,30 +87,34 @@ Certificate certificate(const Scale& scale, const Whole& q, const Deepest& found
 }
 
 template <class Number>
-Truth<Contact> truth(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb) {
+Truth<Contact> truth_triangle_aabb(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb) {
   validation::validate_numbers("triangle", triangle), validation::validate_numbers("aabb", aabb);
   validation::validate("aabb", aabb);
   const auto& [a, b, c] = triangle;
   const auto& [min, max] = aabb;
   const CommonScale<Number, 15> scale(
       {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, min.x, min.y, min.z, max.x, max.y, max.z});
-  const auto point = [&scale](std::size_t i) { return Point{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)}; };
+  const auto point = [&scale](std::size_t i) {
+    return TriangleAabbPoint{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+  };
   const Whole whole{{point(0), point(3), point(6)}, point(9), point(12)};
   const Deepest found = deepest(whole);
   const int side = sgn(found.depth);
   return {side > 0   ? Contact::overlapping
           : side < 0 ? Contact::disjoint
                      : Contact::touching,
-          scale.actual(Rational(abs(found.depth)), 1), [=] { return certificate(scale, whole, found); }};
+          scale.actual(Rational(abs(found.depth)), 1), [=] { return certificate_triangle_aabb(scale, whole, found); }};
 }
 
 }  // namespace
 
-Truth<Contact> triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) { return truth(triangle, aabb); }
+Truth<Contact> triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {
+  return truth_triangle_aabb(triangle, aabb);
+}
 
 template <Exact Number>
 Truth<Contact> triangle_aabb(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb) {
-  return truth(triangle, aabb);
+  return truth_triangle_aabb(triangle, aabb);
 }
 template Truth<Contact> triangle_aabb(const Triangle3<Rational>&, const Aabb3<Rational>&);
 

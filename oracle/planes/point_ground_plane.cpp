@@ -10,7 +10,7 @@ namespace {
 const Plane<Rational> ground{{0, 1, 0}, 0};
 
 template <class Number>
-Truth<Height> truth(const Point3<Number>& point) {
+Truth<Height> truth_point_ground_plane(const Point3<Number>& point) {
   validation::validate("point", point);
   const Rational e = height_over(ground, exact(point));
   return {sgn(e) > 0   ? Height::above
@@ -23,11 +23,11 @@ Truth<Height> truth(const Point3<Number>& point) {
 
 }  // namespace
 
-Truth<Height> point_ground_plane(const Point3d& point) { return truth(point); }
+Truth<Height> point_ground_plane(const Point3d& point) { return truth_point_ground_plane(point); }
 
 template <Exact Number>
 Truth<Height> point_ground_plane(const Point3<Number>& point) {
-  return truth(point);
+  return truth_point_ground_plane(point);
 }
 template Truth<Height> point_ground_plane(const Point3<Rational>&);
 

@@ -8,7 +8,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<PointPlane<Surd>> truth(const Plane<Number>& plane, const Point3<Number>& point) {
+Truth<PointPlane<Surd>> truth_point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
   validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
       validation::validate("plane", plane), validation::validate("point", point);
   const Plane<Rational> exactly = exact(plane);
@@ -23,11 +23,13 @@ Truth<PointPlane<Surd>> truth(const Plane<Number>& plane, const Point3<Number>& 
 
 }  // namespace
 
-Truth<PointPlane<Surd>> point_plane(const Plane3d& plane, const Point3d& point) { return truth(plane, point); }
+Truth<PointPlane<Surd>> point_plane(const Plane3d& plane, const Point3d& point) {
+  return truth_point_plane(plane, point);
+}
 
 template <Exact Number>
 Truth<PointPlane<Surd>> point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
-  return truth(plane, point);
+  return truth_point_plane(plane, point);
 }
 template Truth<PointPlane<Surd>> point_plane(const Plane<Rational>&, const Point3<Rational>&);
 

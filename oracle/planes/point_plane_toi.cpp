@@ -36,7 +36,7 @@ FirstHit<Rational> first_hit(const Step& step) {
   return {HitRelation::hit, t, step.start + t * step.direction};
 }
 
-Truth<PointPlaneToi<Rational>> truth(const Step& step) {
+Truth<PointPlaneToi<Rational>> truth_point_plane_toi(const Step& step) {
   const Rational end(abs(step.last()));
   const Rational deciding = sgn(step.last()) > 0 ? std::min(end, Rational(abs(step.height))) : end;
   return {{{sgn(step.last()) > 0 ? HitRelation::never : HitRelation::hit}, first_hit(step)},
@@ -49,13 +49,13 @@ Truth<PointPlaneToi<Rational>> truth(const Step& step) {
 }  // namespace
 
 Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  return truth(examine(plane, start, end));
+  return truth_point_plane_toi(examine(plane, start, end));
 }
 
 template <Exact Number>
 Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start,
                                                const Point3<Number>& end) {
-  return truth(examine(plane, start, end));
+  return truth_point_plane_toi(examine(plane, start, end));
 }
 template Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Rational>&, const Point3<Rational>&,
                                                         const Point3<Rational>&);

@@ -22,7 +22,7 @@ Vector3<Rational> area_of(const Polygon3<Number>& polygon) {
   return sum;
 }
 
-Truth<PolygonNormal<Surd>> truth(const Vector3<Rational>& normal) {
+Truth<PolygonNormal<Surd>> truth_polygon_normal(const Vector3<Rational>& normal) {
   const Rational squared_length = dot(normal, normal);
   if (sgn(squared_length) == 0)
     return {{NormalClass::degenerate, std::nullopt, std::nullopt}, Rational(0), [] {
@@ -37,11 +37,11 @@ Truth<PolygonNormal<Surd>> truth(const Vector3<Rational>& normal) {
 
 }  // namespace
 
-Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3d& polygon) { return truth(area_of(polygon)); }
+Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3d& polygon) { return truth_polygon_normal(area_of(polygon)); }
 
 template <Exact Number>
 Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Number>& polygon) {
-  return truth(area_of(polygon));
+  return truth_polygon_normal(area_of(polygon));
 }
 template Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Rational>&);
 

@@ -50,7 +50,7 @@ IndexLists partition(const WholeRing& ring) {
 }
 
 template <class Number>
-Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
+Truth<IndexLists> truth_convex_partition(const Polygon2<Number>& polygon) {
   WholeRing ring = simple_ring(polygon);
   IndexLists pieces = partition(ring);
   return cut(std::move(ring), std::move(pieces));
@@ -65,11 +65,11 @@ std::size_t reflex_vertices(const WholeRing& ring) {
 
 }  // namespace
 
-Truth<IndexLists> convex_partition(const Polygon2d& polygon) { return truth(polygon); }
+Truth<IndexLists> convex_partition(const Polygon2d& polygon) { return truth_convex_partition(polygon); }
 
 template <Exact Number>
 Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
-  return truth(polygon);
+  return truth_convex_partition(polygon);
 }
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
 

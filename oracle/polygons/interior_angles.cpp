@@ -49,7 +49,7 @@ std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
   return angles;
 }
 
-Certificate certificate(const std::vector<AngleBetween>& angles) {
+Certificate certificate_interior_angles(const std::vector<AngleBetween>& angles) {
   std::vector<Rational> low, high;
   long bits = 0;
   for (const AngleBetween& angle : angles) {
@@ -60,24 +60,24 @@ Certificate certificate(const std::vector<AngleBetween>& angles) {
 }
 
 template <class Number>
-Truth<std::vector<Rational>> truth(const Polygon2<Number>& polygon) {
+Truth<std::vector<Rational>> truth_interior_angles(const Polygon2<Number>& polygon) {
   Truth<std::vector<Rational>> result{{}, Rational(1, 2)};
   std::vector<AngleBetween> angles = enclosures(polygon);
   for (const auto& [low, high] : angles) {
     result.answer.push_back(Rational((low + high) / 2));
     result.margin = std::min(*result.margin, rounding_margin(result.answer.back()));
   }
-  result.certificate = [angles = std::move(angles)] { return certificate(angles); };
+  result.certificate = [angles = std::move(angles)] { return certificate_interior_angles(angles); };
   return result;
 }
 
 }  // namespace
 
-Truth<std::vector<Rational>> interior_angles(const Polygon2d& polygon) { return truth(polygon); }
+Truth<std::vector<Rational>> interior_angles(const Polygon2d& polygon) { return truth_interior_angles(polygon); }
 
 template <Exact Number>
 Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon) {
-  return truth(polygon);
+  return truth_interior_angles(polygon);
 }
 template Truth<std::vector<Rational>> interior_angles(const Polygon2<Rational>&);
 

@@ -36,7 +36,7 @@ void validate_convex(const WholeRing& ring) {
 }
 
 template <class Number>
-Whole validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+Whole validated_point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
       validation::validate("polygon", polygon), validation::validate("point", point);
   Polygon2<Number> all = *validation::OpenRing(polygon);
@@ -90,7 +90,7 @@ Found located(const Whole& w) {
   return {Location::outside, std::nullopt};
 }
 
-Certificate certificate(const Whole& w, const std::optional<Triangle>& triangle) {
+Certificate certificate_point_in_convex_polygon(const Whole& w, const std::optional<Triangle>& triangle) {
   if (triangle) {
     const auto& [a, b, c] = triangle->areas;
     const Integer sum = a + b + c;
@@ -118,23 +118,24 @@ Rational least_distance(const Whole& w) {
 }
 
 template <class Number>
-Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  Whole w = validated(polygon, point);
+Truth<Location> truth_of_point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  Whole w = validated_point_in_convex_polygon(polygon, point);
   Found found = located(w);
   const Rational margin(found.location == Location::boundary ? Rational(0) : least_distance(w) * w.unit * w.unit);
-  return {found.location, margin,
-          [w = std::move(w), triangle = std::move(found.triangle)] { return certificate(w, triangle); }};
+  return {found.location, margin, [w = std::move(w), triangle = std::move(found.triangle)] {
+            return certificate_point_in_convex_polygon(w, triangle);
+          }};
 }
 
 }  // namespace
 
 Truth<Location> point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point) {
-  return truth_of(polygon, point);
+  return truth_of_point_in_convex_polygon(polygon, point);
 }
 
 template <Exact Number>
 Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  return truth_of(polygon, point);
+  return truth_of_point_in_convex_polygon(polygon, point);
 }
 template Truth<Location> point_in_convex_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
 

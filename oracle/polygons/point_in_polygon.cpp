@@ -22,7 +22,7 @@ struct Around {
 };
 
 template <class Number>
-Around validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+Around validated_point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
       validation::validate("polygon", polygon), validation::validate("point", point);
   Polygon2<Number> all = polygon;
@@ -86,7 +86,8 @@ Certificate on_edge(std::size_t edge, const Segment2<Integer>& ends) {
   return {"on_edge", {{"edge", {Rational(edge)}}, {"t", {t}}}};
 }
 
-Certificate certificate(const std::vector<Crossing>& crossings, const Vector2<Integer>& along, const Rational& unit) {
+Certificate certificate_point_in_polygon(const std::vector<Crossing>& crossings, const Vector2<Integer>& along,
+                                         const Rational& unit) {
   std::vector<Rational> edges, parameters;
   for (const Crossing& crossing : crossings) {
     edges.emplace_back(crossing.edge);
@@ -107,8 +108,8 @@ Rational least_squared_distance(const Ring& ring) {
 }
 
 template <class Number>
-Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  const auto [ring, unit] = validated(polygon, point);
+Truth<Location> truth_of_point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  const auto [ring, unit] = validated_point_in_polygon(polygon, point);
   if (const auto i = edge_through_origin(ring))
     return {Location::boundary, Rational(0),
             [i = *i, ends = Segment2<Integer>{ring[*i], ring.next(*i)}] { return on_edge(i, ends); }};
@@ -119,22 +120,24 @@ Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& 
     throw std::logic_error("point_in_polygon: two rays disagree");
   return {inside ? Location::inside : Location::outside, Rational(least_squared_distance(ring) * unit * unit),
           [crossed = std::move(crossed), along = std::move(ray.direction), unit = unit] {
-            return certificate(crossed, along, unit);
+            return certificate_point_in_polygon(crossed, along, unit);
           }};
 }
 
 }  // namespace
 
-Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point) { return truth_of(polygon, point); }
+Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point) {
+  return truth_of_point_in_polygon(polygon, point);
+}
 
 template <Exact Number>
 Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  return truth_of(polygon, point);
+  return truth_of_point_in_polygon(polygon, point);
 }
 template Truth<Location> point_in_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
 
 Location point_in_polygon_location(const Polygon2d& polygon, const Point2d& point) {
-  return location_by_winding<Integer>(validated(polygon, point).ring);
+  return location_by_winding<Integer>(validated_point_in_polygon(polygon, point).ring);
 }
 
 }  // namespace touchstone::oracle

@@ -133,7 +133,8 @@ Rational parameter(const Point2<Rational>& p, const Segment2<Rational>& s) {
 
 /// Two edges and the parameters of a common point that is no vertex shared by neighbours.
 template <class Number>
-Certificate common_point(const validation::RingDefect& defect, const Segment2<Number>& a, const Segment2<Number>& b) {
+Certificate common_point_polygon_convexity(const validation::RingDefect& defect, const Segment2<Number>& a,
+                                           const Segment2<Number>& b) {
   const auto common = segment_segment(a, b).answer;
   std::vector<Rational> at;
   if (common.point) {
@@ -156,7 +157,7 @@ Certificate common_line(const Point2<Integer>& p, const Point2<Integer>& q, cons
 }
 
 template <class Number>
-Truth<PolygonConvexity> truth(const Polygon2<Number>& given) {
+Truth<PolygonConvexity> truth_polygon_convexity(const Polygon2<Number>& given) {
   validation::validate("polygon", given);
   const validation::OpenRing open(given);
   const Polygon2<Number>& polygon = *open;
@@ -170,7 +171,7 @@ Truth<PolygonConvexity> truth(const Polygon2<Number>& given) {
   if (const auto defect = ring_defect(r)) {
     const auto edge = [&](std::size_t i) { return Segment2<Number>{polygon[i], polygon.next(i)}; };
     return {not_simple, r.actual_area(depth(r)), [defect = *defect, a = edge(defect->first), b = edge(defect->second)] {
-              return common_point(defect, a, b);
+              return common_point_polygon_convexity(defect, a, b);
             }};
   }
   const auto found = straddled(r);
@@ -190,11 +191,11 @@ Truth<PolygonConvexity> truth(const Polygon2<Number>& given) {
 
 }  // namespace
 
-Truth<PolygonConvexity> polygon_convexity(const Polygon2d& polygon) { return truth(polygon); }
+Truth<PolygonConvexity> polygon_convexity(const Polygon2d& polygon) { return truth_polygon_convexity(polygon); }
 
 template <Exact Number>
 Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon) {
-  return truth(polygon);
+  return truth_polygon_convexity(polygon);
 }
 template Truth<PolygonConvexity> polygon_convexity(const Polygon2<Rational>&);
 

@@ -31,7 +31,7 @@ void validate_simple(const char* field, const Polygon2<Number>& ring) {
 }
 
 template <class Number>
-Rings validated(const Polygon2<Number>& given_a, const Polygon2<Number>& given_b) {
+Rings validated_polygon_polygon(const Polygon2<Number>& given_a, const Polygon2<Number>& given_b) {
   validation::validate_numbers("a", given_a), validation::validate_numbers("b", given_b);
   const validation::OpenRing open_a(given_a), open_b(given_b);
   const Polygon2<Number>&a = *open_a, &b = *open_b;
@@ -59,7 +59,7 @@ bool lies_on(const Point2<Integer>& p, const Edge& e) {
 Point rational(const Point2<Integer>& p) { return {Rational(p.x), Rational(p.y)}; }
 
 /// A common point of two edges; the only one where their directions differ.
-std::optional<Point> common_point(const Edge& e, const Edge& f) {
+std::optional<Point> common_point_polygon_polygon(const Edge& e, const Edge& f) {
   if (boxes_apart(e, f)) return std::nullopt;
   const Vector2<Integer> u = e.b - e.a, v = f.b - f.a, w = f.a - e.a;
   const Integer area = cross(u, v);
@@ -90,7 +90,7 @@ Arrangement arrangement_of(const std::vector<Edge>& a, const std::vector<Edge>& 
     const Boxes::Box own = Boxes::box_of(e);
     const auto may_meet = [&own](const Boxes::Box& box) { return Boxes::meet(own, box); };
     boxes.ascending(0, may_meet, [&](std::size_t j) {
-      const std::optional<Point> p = common_point(e, b[j]);
+      const std::optional<Point> p = common_point_polygon_polygon(e, b[j]);
       if (p) made.cuts.push_back(p->x);
       if (p && !made.touch) made.touch = p;
       return false;
@@ -151,7 +151,8 @@ Rational margin_of(const Rings& rings) {
   return Rational(quotient(least->numerator, least->denominator) * rings.unit * rings.unit);
 }
 
-Certificate certificate(const Arrangement& found, const std::optional<Point>& inside, const Rational& unit) {
+Certificate certificate_polygon_polygon(const Arrangement& found, const std::optional<Point>& inside,
+                                        const Rational& unit) {
   const auto actual = [&unit](const Point& p) {
     return std::vector<Rational>{Rational(p.x * unit), Rational(p.y * unit)};
   };
@@ -164,19 +165,21 @@ Certificate certificate(const Arrangement& found, const std::optional<Point>& in
 }
 
 template <class Number>
-Truth<Contact> truth_of(const Polygon2<Number>& a, const Polygon2<Number>& b) {
-  const Rings rings = validated(a, b);
+Truth<Contact> truth_of_polygon_polygon(const Polygon2<Number>& a, const Polygon2<Number>& b) {
+  const Rings rings = validated_polygon_polygon(a, b);
   Arrangement found = arrangement_of(rings.a, rings.b);
   auto inside = common_interior_point(rings.a, rings.b, found.cuts);
   const Contact contact = inside ? Contact::overlapping : found.touch ? Contact::touching : Contact::disjoint;
   return {contact, margin_of(rings), [found = std::move(found), inside = std::move(inside), unit = rings.unit] {
-            return certificate(found, inside, unit);
+            return certificate_polygon_polygon(found, inside, unit);
           }};
 }
 
 }  // namespace
 
-Truth<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return truth_of(a, b); }
-Truth<Contact> polygon_polygon(const Polygon2<Rational>& a, const Polygon2<Rational>& b) { return truth_of(a, b); }
+Truth<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return truth_of_polygon_polygon(a, b); }
+Truth<Contact> polygon_polygon(const Polygon2<Rational>& a, const Polygon2<Rational>& b) {
+  return truth_of_polygon_polygon(a, b);
+}
 
 }  // namespace touchstone::oracle

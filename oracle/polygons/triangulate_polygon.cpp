@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
+Truth<IndexLists> truth_triangulate_polygon(const Polygon2<Number>& polygon) {
   WholeRing ring = simple_ring(polygon);
   IndexLists triangles = triangulated(ring);
   return cut(std::move(ring), std::move(triangles));
@@ -17,11 +17,11 @@ Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
 
 }  // namespace
 
-Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon) { return truth(polygon); }
+Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon) { return truth_triangulate_polygon(polygon); }
 
 template <Exact Number>
 Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
-  return truth(polygon);
+  return truth_triangulate_polygon(polygon);
 }
 template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
 

@@ -75,7 +75,7 @@ Location located(const Question& q, bool held) {
 }
 
 /// The squared distance of the point from a plane, in squared units.
-Rational squared_distance(const Question& q, const WholePlane& plane) {
+Rational squared_distance_point_in_convex_polyhedron(const Question& q, const WholePlane& plane) {
   const Integer height = plane.at(q.point);
   return quotient(Integer(height * height), Integer(dot(plane.normal, plane.normal) * q.point.w * q.point.w));
 }
@@ -88,7 +88,7 @@ Certificate barycentric(const Tetrahedron& found) {
 }
 
 template <class Number>
-Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) {
+Truth<Location> truth_of_point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
   const Question q = validated(mesh, point);
   auto found = holding(q);
   const Location location = located(q, found.has_value());
@@ -102,7 +102,7 @@ Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) 
       truth.certificate = [face = &plane - q.mesh.planes.data()] {
         return Certificate{"separating_face", {{"face", {Rational(face)}}}};
       };
-    Rational distance = squared_distance(q, plane);
+    Rational distance = squared_distance_point_in_convex_polyhedron(q, plane);
     if (!deciding || (location == Location::outside) == (distance > *deciding)) deciding = std::move(distance);
   }
   truth.margin = deciding.value() * q.mesh.unit * q.mesh.unit;
@@ -111,11 +111,13 @@ Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) 
 
 }  // namespace
 
-Truth<Location> point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) { return truth_of(mesh, point); }
+Truth<Location> point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) {
+  return truth_of_point_in_convex_polyhedron(mesh, point);
+}
 
 template <Exact Number>
 Truth<Location> point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
-  return truth_of(mesh, point);
+  return truth_of_point_in_convex_polyhedron(mesh, point);
 }
 template Truth<Location> point_in_convex_polyhedron(const Mesh<Rational>&, const Point3<Rational>&);
 

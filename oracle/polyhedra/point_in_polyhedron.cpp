@@ -13,7 +13,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) {
+Truth<Location> truth_of_point_in_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
   validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
   validation::validate("mesh", mesh), validate_polygons("mesh", mesh), validation::validate_triangles("mesh", mesh);
   validate_closed("mesh", mesh);
@@ -31,11 +31,13 @@ Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) 
 
 }  // namespace
 
-Truth<Location> point_in_polyhedron(const Meshd& mesh, const Point3d& point) { return truth_of(mesh, point); }
+Truth<Location> point_in_polyhedron(const Meshd& mesh, const Point3d& point) {
+  return truth_of_point_in_polyhedron(mesh, point);
+}
 
 template <Exact Number>
 Truth<Location> point_in_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
-  return truth_of(mesh, point);
+  return truth_of_point_in_polyhedron(mesh, point);
 }
 template Truth<Location> point_in_polyhedron(const Mesh<Rational>&, const Point3<Rational>&);
 

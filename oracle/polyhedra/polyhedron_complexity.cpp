@@ -103,7 +103,7 @@ bool one_fan(const Surface& surface, Index vertex) {
          }).size() == corners.size();
 }
 
-using Answer = PolyhedronComplexity<Rational>;
+using PolyhedronComplexityAnswer = PolyhedronComplexity<Rational>;
 
 template <class Witness>
 void note(std::optional<Witness>& first, const Witness& witness) {
@@ -111,8 +111,8 @@ void note(std::optional<Witness>& first, const Witness& witness) {
 }
 
 /// What the indices tell.
-Answer counted(const Surface& surface) {
-  Answer found{};
+PolyhedronComplexityAnswer counted(const Surface& surface) {
+  PolyhedronComplexityAnswer found{};
   for (const auto& [edge, users] : surface.at_edge) {
     const IndexPair ends{*edge.begin(), *edge.rbegin()};
     const auto forth = std::count_if(users.begin(), users.end(),
@@ -170,8 +170,8 @@ std::optional<std::array<std::array<Rational, 3>, 2>> shared_diagonal(const Surf
 }
 
 /// All faces have areas. Whether a pair of triangles of two faces meets; if not, pairs may get a normal.
-bool meet(const std::vector<Face>& list, const WholeCloud& cloud, const Surface& surface, const IndexPair& faces,
-          const IndexPair& pair, Pairs& pairs) {
+bool meet_polyhedron_complexity(const std::vector<Face>& list, const WholeCloud& cloud, const Surface& surface,
+                                const IndexPair& faces, const IndexPair& pair, Pairs& pairs) {
   const Face &f = list[pair.i], &g = list[pair.j];
   if (boxes_apart(cloud, f, g)) return false;
   const TwoFaces two(cloud, f, g);
@@ -190,14 +190,14 @@ bool meet(const std::vector<Face>& list, const WholeCloud& cloud, const Surface&
 }
 
 Pairs paired(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud, const Surface& surface,
-             Answer& found) {
+             PolyhedronComplexityAnswer& found) {
   Pairs pairs;
   for (Index i = 0; i < cuts.size(); ++i) {
     for (Index j = i + 1; j < cuts.size(); ++j) {
       const std::size_t of_earlier_faces = pairs.normals.size();
       for (const Index s : cuts[i]) {
         for (const Index t : cuts[j]) {
-          if (!meet(list, cloud, surface, {i, j}, {s, t}, pairs)) continue;
+          if (!meet_polyhedron_complexity(list, cloud, surface, {i, j}, {s, t}, pairs)) continue;
           found.meeting_faces = IndexPair{i, j};
           pairs.normals.resize(of_earlier_faces);  // of these faces one pair of triangles is enough
           return pairs;
@@ -208,14 +208,15 @@ Pairs paired(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& 
   return pairs;
 }
 
-void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud, Answer& found) {
+void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud,
+                        PolyhedronComplexityAnswer& found) {
   for (Index i = 0; i < cuts.size(); ++i)
     for (const Index t : cuts[i])
       if (zero(cloud.normal(list[t].a, list[t].b, list[t].c))) note(found.flat_face, i);
 }
 
 void look_for_splitting_face(const std::vector<Face>& list, const Cuts& cuts, const Surface& surface,
-                             const WholeCloud& cloud, Answer& found) {
+                             const WholeCloud& cloud, PolyhedronComplexityAnswer& found) {
   for (Index i = 0; i < cuts.size() && !found.splitting_face; ++i) {
     const Face& f = list[cuts[i][0]];
     const SupportingPlane plane = cloud.plane(cloud.normal(f.a, f.b, f.c), f.a);
@@ -237,7 +238,7 @@ VolumeSign sign_of_volume(const std::vector<Face>& list, const WholeCloud& cloud
 template <class Number>
 std::vector<Rational> nest(const Mesh<Number>& mesh, const Cuts& cuts,
                            const std::vector<std::set<std::size_t>>& components, const WholeCloud& cloud,
-                           Answer& found) {
+                           PolyhedronComplexityAnswer& found) {
   std::vector<Rational> directions;
   found.nesting.emplace();
   for (Index i = 0; i < components.size(); ++i) {
@@ -270,11 +271,11 @@ std::vector<Rational> nest(const Mesh<Number>& mesh, const Cuts& cuts,
 }
 
 template <class Number>
-Truth<Answer> truth_of(const Mesh<Number>& mesh) {
+Truth<PolyhedronComplexityAnswer> truth_of_polyhedron_complexity(const Mesh<Number>& mesh) {
   validation::validate("mesh", mesh), validate_polygons("mesh", mesh), validation::validate_triangles("mesh", mesh);
   const Surface surface(mesh);
   const Cuts cuts = cuts_of(mesh);
-  Answer found = counted(surface);
+  PolyhedronComplexityAnswer found = counted(surface);
   const auto parts = components(surface);
   found.components = static_cast<Index>(parts.size());
   const WholeCloud cloud(mesh.vertices);
@@ -301,11 +302,13 @@ Truth<Answer> truth_of(const Mesh<Number>& mesh) {
 
 }  // namespace
 
-Truth<Answer> polyhedron_complexity(const Meshd& mesh) { return truth_of(mesh); }
+Truth<PolyhedronComplexityAnswer> polyhedron_complexity(const Meshd& mesh) {
+  return truth_of_polyhedron_complexity(mesh);
+}
 
 template <Exact Number>
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Number>& mesh) {
-  return truth_of(mesh);
+  return truth_of_polyhedron_complexity(mesh);
 }
 template Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Rational>&);
 

@@ -23,7 +23,7 @@ namespace {
 using Triangle = Triangle3<Integer>;
 using Point = Point3<Rational>;
 using Cells = SpacePartition::Cells;
-using Answer = Truth<PolyhedronPolyhedron>;
+using PolyhedronPolyhedronAnswer = Truth<PolyhedronPolyhedron>;
 
 template <class Number>
 void validate_solid(const std::string& field, const Mesh<Number>& mesh) {
@@ -79,13 +79,13 @@ std::array<Integer, 3> gaps(const Box& a, const Box& b) {
   return found;
 }
 
-bool meet(const Box& a, const Box& b) {
+bool meet_polyhedron_polyhedron(const Box& a, const Box& b) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
   return true;
 }
 
-Integer squared_distance(const Box& a, const Box& b) {
+Integer squared_distance_polyhedron_polyhedron(const Box& a, const Box& b) {
   Integer sum(0);
   for (const Integer& gap : gaps(a, b))
     if (sgn(gap) > 0) sum += gap * gap;
@@ -93,7 +93,7 @@ Integer squared_distance(const Box& a, const Box& b) {
 }
 
 /// Of two that have no common point.
-Rational squared_distance(const Triangle& a, const Triangle& b) {
+Rational squared_distance_polyhedron_polyhedron(const Triangle& a, const Triangle& b) {
   std::vector<Rational> ways;
   for (const auto& [t, other] : {std::pair{&a, &b}, {&b, &a}})
     for (const auto& edge : {Segment3<Integer>{t->a, t->b}, {t->b, t->c}, {t->c, t->a}})
@@ -120,7 +120,7 @@ std::optional<Point> common_point_of_faces(const FacesOfBoth& faces) {
   const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
   for (std::size_t i = 0; i < boxes_a.size(); ++i) {
     for (std::size_t j = 0; j < boxes_b.size(); ++j) {
-      if (!meet(boxes_a[i], boxes_b[j])) continue;
+      if (!meet_polyhedron_polyhedron(boxes_a[i], boxes_b[j])) continue;
       const Triangle &s = faces[0][i], &t = faces[1][j];
       if (beside(s, t) || beside(t, s) || plane_apart({s.a, s.b, s.c}, {t.a, t.b, t.c})) continue;
       const PointOfBoth common = points_of_both(s, t, 0)[0];
@@ -141,12 +141,13 @@ Rational least_squared_distance(const FacesOfBoth& faces) {
   };
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < boxes_a.size(); ++i)
-    for (std::size_t j = 0; j < boxes_b.size(); ++j) pairs.push_back({squared_distance(boxes_a[i], boxes_b[j]), i, j});
+    for (std::size_t j = 0; j < boxes_b.size(); ++j)
+      pairs.push_back({squared_distance_polyhedron_polyhedron(boxes_a[i], boxes_b[j]), i, j});
   std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.least < q.least; });
   std::optional<Rational> least;
   for (const auto& [of_boxes, i, j] : pairs) {
     if (least && *least <= of_boxes) break;
-    Rational found = squared_distance(faces[0][i], faces[1][j]);
+    Rational found = squared_distance_polyhedron_polyhedron(faces[0][i], faces[1][j]);
     if (!least || found < *least) least = std::move(found);
   }
   return *least;
@@ -235,7 +236,7 @@ struct Vertices {
   std::optional<Rational> margin;
 };
 
-Answer apart_by_boxes(const Solids& s, const Box& a, const Box& b, std::size_t axis) {
+PolyhedronPolyhedronAnswer apart_by_boxes(const Solids& s, const Box& a, const Box& b, std::size_t axis) {
   const Integer gap = gaps(a, b)[axis], doubled = a.high[axis] < b.low[axis] ? Integer(a.high[axis] + b.low[axis])
                                                                              : Integer(b.high[axis] + a.low[axis]);
   const Rational value = quotient(doubled, Integer(2)) * s.unit;
@@ -245,7 +246,8 @@ Answer apart_by_boxes(const Solids& s, const Box& a, const Box& b, std::size_t a
 }
 
 /// The margin is that of the faces or, if it is less, what the boxes have in common along an axis.
-Answer disjoint(const Solids& s, const FacesOfBoth& faces, const Integer& common_length, Proved proved) {
+PolyhedronPolyhedronAnswer disjoint(const Solids& s, const FacesOfBoth& faces, const Integer& common_length,
+                                    Proved proved) {
   const Rational least = std::min(least_squared_distance(faces), Rational(Integer(common_length * common_length)));
   return {
       {Contact::disjoint, PolyhedraStep::edge_against_face}, s.actual_square(least), [s, proved = std::move(proved)] {
@@ -264,7 +266,7 @@ Certificate common_point(const char* kind, const Solids& s, const Point& p) {
   return certificate;
 }
 
-Answer in_contact(const Solids& s, const Point& common) {
+PolyhedronPolyhedronAnswer in_contact(const Solids& s, const Point& common) {
   Proved proved = cut(s, Cells::open);
   Vertices vertices(s);
   const auto inside = proved.partition.common;
@@ -283,7 +285,7 @@ Answer in_contact(const Solids& s, const Point& common) {
 }
 
 template <class Number>
-Answer truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
+PolyhedronPolyhedronAnswer truth_of_polyhedron_polyhedron(const Mesh<Number>& a, const Mesh<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validate_solid("a", a), validate_solid("b", b);
   const Solids s(a, b);
@@ -303,11 +305,13 @@ Answer truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
 
 }  // namespace
 
-Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Meshd& a, const Meshd& b) { return truth_of(a, b); }
+Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Meshd& a, const Meshd& b) {
+  return truth_of_polyhedron_polyhedron(a, b);
+}
 
 template <Exact Number>
 Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Number>& a, const Mesh<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_polyhedron_polyhedron(a, b);
 }
 template Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Rational>&, const Mesh<Rational>&);
 

@@ -12,14 +12,14 @@
 namespace touchstone::oracle {
 namespace {
 
-using Relation = SegmentTriangleRelation;
+using SegmentTriangleRelation = SegmentTriangleRelation;
 
 template <class Number>
 using Scale = CommonScale<Number, 15>;
 
 template <class Number>
-struct Solved {
-  Solved(const Segment3<Number>& s, const Triangle3<Number>& t)
+struct SegmentTriangleSolved {
+  SegmentTriangleSolved(const Segment3<Number>& s, const Triangle3<Number>& t)
       : scale(
             {s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z}),
         segment{point(0), point(3)},
@@ -44,7 +44,7 @@ struct Solved {
 };
 
 template <class Number>
-Certificate certificate(const Solved<Number>& s) {
+Certificate certificate_segment_triangle(const SegmentTriangleSolved<Number>& s) {
   const auto& [first, last] = std::tie(s.common.first, s.common.last);
   const auto normal = [](const WitnessPlane& plane) {
     return std::vector<Rational>{Rational(plane.normal.x), Rational(plane.normal.y), Rational(plane.normal.z)};
@@ -71,28 +71,30 @@ Certificate certificate(const Solved<Number>& s) {
 }
 
 template <class Number>
-Truth<SegmentTriangle<Rational>> truth_of(const Segment3<Number>& segment, const Triangle3<Number>& triangle) {
+Truth<SegmentTriangle<Rational>> truth_of_segment_triangle(const Segment3<Number>& segment,
+                                                           const Triangle3<Number>& triangle) {
   validation::validate_numbers("segment", segment), validation::validate_numbers("triangle", triangle);
-  Solved<Number> s(segment, triangle);
+  SegmentTriangleSolved<Number> s(segment, triangle);
   const auto& [first, last] = std::tie(s.common.first.t, s.common.last.t);
-  Truth<SegmentTriangle<Rational>> truth{{Relation::none, {}, {}, {}},
+  Truth<SegmentTriangle<Rational>> truth{{SegmentTriangleRelation::none, {}, {}, {}},
                                          s.scale.actual(squared_way_to_touch(s.segment, s.triangle), 2)};
-  if (s.common.any && first == last) truth.answer = {Relation::point, first, s.actual_at(first), {}};
+  if (s.common.any && first == last) truth.answer = {SegmentTriangleRelation::point, first, s.actual_at(first), {}};
   else if (s.common.any)
-    truth.answer = {Relation::segment, {}, {}, Segment3<Rational>{s.actual_at(first), s.actual_at(last)}};
-  truth.certificate = [s = std::move(s)] { return certificate(s); };
+    truth.answer = {
+        SegmentTriangleRelation::segment, {}, {}, Segment3<Rational>{s.actual_at(first), s.actual_at(last)}};
+  truth.certificate = [s = std::move(s)] { return certificate_segment_triangle(s); };
   return truth;
 }
 
 }  // namespace
 
 Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3d& segment, const Triangle3d& triangle) {
-  return truth_of(segment, triangle);
+  return truth_of_segment_triangle(segment, triangle);
 }
 
 template <Exact Number>
 Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3<Number>& segment, const Triangle3<Number>& triangle) {
-  return truth_of(segment, triangle);
+  return truth_of_segment_triangle(segment, triangle);
 }
 template Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3<Rational>&, const Triangle3<Rational>&);
 

@@ -14,11 +14,11 @@
 namespace touchstone::oracle {
 namespace {
 
-using Relation = TriangleTriangleRelation;
+using TriangleTriangleRelation = TriangleTriangleRelation;
 
 template <class Number>
-struct Solved {
-  Solved(const Triangle3<Number>& s, const Triangle3<Number>& t)
+struct TriangleTriangleSolved {
+  TriangleTriangleSolved(const Triangle3<Number>& s, const Triangle3<Number>& t)
       : scale({s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z, s.c.x, s.c.y, s.c.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z,
                t.c.x, t.c.y, t.c.z}),
         a{point(0), point(3), point(6)},
@@ -33,7 +33,7 @@ struct Solved {
 };
 
 template <class Number>
-Certificate certificate(const Solved<Number>& s) {
+Certificate certificate_triangle_triangle(const TriangleTriangleSolved<Number>& s) {
   std::vector<Rational> planes, on_a, on_b;
   for (const WitnessPlane& plane : s.common.planes) {
     const auto& [x, y, z] = plane.normal;
@@ -48,35 +48,39 @@ Certificate certificate(const Solved<Number>& s) {
   return {"dimension", {{"planes", planes}, {"on_a", on_a}, {"on_b", on_b}}};
 }
 
-Relation relation_of(int dimension) {
-  static constexpr Relation relations[]{Relation::none, Relation::point, Relation::segment, Relation::area};
+TriangleTriangleRelation relation_of(int dimension) {
+  static constexpr TriangleTriangleRelation relations[]{TriangleTriangleRelation::none, TriangleTriangleRelation::point,
+                                                        TriangleTriangleRelation::segment,
+                                                        TriangleTriangleRelation::area};
   return relations[dimension + 1];
 }
 
 template <class Number>
-Solved<Number> solved(const Triangle3<Number>& a, const Triangle3<Number>& b) {
+TriangleTriangleSolved<Number> solved(const Triangle3<Number>& a, const Triangle3<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   return {a, b};
 }
 
 template <class Number>
-Truth<Relation> truth_of(const Triangle3<Number>& a, const Triangle3<Number>& b) {
-  Solved<Number> s = solved(a, b);
-  Truth<Relation> truth{relation_of(s.common.dimension), Rational(0)};
-  if (truth.answer == Relation::none || truth.answer == Relation::segment) {
+Truth<TriangleTriangleRelation> truth_of_triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b) {
+  TriangleTriangleSolved<Number> s = solved(a, b);
+  Truth<TriangleTriangleRelation> truth{relation_of(s.common.dimension), Rational(0)};
+  if (truth.answer == TriangleTriangleRelation::none || truth.answer == TriangleTriangleRelation::segment) {
     std::vector<Rational> ways;
     for (const auto& [t, other] : {std::pair{&s.a, &s.b}, std::pair{&s.b, &s.a}})
       for (const auto& edge : {Segment3<Integer>{t->a, t->b}, {t->b, t->c}, {t->c, t->a}})
         ways.push_back(squared_way_to_touch(edge, *other));
     truth.margin = s.scale.actual(*std::min_element(ways.begin(), ways.end()), 2);
   }
-  truth.certificate = [s = std::move(s)] { return certificate(s); };
+  truth.certificate = [s = std::move(s)] { return certificate_triangle_triangle(s); };
   return truth;
 }
 
 }  // namespace
 
-Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b) { return truth_of(a, b); }
+Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
+  return truth_of_triangle_triangle(a, b);
+}
 
 TriangleTriangleRelation triangle_triangle_relation(const Triangle3d& a, const Triangle3d& b) {
   return relation_of(solved(a, b).common.dimension);
@@ -88,7 +92,7 @@ TriangleTriangleRelation triangle_triangle_relation(const Triangle3<std::int64_t
 
 template <Exact Number>
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_triangle_triangle(a, b);
 }
 template Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Rational>&, const Triangle3<Rational>&);
 

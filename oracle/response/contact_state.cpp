@@ -21,8 +21,8 @@ struct Twist {
 };
 
 template <class Number>
-Truth<ContactState> truth(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
-                          const Vector3<Number>& normal) {
+Truth<ContactState> truth_contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b,
+                                        const Point3<Number>& point, const Vector3<Number>& normal) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("point", point), validation::validate_numbers("normal", normal),
       validation::validate("a", a), validation::validate("b", b), validation::validate("point", point),
@@ -44,13 +44,13 @@ Truth<ContactState> truth(const MovingBody<Number>& a, const MovingBody<Number>&
 
 Truth<ContactState> contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                   const Vector3d& normal) {
-  return truth(a, b, point, normal);
+  return truth_contact_state(a, b, point, normal);
 }
 
 template <Exact Number>
 Truth<ContactState> contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
                                   const Vector3<Number>& normal) {
-  return truth(a, b, point, normal);
+  return truth_contact_state(a, b, point, normal);
 }
 template Truth<ContactState> contact_state(const MovingBody<Rational>&, const MovingBody<Rational>&,
                                            const Point3<Rational>&, const Vector3<Rational>&);

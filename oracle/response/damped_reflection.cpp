@@ -7,7 +7,8 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Number& k) {
+Truth<Vector3<Rational>> truth_damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
+                                                 const Number& k) {
   validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
       validation::validate_numbers("k", k), validation::validate("velocity", velocity),
       validation::validate_normal("normal", normal), validation::validate("k", k);
@@ -17,13 +18,13 @@ Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Nu
 }  // namespace
 
 Truth<Vector3<Rational>> damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
-  return truth(velocity, normal, k);
+  return truth_damped_reflection(velocity, normal, k);
 }
 
 template <Exact Number>
 Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
                                            const Number& k) {
-  return truth(velocity, normal, k);
+  return truth_damped_reflection(velocity, normal, k);
 }
 template Truth<Vector3<Rational>> damped_reflection(const Vector3<Rational>&, const Vector3<Rational>&,
                                                     const Rational&);

@@ -7,8 +7,8 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities,
-                                  const Vector3<Number>& normal) {
+Truth<Velocities<Rational>> truth_elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                                    const Vector3<Number>& normal) {
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate("masses", masses),
       validation::validate("velocities", velocities), validation::validate_normal("normal", normal);
@@ -19,13 +19,13 @@ Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities
 
 Truth<Velocities<Rational>> elastic_collision(const Massesd& masses, const Velocitiesd& velocities,
                                               const Vector3d& normal) {
-  return truth(masses, velocities, normal);
+  return truth_elastic_collision(masses, velocities, normal);
 }
 
 template <Exact Number>
 Truth<Velocities<Rational>> elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                               const Vector3<Number>& normal) {
-  return truth(masses, velocities, normal);
+  return truth_elastic_collision(masses, velocities, normal);
 }
 template Truth<Velocities<Rational>> elastic_collision(const Masses<Rational>&, const Velocities<Rational>&,
                                                        const Vector3<Rational>&);

@@ -16,13 +16,13 @@
 namespace touchstone::oracle {
 namespace {
 
-using Velocity = Vector3<Rational>;
-using Position = Point3<Rational>;
+using ImpactStepVelocity = Vector3<Rational>;
+using ImpactStepPosition = Point3<Rational>;
 using Column = std::vector<OverRoot>;
 
 template <class Number>
-void validate_all(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
-                  const Number& restitution, const Number& timestep) {
+void validate_all_impact_step(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
+                              const Number& restitution, const Number& timestep) {
   const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
   for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
   for (std::size_t i = 0; i < walls.size(); ++i) validation::validate_numbers(numbered("walls", i), walls[i]);
@@ -52,8 +52,8 @@ Vector3<Number> lifted(const Vector3<Rational>& v) {
 
 struct Flight {
   Rational inverse_mass, radius, clock;
-  Position at;
-  Velocity velocity;
+  ImpactStepPosition at;
+  ImpactStepVelocity velocity;
 };
 /// place: that in the answer; b: the same, or for a wall the place after the last body.
 struct Met {
@@ -63,14 +63,14 @@ struct Met {
   bool collides;
 };
 
-class Step {
+class ImpactStepStep {
  public:
   template <class Number>
-  Step(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls, const Number& restitution,
-       const Number& timestep)
+  ImpactStepStep(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
+                 const Number& restitution, const Number& timestep)
       : restitution_(exact(restitution)), timestep_(exact(timestep)) {
     for (const auto& [w, v, sphere] : bodies) {
-      const Velocity velocity{exact(v.x), exact(v.y), exact(v.z)};
+      const ImpactStepVelocity velocity{exact(v.x), exact(v.y), exact(v.z)};
       flights_.push_back({exact(w), exact(sphere.radius), 0, exact(sphere.center), velocity});
     }
     for (const Plane<Number>& wall : walls) walls_.push_back(exact(wall));
@@ -103,8 +103,8 @@ class Step {
     if (step.relation == StepCourse::finished) {
       step.bodies.emplace();
       for (Index i = 0; i < flights_.size(); ++i) {
-        const Position end = place(i, 1);
-        const Velocity& v = flights_[i].velocity;
+        const ImpactStepPosition end = place(i, 1);
+        const ImpactStepVelocity& v = flights_[i].velocity;
         step.bodies->push_back({{end.x, end.y, end.z}, lifted<Surd>(v)});
       }
     }
@@ -126,7 +126,7 @@ class Step {
   Rational start_of(Index a, Index b) const {
     return b == ground() ? flights_[a].clock : std::max(flights_[a].clock, flights_[b].clock);
   }
-  Position place(Index body, const Rational& t) const {
+  ImpactStepPosition place(Index body, const Rational& t) const {
     const Flight& f = flights_[body];
     return f.at + Rational((t - f.clock) * timestep_) * f.velocity;
   }
@@ -147,8 +147,8 @@ class Step {
       if (sgn(height) <= 0 || height * height <= radius * radius * square) return Surd(start);
       t = Surd(Rational(start - height / slope), Rational(radius / slope), square);
     } else {
-      const Velocity apart = place(a, start) - place(b, start),
-                     w = timestep_ * (flights_[a].velocity - flights_[b].velocity);
+      const ImpactStepVelocity apart = place(a, start) - place(b, start),
+                               w = timestep_ * (flights_[a].velocity - flights_[b].velocity);
       const Rational reach = flights_[a].radius + flights_[b].radius, slope = dot(apart, w), square = dot(w, w),
                      gap = dot(apart, apart) - reach * reach;
       if (sgn(slope) >= 0) return std::nullopt;
@@ -190,7 +190,8 @@ class Step {
         meets = sgn(square) != 0 && sgn(square - reach * reach) <= 0;
       }
       if (!meets) return;
-      const Velocity &v = flights_[a].velocity, u = b == ground() ? Velocity{0, 0, 0} : flights_[b].velocity;
+      const ImpactStepVelocity &v = flights_[a].velocity,
+                               u = b == ground() ? ImpactStepVelocity{0, 0, 0} : flights_[b].velocity;
       const OverRoot parting = dot(normal, lifted<OverRoot>(v - u));
       const bool collides = sgn(parting) < 0 && settled_.count({a, place_of_b}) == 0;
       if (sgn(parting) <= 0) met.push_back({a, b, place_of_b, normal, parting, collides});
@@ -289,24 +290,25 @@ class Step {
 };
 
 template <class Number>
-Truth<ImpactStep<Surd>> stepped(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
-                                const Number& restitution, const Number& timestep) {
-  validate_all(bodies, walls, restitution, timestep);
-  return Step(bodies, walls, restitution, timestep).made();
+Truth<ImpactStep<Surd>> stepped_impact_step(const std::vector<StepBody<Number>>& bodies,
+                                            const std::vector<Plane<Number>>& walls, const Number& restitution,
+                                            const Number& timestep) {
+  validate_all_impact_step(bodies, walls, restitution, timestep);
+  return ImpactStepStep(bodies, walls, restitution, timestep).made();
 }
 
 }  // namespace
 
 Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
                                     double restitution, double timestep) {
-  return stepped(bodies, walls, restitution, timestep);
+  return stepped_impact_step(bodies, walls, restitution, timestep);
 }
 
 template <Exact Number>
 Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBody<Number>>& bodies,
                                     const std::vector<Plane<Number>>& walls, const Number& restitution,
                                     const Number& timestep) {
-  return stepped(bodies, walls, restitution, timestep);
+  return stepped_impact_step(bodies, walls, restitution, timestep);
 }
 template Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBody<Rational>>&,
                                              const std::vector<Plane<Rational>>&, const Rational&, const Rational&);

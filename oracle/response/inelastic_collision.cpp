@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Vector3<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities) {
+Truth<Vector3<Rational>> truth_inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities) {
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate("masses", masses), validation::validate("velocities", velocities);
   Rational mass(exact(masses.first) + exact(masses.second));
@@ -24,12 +24,12 @@ Truth<Vector3<Rational>> truth(const Masses<Number>& masses, const Velocities<Nu
 }  // namespace
 
 Truth<Vector3<Rational>> inelastic_collision(const Massesd& masses, const Velocitiesd& velocities) {
-  return truth(masses, velocities);
+  return truth_inelastic_collision(masses, velocities);
 }
 
 template <Exact Number>
 Truth<Vector3<Rational>> inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities) {
-  return truth(masses, velocities);
+  return truth_inelastic_collision(masses, velocities);
 }
 template Truth<Vector3<Rational>> inelastic_collision(const Masses<Rational>&, const Velocities<Rational>&);
 

@@ -42,7 +42,7 @@ Certificate certificate(const ManyBodies& bodies, const Centre& centre) {
            {"doubled_energies", {bodies.actual(centre.of_mass, 2), bodies.actual(centre.of_bodies, 2)}}}};
 }
 
-Truth<Rational> truth(ManyBodies bodies) {
+Truth<Rational> truth_kinetic_energy(ManyBodies bodies) {
   Centre centre(bodies);
   Rational energy = bodies.actual(Rational((centre.of_mass + centre.of_bodies) / 2), 2);
   return {std::move(energy), std::nullopt,
@@ -51,11 +51,11 @@ Truth<Rational> truth(ManyBodies bodies) {
 
 }  // namespace
 
-Truth<Rational> kinetic_energy(const std::vector<Bodyd>& bodies) { return truth(ManyBodies(bodies)); }
+Truth<Rational> kinetic_energy(const std::vector<Bodyd>& bodies) { return truth_kinetic_energy(ManyBodies(bodies)); }
 
 template <Exact Number>
 Truth<Rational> kinetic_energy(const std::vector<Body<Number>>& bodies) {
-  return truth(ManyBodies(bodies));
+  return truth_kinetic_energy(ManyBodies(bodies));
 }
 template Truth<Rational> kinetic_energy(const std::vector<Body<Rational>>&);
 

@@ -6,7 +6,7 @@
 namespace touchstone::oracle {
 namespace {
 
-Truth<Vector3<Rational>> truth(const ManyBodies& bodies) {
+Truth<Vector3<Rational>> truth_momentum(const ManyBodies& bodies) {
   Integer mass;
   Vector3<Integer> sum{};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -20,11 +20,11 @@ Truth<Vector3<Rational>> truth(const ManyBodies& bodies) {
 
 }  // namespace
 
-Truth<Vector3<Rational>> momentum(const std::vector<Bodyd>& bodies) { return truth(ManyBodies(bodies)); }
+Truth<Vector3<Rational>> momentum(const std::vector<Bodyd>& bodies) { return truth_momentum(ManyBodies(bodies)); }
 
 template <Exact Number>
 Truth<Vector3<Rational>> momentum(const std::vector<Body<Number>>& bodies) {
-  return truth(ManyBodies(bodies));
+  return truth_momentum(ManyBodies(bodies));
 }
 template Truth<Vector3<Rational>> momentum(const std::vector<Body<Rational>>&);
 

@@ -34,8 +34,9 @@ Situation examine(const Point3<Number>& point, const Vector3<Number>& velocity, 
 }
 
 template <class Number>
-Truth<Vector3<Rational>> truth(const Point3<Number>& point, const Vector3<Number>& velocity, const Plane<Number>& plane,
-                               const Number& stiffness, const Number& damping) {
+Truth<Vector3<Rational>> truth_penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
+                                             const Plane<Number>& plane, const Number& stiffness,
+                                             const Number& damping) {
   Situation s = examine(point, velocity, plane, stiffness, damping);
   const Rational margin(s.height * s.height / s.squared_normal);
   if (sgn(s.height) >= 0)
@@ -50,13 +51,13 @@ Truth<Vector3<Rational>> truth(const Point3<Number>& point, const Vector3<Number
 
 Truth<Vector3<Rational>> penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
                                        double stiffness, double damping) {
-  return truth(point, velocity, plane, stiffness, damping);
+  return truth_penalty_force(point, velocity, plane, stiffness, damping);
 }
 
 template <Exact Number>
 Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
                                        const Plane<Number>& plane, const Number& stiffness, const Number& damping) {
-  return truth(point, velocity, plane, stiffness, damping);
+  return truth_penalty_force(point, velocity, plane, stiffness, damping);
 }
 template Truth<Vector3<Rational>> penalty_force(const Point3<Rational>&, const Vector3<Rational>&,
                                                 const Plane<Rational>&, const Rational&, const Rational&);

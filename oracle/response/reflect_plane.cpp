@@ -7,7 +7,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Number>& normal) {
+Truth<Vector3<Rational>> truth_reflect_plane(const Vector3<Number>& velocity, const Vector3<Number>& normal) {
   validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
   return bounced(velocity, normal, Rational(1));
 }
@@ -15,12 +15,12 @@ Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Nu
 }  // namespace
 
 Truth<Vector3<Rational>> reflect_plane(const Vector3d& velocity, const Vector3d& normal) {
-  return truth(velocity, normal);
+  return truth_reflect_plane(velocity, normal);
 }
 
 template <Exact Number>
 Truth<Vector3<Rational>> reflect_plane(const Vector3<Number>& velocity, const Vector3<Number>& normal) {
-  return truth(velocity, normal);
+  return truth_reflect_plane(velocity, normal);
 }
 template Truth<Vector3<Rational>> reflect_plane(const Vector3<Rational>&, const Vector3<Rational>&);
 

@@ -10,7 +10,7 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, Axis axis) {
+Truth<Vector3<Rational>> truth_reflect_wall(const Vector3<Number>& velocity, Axis axis) {
   validation::validate("velocity", velocity);
   Vector3<Rational> v{exact(velocity.x), exact(velocity.y), exact(velocity.z)};
   const Vector3<Rational> normal{axis == Axis::x, axis == Axis::y, axis == Axis::z};
@@ -23,11 +23,13 @@ Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, Axis axis) {
 
 }  // namespace
 
-Truth<Vector3<Rational>> reflect_wall(const Vector3d& velocity, Axis axis) { return truth(velocity, axis); }
+Truth<Vector3<Rational>> reflect_wall(const Vector3d& velocity, Axis axis) {
+  return truth_reflect_wall(velocity, axis);
+}
 
 template <Exact Number>
 Truth<Vector3<Rational>> reflect_wall(const Vector3<Number>& velocity, Axis axis) {
-  return truth(velocity, axis);
+  return truth_reflect_wall(velocity, axis);
 }
 template Truth<Vector3<Rational>> reflect_wall(const Vector3<Rational>&, Axis);
 

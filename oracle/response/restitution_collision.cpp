@@ -7,8 +7,9 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities,
-                                  const Vector3<Number>& normal, const Number& e) {
+Truth<Velocities<Rational>> truth_restitution_collision(const Masses<Number>& masses,
+                                                        const Velocities<Number>& velocities,
+                                                        const Vector3<Number>& normal, const Number& e) {
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate_numbers("e", e),
       validation::validate("masses", masses), validation::validate("velocities", velocities),
@@ -20,13 +21,13 @@ Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities
 
 Truth<Velocities<Rational>> restitution_collision(const Massesd& masses, const Velocitiesd& velocities,
                                                   const Vector3d& normal, double e) {
-  return truth(masses, velocities, normal, e);
+  return truth_restitution_collision(masses, velocities, normal, e);
 }
 
 template <Exact Number>
 Truth<Velocities<Rational>> restitution_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                                   const Vector3<Number>& normal, const Number& e) {
-  return truth(masses, velocities, normal, e);
+  return truth_restitution_collision(masses, velocities, normal, e);
 }
 template Truth<Velocities<Rational>> restitution_collision(const Masses<Rational>&, const Velocities<Rational>&,
                                                            const Vector3<Rational>&, const Rational&);

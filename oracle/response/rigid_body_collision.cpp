@@ -97,8 +97,9 @@ Collision collide(const RigidBody<Number>& a, const RigidBody<Number>& b, const 
 }
 
 template <class Number>
-Truth<Motions<Rational>> truth(const RigidBody<Number>& a, const RigidBody<Number>& b, const Point3<Number>& point,
-                               const Vector3<Number>& normal, const Number& e) {
+Truth<Motions<Rational>> truth_rigid_body_collision(const RigidBody<Number>& a, const RigidBody<Number>& b,
+                                                    const Point3<Number>& point, const Vector3<Number>& normal,
+                                                    const Number& e) {
   Collision c = collide(a, b, point, normal, e);
   Motions<Rational> after{c.a.after(c.impulse), c.b.after(c.impulse)};
   return {std::move(after), std::nullopt, [c = std::move(c)] {
@@ -115,14 +116,14 @@ Truth<Motions<Rational>> truth(const RigidBody<Number>& a, const RigidBody<Numbe
 
 Truth<Motions<Rational>> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
                                               const Vector3d& normal, double e) {
-  return truth(a, b, point, normal, e);
+  return truth_rigid_body_collision(a, b, point, normal, e);
 }
 
 template <Exact Number>
 Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Number>& a, const RigidBody<Number>& b,
                                               const Point3<Number>& point, const Vector3<Number>& normal,
                                               const Number& e) {
-  return truth(a, b, point, normal, e);
+  return truth_rigid_body_collision(a, b, point, normal, e);
 }
 template Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Rational>&, const RigidBody<Rational>&,
                                                        const Point3<Rational>&, const Vector3<Rational>&,

@@ -8,12 +8,12 @@
 namespace touchstone::oracle {
 namespace {
 
-using Velocity = Vector3<Rational>;
-using Position = Point3<Rational>;
+using SimulationStepVelocity = Vector3<Rational>;
+using SimulationStepPosition = Point3<Rational>;
 
 template <class Number>
-void validate_all(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
-                  const StepSettings<Number>& settings) {
+void validate_all_simulation_step(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
+                                  const StepSettings<Number>& settings) {
   const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
   for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
   for (std::size_t i = 0; i < walls.size(); ++i) validation::validate_numbers(numbered("walls", i), walls[i]);
@@ -24,16 +24,16 @@ void validate_all(const std::vector<StepBody<Number>>& bodies, const std::vector
 }
 
 template <class Number>
-Velocity exact_vector(const Vector3<Number>& v) {
+SimulationStepVelocity exact_vector(const Vector3<Number>& v) {
   return {exact(v.x), exact(v.y), exact(v.z)};
 }
 
 /// The question in rationals, and the state as the step goes on.
-class Step {
+class SimulationStepStep {
  public:
   template <class Number>
-  Step(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
-       const StepSettings<Number>& settings)
+  SimulationStepStep(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
+                     const StepSettings<Number>& settings)
       : motion_(settings.motion),
         turn_(settings.turn),
         timestep_(exact(settings.timestep)),
@@ -68,12 +68,12 @@ class Step {
       if (movable(i)) movers_[i].velocity = movers_[i].velocity + fall_;
   }
 
-  std::vector<Position> flown() const {
+  std::vector<SimulationStepPosition> flown() const {
     const Rational half(1, 2);
-    std::vector<Position> at = start_;
+    std::vector<SimulationStepPosition> at = start_;
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (!movable(i)) continue;
-      const Velocity& v = movers_[i].velocity;
+      const SimulationStepVelocity& v = movers_[i].velocity;
       at[i] = at[i] + timestep_ * (motion_ == StepMotion::parabola ? v + half * fall_ : v);
     }
     return at;
@@ -83,7 +83,7 @@ class Step {
     const auto ground = static_cast<Index>(movers_.size());
     for (Index i = 0; i < ground; ++i) {
       for (Index j = i + 1; j < ground; ++j) {
-        const Velocity normal = end_[i] - end_[j];
+        const SimulationStepVelocity normal = end_[i] - end_[j];
         const Rational reach = radii_[i] + radii_[j];
         if (dot(normal, normal) <= reach * reach) take_unless_parting(i, j, j, normal);
       }
@@ -96,11 +96,11 @@ class Step {
     }
   }
   /// b: the place among bodies, all walls being the one after the last; place: that in the answer.
-  void take_unless_parting(Index a, Index b, Index place, const Velocity& normal) {
+  void take_unless_parting(Index a, Index b, Index place, const SimulationStepVelocity& normal) {
     const bool wall = b == movers_.size();
     const bool one_moves = movable(a) || (!wall && movable(b));
     const bool has_length = sgn(dot(normal, normal)) != 0;
-    const Velocity relative = wall ? movers_[a].velocity : movers_[a].velocity - movers_[b].velocity;
+    const SimulationStepVelocity relative = wall ? movers_[a].velocity : movers_[a].velocity - movers_[b].velocity;
     if (!one_moves || !has_length || sgn(dot(normal, relative)) > 0) return;
     contacts_.push_back({a, b, normal}), places_.push_back({a, place});
   }
@@ -118,8 +118,8 @@ class Step {
   StepMotion motion_;
   StepTurn turn_;
   Rational timestep_, restitution_;
-  Velocity fall_;  ///< what gravity adds to a velocity in a step
-  std::vector<Position> start_, end_;
+  SimulationStepVelocity fall_;  ///< what gravity adds to a velocity in a step
+  std::vector<SimulationStepPosition> start_, end_;
   std::vector<Rational> radii_;
   std::vector<PointBody<Rational>> movers_;
   std::vector<Plane<Rational>> walls_;
@@ -128,24 +128,25 @@ class Step {
 };
 
 template <class Number>
-Truth<NextState<Rational>> stepped(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
-                                   const StepSettings<Number>& settings) {
-  validate_all(bodies, walls, settings);
-  return Step(bodies, walls, settings).made();
+Truth<NextState<Rational>> stepped_simulation_step(const std::vector<StepBody<Number>>& bodies,
+                                                   const std::vector<Plane<Number>>& walls,
+                                                   const StepSettings<Number>& settings) {
+  validate_all_simulation_step(bodies, walls, settings);
+  return SimulationStepStep(bodies, walls, settings).made();
 }
 
 }  // namespace
 
 Truth<NextState<Rational>> simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
                                            const StepSettingsd& settings) {
-  return stepped(bodies, walls, settings);
+  return stepped_simulation_step(bodies, walls, settings);
 }
 
 template <Exact Number>
 Truth<NextState<Rational>> simulation_step(const std::vector<StepBody<Number>>& bodies,
                                            const std::vector<Plane<Number>>& walls,
                                            const StepSettings<Number>& settings) {
-  return stepped(bodies, walls, settings);
+  return stepped_simulation_step(bodies, walls, settings);
 }
 template Truth<NextState<Rational>> simulation_step(const std::vector<StepBody<Rational>>&,
                                                     const std::vector<Plane<Rational>>&, const StepSettings<Rational>&);

@@ -18,8 +18,8 @@ struct WholeContact {
 };
 
 template <class Number>
-void validate_all(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
-                  const Number& e) {
+void validate_all_simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
+                                          const std::vector<BodyContact<Number>>& contacts, const Number& e) {
   const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
   for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
   for (std::size_t i = 0; i < contacts.size(); ++i) validation::validate_numbers(numbered("contacts", i), contacts[i]);
@@ -133,7 +133,7 @@ class System {
 template <class Number>
 Truth<SimultaneousVelocities<Rational>> resolved(const std::vector<PointBody<Number>>& bodies,
                                                  const std::vector<BodyContact<Number>>& contacts, const Number& e) {
-  validate_all(bodies, contacts, e);
+  validate_all_simultaneous_collisions(bodies, contacts, e);
   return System<Number>(bodies, contacts, e).resolved();
 }
 

@@ -50,10 +50,10 @@ std::array<AxisMotion<Value>, N / 5> validated(const CommonScale<Number, N>& n, 
 
 /// Variable 0 is t, variable 1 + k the common point's coordinate k less b_min.
 template <class Value>
-class Program {
+class SweptAabbAabbProgram {
  public:
   template <class Axes>
-  explicit Program(const Axes& axes)
+  explicit SweptAabbAabbProgram(const Axes& axes)
       : program_(static_cast<int>(1 + axes.size()), std::vector(1 + 3 * axes.size(), Linear::Row::at_most)) {
     program_.set_coefficient(0, 0, Value(1)), program_.set_right_side(0, Value(1));
     int row = 1, variable = 1;
@@ -115,7 +115,7 @@ Rational margin_in_units(const Axes& axes) {
 
 /// The axis on which a reaches b at t.
 template <class Axes>
-std::vector<Rational> touching_normal(const Axes& axes, const Rational& t) {
+std::vector<Rational> touching_normal_swept_aabb_aabb(const Axes& axes, const Rational& t) {
   std::vector<Rational> normal(axes.size());
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto& m = axes[k];
@@ -129,7 +129,7 @@ std::vector<Rational> touching_normal(const Axes& axes, const Rational& t) {
 }
 
 template <class Value, class Scale, class Axes>
-Certificate certificate(const Scale& n, const Axes& axes, const Program<Value>& program) {
+Certificate certificate(const Scale& n, const Axes& axes, const SweptAabbAabbProgram<Value>& program) {
   if (!program.hits()) {
     std::vector<Rational> normal;
     for (std::size_t k = 0; k < axes.size(); ++k) normal.push_back(program.normal(k));
@@ -140,12 +140,12 @@ Certificate certificate(const Scale& n, const Axes& axes, const Program<Value>& 
   for (std::size_t k = 0; k < axes.size(); ++k)
     point.push_back(n.actual(Rational(axes[k].b_min + program.variable(1 + k)), 1));
   if (sgn(t) == 0) return {"start", {{"point", std::move(point)}}};
-  return {"first_contact", {{"point", std::move(point)}, {"normal", touching_normal(axes, t)}}};
+  return {"first_contact", {{"point", std::move(point)}, {"normal", touching_normal_swept_aabb_aabb(axes, t)}}};
 }
 
 /// The axes in integers; the program in any numbers.
 template <class Value, class Scale, class Axes>
-Truth<FirstContact<Rational>> truth(const Scale& n, Axes axes, Program<Value> program) {
+Truth<FirstContact<Rational>> truth_swept_aabb_aabb(const Scale& n, Axes axes, SweptAabbAabbProgram<Value> program) {
   Truth<FirstContact<Rational>> found{{HitRelation::never, std::nullopt}, n.actual(margin_in_units(axes), 1)};
   if (program.hits()) found.answer = {HitRelation::hit, program.variable(0)};
   found.certificate = [n, axes = std::move(axes), program = std::move(program)] {
@@ -162,9 +162,11 @@ template <class Box, class Vector>
 Truth<FirstContact<Rational>> truth_of(const Box& a, const Box& b, const Vector& velocity) {
   const auto n = scale_of(a, b, velocity);
   auto axes = validated<Integer>(n, a, b, velocity);
-  if (n.bits() <= most_bits) return truth(n, std::move(axes), Program<Int128>(validated<Int128>(n, a, b, velocity)));
-  Program<Integer> program(axes);
-  return truth(n, std::move(axes), std::move(program));
+  if (n.bits() <= most_bits)
+    return truth_swept_aabb_aabb(n, std::move(axes),
+                                 SweptAabbAabbProgram<Int128>(validated<Int128>(n, a, b, velocity)));
+  SweptAabbAabbProgram<Integer> program(axes);
+  return truth_swept_aabb_aabb(n, std::move(axes), std::move(program));
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace touchstone::oracle {
 namespace {
 
-using Program = LinearProgram<Integer>;
+using SweptConvexPolyhedraProgram = LinearProgram<Integer>;
 
 template <class Number>
-Motion validated(const Mesh<Number>& a, const Mesh<Number>& b, const Vector3<Number>& velocity) {
+Motion validated_swept_convex_polyhedra(const Mesh<Number>& a, const Mesh<Number>& b, const Vector3<Number>& velocity) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("velocity", velocity);
   const ConvexMesh first("a", a), second("b", b);
@@ -28,10 +28,11 @@ Integer product(const Coordinates& p, const Coordinates& q) { return Integer(p[0
 
 /// A normal n with n . velocity > 0 and n . p + t n . velocity <= n . q for all vertices p of a and q of b. Variables:
 /// the positive and the negative parts of n, and of a number in between; n . velocity is 1 in the unit's square.
-std::vector<Rational> touching_normal(const Motion& m, const Rational& t) {
-  std::vector<Program::Row> rows(m.a.size() + m.b.size() + 1, Program::Row::at_most);
-  rows.back() = Program::Row::equal;
-  Program program(8, rows);
+std::vector<Rational> touching_normal_swept_convex_polyhedra(const Motion& m, const Rational& t) {
+  std::vector<SweptConvexPolyhedraProgram::Row> rows(m.a.size() + m.b.size() + 1,
+                                                     SweptConvexPolyhedraProgram::Row::at_most);
+  rows.back() = SweptConvexPolyhedraProgram::Row::equal;
+  SweptConvexPolyhedraProgram program(8, rows);
   const auto set = [&program](int row, int variable, const Integer& coefficient) {
     program.set_coefficient(row, variable, coefficient);
     program.set_coefficient(row, variable + 1, Integer(-coefficient));
@@ -65,10 +66,10 @@ Certificate of_hit(const Motion& m, const Meeting& meeting, const Rational& t) {
   std::vector<Rational> common;
   for (const Rational& coordinate : point) common.push_back(Rational(coordinate * m.unit));
   if (sgn(t) == 0) return {"start", {{"point", std::move(common)}}};
-  return {"first_contact", {{"point", std::move(common)}, {"normal", touching_normal(m, t)}}};
+  return {"first_contact", {{"point", std::move(common)}, {"normal", touching_normal_swept_convex_polyhedra(m, t)}}};
 }
 
-Truth<FirstContact<Rational>> truth(Motion m) {
+Truth<FirstContact<Rational>> truth_swept_convex_polyhedra(Motion m) {
   Meeting meeting(m);
   if (!meeting.program().feasible()) {
     const auto& y = meeting.program().farkas();
@@ -87,13 +88,13 @@ Truth<FirstContact<Rational>> truth(Motion m) {
 }  // namespace
 
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity) {
-  return truth(validated(a, b, velocity));
+  return truth_swept_convex_polyhedra(validated_swept_convex_polyhedra(a, b, velocity));
 }
 
 template <Exact Number>
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Number>& a, const Mesh<Number>& b,
                                                      const Vector3<Number>& velocity) {
-  return truth(validated(a, b, velocity));
+  return truth_swept_convex_polyhedra(validated_swept_convex_polyhedra(a, b, velocity));
 }
 template Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Rational>&, const Mesh<Rational>&,
                                                               const Vector3<Rational>&);

@@ -33,7 +33,7 @@ Approach examine(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
 }
 
 /// f times a common denominator, which moves no zero.
-Parabola parabola(const Approach& a) {
+Parabola parabola_swept_sphere_plane(const Approach& a) {
   Rational start = a.start(), half = a.half(), square = a.square();
   Integer common(1);
   for (const Rational* coefficient : {&start, &half, &square})
@@ -51,10 +51,10 @@ Rational margin(const Approach& a) {
 }
 
 template <class Number>
-Truth<FirstContact<Surd>> truth(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
-                                const Plane<Number>& plane) {
+Truth<FirstContact<Surd>> truth_swept_sphere_plane(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
+                                                   const Plane<Number>& plane) {
   Approach a = examine(sphere, velocity, plane);
-  Parabola f = parabola(a);
+  Parabola f = parabola_swept_sphere_plane(a);
   return {f.contact(), margin(a), [a = std::move(a), f = std::move(f)] {
             return Certificate{f.kind(), {{"polynomial", {a.start(), Rational(2 * a.half()), a.square()}}}};
           }};
@@ -63,13 +63,13 @@ Truth<FirstContact<Surd>> truth(const Sphere3<Number>& sphere, const Vector3<Num
 }  // namespace
 
 Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
-  return truth(sphere, velocity, plane);
+  return truth_swept_sphere_plane(sphere, velocity, plane);
 }
 
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                              const Plane<Number>& plane) {
-  return truth(sphere, velocity, plane);
+  return truth_swept_sphere_plane(sphere, velocity, plane);
 }
 template Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Rational>&, const Vector3<Rational>&,
                                                       const Plane<Rational>&);

@@ -14,8 +14,8 @@ template <class Number>
 using Scale = CommonScale<Number, 14>;
 
 template <class Number>
-Scale<Number> validated(const Sphere3<Number>& a, const Sphere3<Number>& b, const Vector3<Number>& velocity_a,
-                        const Vector3<Number>& velocity_b) {
+Scale<Number> validated_swept_sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b,
+                                            const Vector3<Number>& velocity_a, const Vector3<Number>& velocity_b) {
   const Scale<Number> n({a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius,
                          velocity_a.x, velocity_a.y, velocity_a.z, velocity_b.x, velocity_b.y, velocity_b.z});
   if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius)) {
@@ -29,7 +29,7 @@ Scale<Number> validated(const Sphere3<Number>& a, const Sphere3<Number>& b, cons
 
 /// |c + t v|^2 - r^2 in squares of the unit.
 template <class Number>
-Parabola parabola(const Scale<Number>& n) {
+Parabola parabola_swept_sphere_sphere(const Scale<Number>& n) {
   const auto difference = [&n](std::size_t i, std::size_t j) {
     const auto at = [&](std::size_t axis) { return Integer(n.whole(i + axis) - n.whole(j + axis)); };
     return Vector3<Integer>{at(0), at(1), at(2)};
@@ -40,8 +40,8 @@ Parabola parabola(const Scale<Number>& n) {
 }
 
 template <class Number>
-Truth<FirstContact<Surd>> truth(const Scale<Number>& n) {
-  Parabola f = parabola(n);
+Truth<FirstContact<Surd>> truth_swept_sphere_sphere(const Scale<Number>& n) {
+  Parabola f = parabola_swept_sphere_sphere(n);
   return {f.contact(), n.actual(Rational(abs(f.least())), 2), [n, f = std::move(f)] {
             const auto actual = [&n](const Integer& coefficient) { return n.actual(Rational(coefficient), 2); };
             return Certificate{f.kind(),
@@ -53,13 +53,13 @@ Truth<FirstContact<Surd>> truth(const Scale<Number>& n) {
 
 Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                               const Vector3d& velocity_b) {
-  return truth(validated(a, b, velocity_a, velocity_b));
+  return truth_swept_sphere_sphere(validated_swept_sphere_sphere(a, b, velocity_a, velocity_b));
 }
 
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b,
                                               const Vector3<Number>& velocity_a, const Vector3<Number>& velocity_b) {
-  return truth(validated(a, b, velocity_a, velocity_b));
+  return truth_swept_sphere_sphere(validated_swept_sphere_sphere(a, b, velocity_a, velocity_b));
 }
 template Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&,
                                                        const Vector3<Rational>&, const Vector3<Rational>&);

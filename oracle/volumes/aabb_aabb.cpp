@@ -13,11 +13,11 @@ namespace {
 
 /// Both boxes, axis by axis: a.min, a.max, b.min, b.max.
 template <class Number>
-CommonScale<Number, 8> scale_of(const Aabb2<Number>& a, const Aabb2<Number>& b) {
+CommonScale<Number, 8> scale_of_aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b) {
   return CommonScale<Number, 8>({a.min.x, a.max.x, b.min.x, b.max.x, a.min.y, a.max.y, b.min.y, b.max.y});
 }
 template <class Number>
-CommonScale<Number, 12> scale_of(const Aabb3<Number>& a, const Aabb3<Number>& b) {
+CommonScale<Number, 12> scale_of_aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b) {
   return CommonScale<Number, 12>(
       {a.min.x, a.max.x, b.min.x, b.max.x, a.min.y, a.max.y, b.min.y, b.max.y, a.min.z, a.max.z, b.min.z, b.max.z});
 }
@@ -59,7 +59,7 @@ Contact contact_of(const Axes& axes) {
 
 /// The axis of the least difference: what decides.
 template <class Axes>
-std::size_t deciding(const Axes& axes) {
+std::size_t deciding_aabb_aabb(const Axes& axes) {
   const auto least = std::min_element(axes.begin(), axes.end(), [](const auto& first, const auto& second) {
     return first.difference() < second.difference();
   });
@@ -69,7 +69,7 @@ std::size_t deciding(const Axes& axes) {
 /// The axes of valid boxes; refuses others. (Validation itself builds the names of fields, which costs more than all
 /// else here.)
 template <class Value, class Box, class Scale>
-auto validated(const Scale& n, const Box& a, const Box& b) {
+auto validated_aabb_aabb(const Scale& n, const Box& a, const Box& b) {
   const auto validate = [&a, &b] {
     validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
         validation::validate("b", b);
@@ -81,7 +81,7 @@ auto validated(const Scale& n, const Box& a, const Box& b) {
 }
 
 template <class Scale, class Axes>
-Certificate certificate(const Scale& n, const Axes& axes, Contact contact, std::size_t least) {
+Certificate certificate_aabb_aabb(const Scale& n, const Axes& axes, Contact contact, std::size_t least) {
   const auto middle = [&n](const auto& axis) {
     return n.actual(Rational((rational(axis.low()) + rational(axis.high())) / 2), 1);
   };
@@ -96,32 +96,33 @@ Certificate certificate(const Scale& n, const Axes& axes, Contact contact, std::
 }
 
 template <class Value, class Scale, class Box>
-Truth<Contact> truth(const Scale& n, const Box& a, const Box& b) {
-  auto axes = validated<Value>(n, a, b);
+Truth<Contact> truth_aabb_aabb(const Scale& n, const Box& a, const Box& b) {
+  auto axes = validated_aabb_aabb<Value>(n, a, b);
   const Contact contact = contact_of(axes);
-  const std::size_t least = deciding(axes);
+  const std::size_t least = deciding_aabb_aabb(axes);
   return {contact, n.actual(absolute(axes[least].difference()), 1),
-          [n, axes = std::move(axes), contact, least] { return certificate(n, axes, contact, least); }};
+          [n, axes = std::move(axes), contact, least] { return certificate_aabb_aabb(n, axes, contact, least); }};
 }
 
 template <class Box>
-Truth<Contact> truth_of(const Box& a, const Box& b) {
-  const auto n = scale_of(a, b);
-  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, a, b) : truth<Integer>(n, a, b);
+Truth<Contact> truth_of_aabb_aabb(const Box& a, const Box& b) {
+  const auto n = scale_of_aabb_aabb(a, b);
+  return n.finite() && n.bits() <= most_bits_in_words ? truth_aabb_aabb<Int128>(n, a, b)
+                                                      : truth_aabb_aabb<Integer>(n, a, b);
 }
 
 }  // namespace
 
-Truth<Contact> aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return truth_of(a, b); }
-Truth<Contact> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return truth_of(a, b); }
+Truth<Contact> aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return truth_of_aabb_aabb(a, b); }
+Truth<Contact> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return truth_of_aabb_aabb(a, b); }
 
 template <Exact Number>
 Truth<Contact> aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_aabb_aabb(a, b);
 }
 template <Exact Number>
 Truth<Contact> aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_aabb_aabb(a, b);
 }
 template Truth<Contact> aabb_aabb(const Aabb2<Rational>&, const Aabb2<Rational>&);
 template Truth<Contact> aabb_aabb(const Aabb3<Rational>&, const Aabb3<Rational>&);

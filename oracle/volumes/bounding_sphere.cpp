@@ -108,7 +108,7 @@ Certificate supported(const char* kind, const SmallestBall& ball) {
 }
 
 template <class Number>
-Truth<Sphere3<Surd>> truth_of(const std::vector<Point3<Number>>& points, SphereMethod method) {
+Truth<Sphere3<Surd>> truth_of_bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method) {
   Counted counted = oracle::counted(points);
   WholePoints& whole = counted.points;
   const auto as_surds = [](const Point3<Rational>& p) { return Point3<Surd>{p.x, p.y, p.z}; };
@@ -185,11 +185,11 @@ std::string too_large(const std::vector<Point3d>& points, SphereMethod method, c
 }  // namespace
 
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3d>& points, SphereMethod method) {
-  return truth_of(points, method);
+  return truth_of_bounding_sphere(points, method);
 }
 template <Exact Number>
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method) {
-  return truth_of(points, method);
+  return truth_of_bounding_sphere(points, method);
 }
 template Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Rational>>&, SphereMethod);
 

@@ -12,11 +12,11 @@ namespace {
 
 /// Axis by axis: the point's coordinate, min and max.
 template <class Number>
-CommonScale<Number, 6> scale_of(const Point2<Number>& p, const Aabb2<Number>& box) {
+CommonScale<Number, 6> scale_of_closest_point_on_aabb(const Point2<Number>& p, const Aabb2<Number>& box) {
   return CommonScale<Number, 6>({p.x, box.min.x, box.max.x, p.y, box.min.y, box.max.y});
 }
 template <class Number>
-CommonScale<Number, 9> scale_of(const Point3<Number>& p, const Aabb3<Number>& box) {
+CommonScale<Number, 9> scale_of_closest_point_on_aabb(const Point3<Number>& p, const Aabb3<Number>& box) {
   return CommonScale<Number, 9>({p.x, box.min.x, box.max.x, p.y, box.min.y, box.max.y, p.z, box.min.z, box.max.z});
 }
 
@@ -25,7 +25,7 @@ using Nearest = NearestInInterval<Rational>;
 /// Refuses what is not valid.
 template <class Point, class Box>
 auto nearest_by_axis(const Point& point, const Box& aabb) {
-  const auto n = scale_of(point, aabb);
+  const auto n = scale_of_closest_point_on_aabb(point, aabb);
   const auto validate = [&] { validation::validate("point", point), validation::validate("aabb", aabb); };
   if (!n.finite()) validate();
   const auto on_axis = [&](std::size_t k) -> Nearest {
@@ -46,12 +46,12 @@ Certificate multipliers(const std::vector<Nearest>& axes) {
 }
 
 template <class Number>
-Truth<Point2<Rational>> truth_of(const Point2<Number>& point, const Aabb2<Number>& aabb) {
+Truth<Point2<Rational>> truth_of_closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb) {
   auto axes = nearest_by_axis(point, aabb);
   return {{axes[0].x, axes[1].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
 }
 template <class Number>
-Truth<Point3<Rational>> truth_of(const Point3<Number>& point, const Aabb3<Number>& aabb) {
+Truth<Point3<Rational>> truth_of_closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb) {
   auto axes = nearest_by_axis(point, aabb);
   return {{axes[0].x, axes[1].x, axes[2].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
 }
@@ -59,19 +59,19 @@ Truth<Point3<Rational>> truth_of(const Point3<Number>& point, const Aabb3<Number
 }  // namespace
 
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2d& point, const Aabb2d& aabb) {
-  return truth_of(point, aabb);
+  return truth_of_closest_point_on_aabb(point, aabb);
 }
 Truth<Point3<Rational>> closest_point_on_aabb(const Point3d& point, const Aabb3d& aabb) {
-  return truth_of(point, aabb);
+  return truth_of_closest_point_on_aabb(point, aabb);
 }
 
 template <Exact Number>
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb) {
-  return truth_of(point, aabb);
+  return truth_of_closest_point_on_aabb(point, aabb);
 }
 template <Exact Number>
 Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb) {
-  return truth_of(point, aabb);
+  return truth_of_closest_point_on_aabb(point, aabb);
 }
 template Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Rational>&, const Aabb2<Rational>&);
 template Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Rational>&, const Aabb3<Rational>&);

@@ -12,8 +12,8 @@
 namespace touchstone::oracle {
 namespace {
 
-void validate(const std::vector<Point3d>& points) { validation::validate_points("points", points); }
-void validate(const std::vector<Point3<Rational>>& points) {
+void validate_convex_hull(const std::vector<Point3d>& points) { validation::validate_points("points", points); }
+void validate_convex_hull(const std::vector<Point3<Rational>>& points) {
   if (points.empty()) throw InvalidInput("points", "at least 1 point");
 }
 
@@ -25,7 +25,7 @@ Integer greatest(const Vector3<Integer>& v) {
 using Rings = std::vector<std::vector<Index>>;
 
 /// In units to the third power.
-std::optional<Integer> margin_of(const WholeCloud& cloud, const Rings& rings) {
+std::optional<Integer> margin_of_convex_hull(const WholeCloud& cloud, const Rings& rings) {
   if (cloud.size() == 1) return std::nullopt;
   const Integer width = greatest(cloud.between(0, 1));
   if (cloud.size() == 2) return Integer(width * width * width);
@@ -45,7 +45,7 @@ std::optional<Integer> margin_of(const WholeCloud& cloud, const Rings& rings) {
   return least;
 }
 
-ConvexHull hull_of(const WholeCloud& cloud, const std::vector<Index>& simplex, const Rings& rings) {
+ConvexHull hull_of_convex_hull(const WholeCloud& cloud, const std::vector<Index>& simplex, const Rings& rings) {
   if (simplex.size() == 1) return {0, simplex[0], {}, {}, {}};
   if (simplex.size() == 2) {
     const std::vector<Index> ends = ends_of(cloud);
@@ -64,7 +64,7 @@ ConvexHull hull_of(const WholeCloud& cloud, const std::vector<Index>& simplex, c
 }
 
 /// The places that an answer names, each once; empty where its fields are not those of its dimension.
-std::vector<Index> named_by(const ConvexHull& hull) {
+std::vector<Index> named_by_convex_hull(const ConvexHull& hull) {
   if (hull.point.has_value() != (hull.dimension == 0) || hull.segment.has_value() != (hull.dimension == 1) ||
       hull.polygon.has_value() != (hull.dimension == 2) || hull.faces.has_value() != (hull.dimension == 3)) {
     return {};
@@ -83,16 +83,16 @@ const char* kind_of(const ConvexHull& hull) {
 }
 
 template <class Number>
-Truth<ConvexHull> truth(const std::vector<Point3<Number>>& points) {
-  validate(points);
+Truth<ConvexHull> truth_convex_hull(const std::vector<Point3<Number>>& points) {
+  validate_convex_hull(points);
   const WholeCloud cloud(points);
   const std::vector<Index> simplex = cloud.simplex();
   const Rings rings = simplex.size() < 4 ? Rings() : face_rings(cloud);
-  Truth<ConvexHull> found{hull_of(cloud, simplex, rings), std::nullopt};
-  if (const auto margin = margin_of(cloud, rings))
+  Truth<ConvexHull> found{hull_of_convex_hull(cloud, simplex, rings), std::nullopt};
+  if (const auto margin = margin_of_convex_hull(cloud, rings))
     found.margin = Rational(Rational(*margin) * cloud.unit * cloud.unit * cloud.unit);
   found.certificate = [hull = found.answer] {
-    const std::vector<Index> named = named_by(hull);
+    const std::vector<Index> named = named_by_convex_hull(hull);
     return Certificate{kind_of(hull), {{"extreme", {named.begin(), named.end()}}}};
   };
   return found;
@@ -162,16 +162,16 @@ std::string faces_defect(const WholeCloud& cloud, const std::vector<Face>& faces
 
 }  // namespace
 
-Truth<ConvexHull> convex_hull(const std::vector<Point3d>& points) { return truth(points); }
+Truth<ConvexHull> convex_hull(const std::vector<Point3d>& points) { return truth_convex_hull(points); }
 
 template <Exact Number>
 Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points) {
-  return truth(points);
+  return truth_convex_hull(points);
 }
 template Truth<ConvexHull> convex_hull(const std::vector<Point3<Rational>>&);
 
 std::string convex_hull_defect(const std::vector<Point3d>& points, const ConvexHull& hull) {
-  const std::vector<Index> named = named_by(hull);
+  const std::vector<Index> named = named_by_convex_hull(hull);
   if (named.empty()) return "not the fields of its dimension";
   const WholeCloud cloud(points);
   for (std::size_t i = 0; i < named.size(); ++i) {

@@ -56,7 +56,7 @@ Value least_area(const std::vector<Point>& points, const std::vector<Index>& rin
   return *least;
 }
 
-std::optional<Rational> margin_of(const WholeRing& points, const std::vector<Index>& ring) {
+std::optional<Rational> margin_of_convex_hull_2d(const WholeRing& points, const std::vector<Index>& ring) {
   if (points.size() == 1) return std::nullopt;
   if (ring.size() == 2 && points.size() == 2) {
     const Vector2<Integer> v = points[1] - points[0];
@@ -67,30 +67,30 @@ std::optional<Rational> margin_of(const WholeRing& points, const std::vector<Ind
                                                  : rational(least_area<Int128>(points.words, ring)));
 }
 
-ConvexHull2 hull_of(const std::vector<Index>& ring) {
+ConvexHull2 hull_of_convex_hull_2d(const std::vector<Index>& ring) {
   if (ring.size() == 1) return {0, ring[0], {}, {}};
   if (ring.size() == 2) return {1, {}, IndexPair{ring[0], ring[1]}, {}};
   return {2, {}, {}, ring};
 }
 
-void validate(const std::vector<Point2d>& points) { validation::validate_points("points", points); }
-void validate(const std::vector<Point2<Rational>>& points) {
+void validate_convex_hull_2d(const std::vector<Point2d>& points) { validation::validate_points("points", points); }
+void validate_convex_hull_2d(const std::vector<Point2<Rational>>& points) {
   if (points.empty()) throw InvalidInput("points", "at least 1 point");
 }
 
 template <class Number>
-Truth<ConvexHull2> truth(const std::vector<Point2<Number>>& points) {
-  validate(points);
+Truth<ConvexHull2> truth_convex_hull_2d(const std::vector<Point2<Number>>& points) {
+  validate_convex_hull_2d(points);
   const WholeRing whole(Polygon2<Number>{points});
   std::vector<Index> ring = wrapped(whole);
-  return {hull_of(ring), margin_of(whole, ring), [ring = std::move(ring)] {
+  return {hull_of_convex_hull_2d(ring), margin_of_convex_hull_2d(whole, ring), [ring = std::move(ring)] {
             const char* kind = ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon";
             return Certificate{kind, {{"extreme", {ring.begin(), ring.end()}}}};
           }};
 }
 
 /// The places that an answer names; empty where its fields are not those of its dimension.
-std::vector<Index> named_by(const ConvexHull2& hull) {
+std::vector<Index> named_by_convex_hull_2d(const ConvexHull2& hull) {
   if (hull.point.has_value() != (hull.dimension == 0) || hull.segment.has_value() != (hull.dimension == 1) ||
       hull.polygon.has_value() != (hull.dimension == 2)) {
     return {};
@@ -106,11 +106,11 @@ bool between(const Integer& low, const Integer& x, const Integer& high) {
 
 }  // namespace
 
-Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>& points) { return truth(points); }
+Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>& points) { return truth_convex_hull_2d(points); }
 
 template <Exact Number>
 Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points) {
-  return truth(points);
+  return truth_convex_hull_2d(points);
 }
 template Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Rational>>&);
 
@@ -118,7 +118,7 @@ template Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Rational>>&)
 /// one point of a wedge that holds all points, hence extreme, and each edge goes on to the next extreme point. As no
 /// vertex comes twice, it goes round once.
 std::string convex_hull_2d_defect(const std::vector<Point2d>& points, const ConvexHull2& hull) {
-  const std::vector<Index> ring = named_by(hull);
+  const std::vector<Index> ring = named_by_convex_hull_2d(hull);
   if (ring.empty()) return "not the fields of its dimension";
   for (const Index i : ring) {
     if (i >= points.size()) return "no such point: " + std::to_string(i);

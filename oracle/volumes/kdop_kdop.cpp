@@ -39,14 +39,14 @@ std::vector<Meeting> meetings(const Kdop3<Number>& a, const Kdop3<Number>& b) {
   return found;
 }
 
-std::size_t deciding(const std::vector<Meeting>& all) {
+std::size_t deciding_kdop_kdop(const std::vector<Meeting>& all) {
   const auto least = std::min_element(all.begin(), all.end(), [](const Meeting& s, const Meeting& t) {
     return s.least_difference() < t.least_difference();
   });
   return static_cast<std::size_t>(least - all.begin());
 }
 
-Certificate certificate(const std::vector<Meeting>& all, std::size_t i, int sign) {
+Certificate certificate_kdop_kdop(const std::vector<Meeting>& all, std::size_t i, int sign) {
   const std::pair<std::string, std::vector<Rational>> slab{"slab", {Rational(i)}};
   if (sign < 0) return {"separating_slab", {slab, {"value", {all[i].middle()}}}};
   std::vector<Rational> values;
@@ -56,24 +56,24 @@ Certificate certificate(const std::vector<Meeting>& all, std::size_t i, int sign
 }
 
 template <class Number>
-Truth<Contact> truth(const Kdop3<Number>& a, const Kdop3<Number>& b) {
+Truth<Contact> truth_kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b) {
   std::vector<Meeting> all = meetings(a, b);
-  const std::size_t i = deciding(all);
+  const std::size_t i = deciding_kdop_kdop(all);
   const Rational least = all[i].least_difference();
   const int sign = sgn(least);
   return {sign < 0   ? Contact::disjoint
           : sign > 0 ? Contact::overlapping
                      : Contact::touching,
-          Rational(abs(least)), [all = std::move(all), i, sign] { return certificate(all, i, sign); }};
+          Rational(abs(least)), [all = std::move(all), i, sign] { return certificate_kdop_kdop(all, i, sign); }};
 }
 
 }  // namespace
 
-Truth<Contact> kdop_kdop(const Kdop3d& a, const Kdop3d& b) { return truth(a, b); }
+Truth<Contact> kdop_kdop(const Kdop3d& a, const Kdop3d& b) { return truth_kdop_kdop(a, b); }
 
 template <Exact Number>
 Truth<Contact> kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b) {
-  return truth(a, b);
+  return truth_kdop_kdop(a, b);
 }
 template Truth<Contact> kdop_kdop(const Kdop3<Rational>&, const Kdop3<Rational>&);
 

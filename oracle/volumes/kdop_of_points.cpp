@@ -53,8 +53,8 @@ std::vector<Heights> heights(const std::vector<Point3<Number>>& points, const st
 }
 
 template <class Number>
-Truth<std::vector<Slab<Rational>>> truth(const std::vector<Point3<Number>>& points,
-                                         const std::vector<Vector3<Number>>& normals) {
+Truth<std::vector<Slab<Rational>>> truth_kdop_of_points(const std::vector<Point3<Number>>& points,
+                                                        const std::vector<Vector3<Number>>& normals) {
   std::vector<Slab<Rational>> slabs;
   std::vector<std::size_t> least, greatest;
   for (const Heights& one : heights(points, normals)) {
@@ -121,13 +121,13 @@ std::string defect_of_slab(const Slabd& slab, const Heights& heights) {
 
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3d>& points,
                                                   const std::vector<Vector3d>& normals) {
-  return truth(points, normals);
+  return truth_kdop_of_points(points, normals);
 }
 
 template <Exact Number>
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Number>>& points,
                                                   const std::vector<Vector3<Number>>& normals) {
-  return truth(points, normals);
+  return truth_kdop_of_points(points, normals);
 }
 template Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Rational>>&,
                                                            const std::vector<Vector3<Rational>>&);

@@ -10,14 +10,14 @@ namespace {
 
 /// The half axes of both as edges, and the way from a's center to b's, in units of the scale.
 template <class Number>
-struct Pair {
+struct ObbObbPair {
   CommonScale<Number, 24> scale;
   Zonotope differences;
   Vector3<Integer> way;
 };
 
 template <class Number>
-Pair<Number> validated(const Obb3<Number>& a, const Obb3<Number>& b) {
+ObbObbPair<Number> validated_obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validate_parallelepiped("a", a), validate_parallelepiped("b", b);
   const Point3<Number>&c = a.center, &d = b.center;
@@ -33,7 +33,7 @@ Pair<Number> validated(const Obb3<Number>& a, const Obb3<Number>& b) {
   return {std::move(scale), std::move(differences), std::move(way)};
 }
 
-Certificate certificate(const Zonotope::Held& held, const Vector3<Integer>& n) {
+Certificate certificate_obb_obb(const Zonotope::Held& held, const Vector3<Integer>& n) {
   const std::pair<std::string, std::vector<Rational>> normal{"normal", {Rational(n.x), Rational(n.y), Rational(n.z)}};
   if (held.growth > 1) return {"separating_axis", {normal}};
   // a's center and its half axes times these make the same point as b's center less its half axes times the others.
@@ -45,24 +45,24 @@ Certificate certificate(const Zonotope::Held& held, const Vector3<Integer>& n) {
 }
 
 template <class Number>
-Truth<Contact> truth_of(const Obb3<Number>& a, const Obb3<Number>& b) {
-  const Pair<Number> pair = validated(a, b);
+Truth<Contact> truth_of_obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
+  const ObbObbPair<Number> pair = validated_obb_obb(a, b);
   Zonotope::Held held = pair.differences.held(pair.way);
   Zonotope::Support support = pair.differences.deciding(pair.way);
   return {held.growth < 1   ? Contact::overlapping
           : held.growth > 1 ? Contact::disjoint
                             : Contact::touching,
           pair.scale.actual(support.squared_distance(), 2),
-          [held = std::move(held), normal = std::move(support.normal)] { return certificate(held, normal); }};
+          [held = std::move(held), normal = std::move(support.normal)] { return certificate_obb_obb(held, normal); }};
 }
 
 }  // namespace
 
-Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b) { return truth_of(a, b); }
+Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b) { return truth_of_obb_obb(a, b); }
 
 template <Exact Number>
 Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_obb_obb(a, b);
 }
 template Truth<Contact> obb_obb(const Obb3<Rational>&, const Obb3<Rational>&);
 

@@ -16,7 +16,7 @@ using Way = Vector3<Integer>;
 using Matrix = std::array<std::array<Integer, 3>, 3>;
 
 template <class Number>
-WholeCloud validated(const std::vector<Point3<Number>>& points) {
+WholeCloud validated_obb_of_points(const std::vector<Point3<Number>>& points) {
   validation::validate_points("points", points);
   return WholeCloud(points);
 }
@@ -175,10 +175,12 @@ Truth<Obb3<Rational>> box_around(const WholeCloud& cloud) {
 
 }  // namespace
 
-Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points) { return box_around(validated(points)); }
+Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points) {
+  return box_around(validated_obb_of_points(points));
+}
 template <Exact Number>
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points) {
-  return box_around(validated(points));
+  return box_around(validated_obb_of_points(points));
 }
 template Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Rational>>&);
 

@@ -38,13 +38,13 @@ std::vector<Depth> depths(const Kdop3<Number>& kdop, const Point3<Number>& point
   return found;
 }
 
-std::size_t deciding(const std::vector<Depth>& depths) {
+std::size_t deciding_point_in_kdop(const std::vector<Depth>& depths) {
   const auto least = std::min_element(depths.begin(), depths.end(),
                                       [](const Depth& a, const Depth& b) { return a.squared < b.squared; });
   return static_cast<std::size_t>(least - depths.begin());
 }
 
-Certificate certificate(const std::vector<Depth>& all, std::size_t i) {
+Certificate certificate_point_in_kdop(const std::vector<Depth>& all, std::size_t i) {
   const int sign = sgn(all[i].squared);
   if (sign <= 0)
     return {sign < 0 ? "beyond_slab" : "end_of_slab", {{"slab", {Rational(i)}}, {"value", {all[i].value}}}};
@@ -54,24 +54,24 @@ Certificate certificate(const std::vector<Depth>& all, std::size_t i) {
 }
 
 template <class Number>
-Truth<Location> truth(const Kdop3<Number>& kdop, const Point3<Number>& point) {
+Truth<Location> truth_point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& point) {
   std::vector<Depth> all = depths(kdop, point);
-  const std::size_t i = deciding(all);
+  const std::size_t i = deciding_point_in_kdop(all);
   const Rational& least = all[i].squared;
   const int sign = sgn(least);
   return {sign < 0   ? Location::outside
           : sign > 0 ? Location::inside
                      : Location::boundary,
-          Rational(abs(least)), [all = std::move(all), i] { return certificate(all, i); }};
+          Rational(abs(least)), [all = std::move(all), i] { return certificate_point_in_kdop(all, i); }};
 }
 
 }  // namespace
 
-Truth<Location> point_in_kdop(const Kdop3d& kdop, const Point3d& point) { return truth(kdop, point); }
+Truth<Location> point_in_kdop(const Kdop3d& kdop, const Point3d& point) { return truth_point_in_kdop(kdop, point); }
 
 template <Exact Number>
 Truth<Location> point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& point) {
-  return truth(kdop, point);
+  return truth_point_in_kdop(kdop, point);
 }
 template Truth<Location> point_in_kdop(const Kdop3<Rational>&, const Point3<Rational>&);
 

@@ -18,7 +18,7 @@ struct Question {
 };
 
 template <class Number>
-Question<Number> validated(const Obb3<Number>& obb, const Point3<Number>& point) {
+Question<Number> validated_point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
   validation::validate_numbers("obb", obb), validation::validate_numbers("point", point);
   validate_parallelepiped("obb", obb);
   const auto& [u, v, w] = obb.half_axes;
@@ -34,8 +34,8 @@ Question<Number> validated(const Obb3<Number>& obb, const Point3<Number>& point)
 }
 
 template <class Number>
-Truth<Location> truth_of(const Obb3<Number>& obb, const Point3<Number>& point) {
-  const Question<Number> q = validated(obb, point);
+Truth<Location> truth_of_point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
+  const Question<Number> q = validated_point_in_obb(obb, point);
   Zonotope::Held held = q.solid.held(q.way);
   Zonotope::Support support = q.solid.deciding(q.way);
   return {held.growth < 1   ? Location::inside
@@ -50,11 +50,11 @@ Truth<Location> truth_of(const Obb3<Number>& obb, const Point3<Number>& point) {
 
 }  // namespace
 
-Truth<Location> point_in_obb(const Obb3d& obb, const Point3d& point) { return truth_of(obb, point); }
+Truth<Location> point_in_obb(const Obb3d& obb, const Point3d& point) { return truth_of_point_in_obb(obb, point); }
 
 template <Exact Number>
 Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
-  return truth_of(obb, point);
+  return truth_of_point_in_obb(obb, point);
 }
 template Truth<Location> point_in_obb(const Obb3<Rational>&, const Point3<Rational>&);
 

@@ -14,11 +14,11 @@ namespace {
 
 /// The radius, then axis by axis the center's coordinate, min and max.
 template <class Number>
-CommonScale<Number, 7> scale_of(const Circle2<Number>& s, const Aabb2<Number>& b) {
+CommonScale<Number, 7> scale_of_sphere_aabb(const Circle2<Number>& s, const Aabb2<Number>& b) {
   return CommonScale<Number, 7>({s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y});
 }
 template <class Number>
-CommonScale<Number, 10> scale_of(const Sphere3<Number>& s, const Aabb3<Number>& b) {
+CommonScale<Number, 10> scale_of_sphere_aabb(const Sphere3<Number>& s, const Aabb3<Number>& b) {
   return CommonScale<Number, 10>(
       {s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y, s.center.z, b.min.z, b.max.z});
 }
@@ -58,7 +58,7 @@ BallAndBox<Value, N / 3> solids_of(const CommonScale<Number, N>& n) {
 
 /// The solids; refuses what is not valid.
 template <class Value, class Scale, class Ball, class Box>
-auto validated(const Scale& n, const Ball& sphere, const Box& aabb) {
+auto validated_sphere_aabb(const Scale& n, const Ball& sphere, const Box& aabb) {
   const auto validate = [&] {
     validation::validate_numbers("sphere", sphere), validation::validate_numbers("aabb", aabb),
         validation::validate("sphere", sphere), validation::validate("aabb", aabb);
@@ -89,7 +89,7 @@ std::vector<Rational> common_interior_point(const Solids& solids) {
 }
 
 template <class Scale, class Solids>
-Certificate certificate(const Scale& n, const Solids& solids) {
+Certificate certificate_sphere_aabb(const Scale& n, const Solids& solids) {
   const int depth = sgn(solids.depth());
   const auto& narrowest = solids.narrowest();
   const bool flat = narrowest.min == narrowest.max;
@@ -110,36 +110,37 @@ Certificate certificate(const Scale& n, const Solids& solids) {
 }
 
 template <class Value, class Scale, class Ball, class Box>
-Truth<Contact> truth(const Scale& n, const Ball& sphere, const Box& aabb) {
-  auto solids = validated<Value>(n, sphere, aabb);
+Truth<Contact> truth_sphere_aabb(const Scale& n, const Ball& sphere, const Box& aabb) {
+  auto solids = validated_sphere_aabb<Value>(n, sphere, aabb);
   const Value depth = solids.depth();
   const Value extent(solids.narrowest().max - solids.narrowest().min), square(extent * extent);
   const Value margin(depth < square ? depth : square);
   return {sgn(margin) < 0   ? Contact::disjoint
           : sgn(margin) > 0 ? Contact::overlapping
                             : Contact::touching,
-          n.actual(absolute(margin), 2), [n, solids = std::move(solids)] { return certificate(n, solids); }};
+          n.actual(absolute(margin), 2),
+          [n, solids = std::move(solids)] { return certificate_sphere_aabb(n, solids); }};
 }
 
 template <class Ball, class Box>
-Truth<Contact> truth_of(const Ball& sphere, const Box& aabb) {
-  const auto n = scale_of(sphere, aabb);
-  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, sphere, aabb)
-                                                      : truth<Integer>(n, sphere, aabb);
+Truth<Contact> truth_of_sphere_aabb(const Ball& sphere, const Box& aabb) {
+  const auto n = scale_of_sphere_aabb(sphere, aabb);
+  return n.finite() && n.bits() <= most_bits_in_words ? truth_sphere_aabb<Int128>(n, sphere, aabb)
+                                                      : truth_sphere_aabb<Integer>(n, sphere, aabb);
 }
 
 }  // namespace
 
-Truth<Contact> sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb) { return truth_of(sphere, aabb); }
-Truth<Contact> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb) { return truth_of(sphere, aabb); }
+Truth<Contact> sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb) { return truth_of_sphere_aabb(sphere, aabb); }
+Truth<Contact> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb) { return truth_of_sphere_aabb(sphere, aabb); }
 
 template <Exact Number>
 Truth<Contact> sphere_aabb(const Circle2<Number>& sphere, const Aabb2<Number>& aabb) {
-  return truth_of(sphere, aabb);
+  return truth_of_sphere_aabb(sphere, aabb);
 }
 template <Exact Number>
 Truth<Contact> sphere_aabb(const Sphere3<Number>& sphere, const Aabb3<Number>& aabb) {
-  return truth_of(sphere, aabb);
+  return truth_of_sphere_aabb(sphere, aabb);
 }
 template Truth<Contact> sphere_aabb(const Circle2<Rational>&, const Aabb2<Rational>&);
 template Truth<Contact> sphere_aabb(const Sphere3<Rational>&, const Aabb3<Rational>&);

@@ -13,18 +13,18 @@ namespace {
 
 /// Centers and radii: of a, then of b.
 template <class Number>
-CommonScale<Number, 6> scale_of(const Circle2<Number>& a, const Circle2<Number>& b) {
+CommonScale<Number, 6> scale_of_sphere_sphere(const Circle2<Number>& a, const Circle2<Number>& b) {
   return CommonScale<Number, 6>({a.center.x, a.center.y, a.radius, b.center.x, b.center.y, b.radius});
 }
 template <class Number>
-CommonScale<Number, 8> scale_of(const Sphere3<Number>& a, const Sphere3<Number>& b) {
+CommonScale<Number, 8> scale_of_sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b) {
   return CommonScale<Number, 8>(
       {a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius});
 }
 
 /// In units of the scale.
 template <class Value, std::size_t Axes>
-struct Pair {
+struct SphereSpherePair {
   std::array<Value, Axes> from, between;  ///< the center of a; the way from there to the center of b
   Value r, s;
 
@@ -39,9 +39,9 @@ struct Pair {
 };
 
 template <class Value, class Number, std::size_t N>
-Pair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
+SphereSpherePair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
   constexpr std::size_t axes = N / 2 - 1;
-  Pair<Value, axes> pair{{}, {}, whole<Value>(n, axes), whole<Value>(n, 2 * axes + 1)};
+  SphereSpherePair<Value, axes> pair{{}, {}, whole<Value>(n, axes), whole<Value>(n, 2 * axes + 1)};
   for (std::size_t k = 0; k < axes; ++k) {
     pair.from[k] = whole<Value>(n, k);
     pair.between[k] = whole<Value>(n, axes + 1 + k) - pair.from[k];
@@ -51,14 +51,14 @@ Pair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
 
 /// Refuses what is not valid.
 template <class Scale, class Solid>
-void validate(const Scale& n, const Solid& a, const Solid& b) {
+void validate_sphere_sphere(const Scale& n, const Solid& a, const Solid& b) {
   if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius))
     validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
         validation::validate("b", b);
 }
 
-template <class Scale, class Pair>
-Certificate certificate(const Scale& n, const Pair& pair) {
+template <class Scale, class SphereSpherePair>
+Certificate certificate_sphere_sphere(const Scale& n, const SphereSpherePair& pair) {
   const auto distance = pair.squared_distance(), reach = pair.squared_reach();
   if (distance > reach) return {"distance", {{"squared_distance", {n.actual(rational(distance), 2)}}}};
   // It divides the way from center to center as the radii do, so it is in both, and inside where that can be.
@@ -72,34 +72,34 @@ Certificate certificate(const Scale& n, const Pair& pair) {
 }
 
 template <class Value, class Scale>
-Truth<Contact> truth(const Scale& n) {
+Truth<Contact> truth_sphere_sphere(const Scale& n) {
   auto pair = pair_of<Value>(n);
   const Value depth = pair.depth();
   return {sgn(depth) < 0   ? Contact::disjoint
           : sgn(depth) > 0 ? Contact::overlapping
                            : Contact::touching,
-          n.actual(absolute(depth), 2), [n, pair = std::move(pair)] { return certificate(n, pair); }};
+          n.actual(absolute(depth), 2), [n, pair = std::move(pair)] { return certificate_sphere_sphere(n, pair); }};
 }
 
 template <class Solid>
-Truth<Contact> truth_of(const Solid& a, const Solid& b) {
-  const auto n = scale_of(a, b);
-  validate(n, a, b);
-  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+Truth<Contact> truth_of_sphere_sphere(const Solid& a, const Solid& b) {
+  const auto n = scale_of_sphere_sphere(a, b);
+  validate_sphere_sphere(n, a, b);
+  return n.bits() <= most_bits_in_words ? truth_sphere_sphere<Int128>(n) : truth_sphere_sphere<Integer>(n);
 }
 
 }  // namespace
 
-Truth<Contact> sphere_sphere(const Circle2d& a, const Circle2d& b) { return truth_of(a, b); }
-Truth<Contact> sphere_sphere(const Sphere3d& a, const Sphere3d& b) { return truth_of(a, b); }
+Truth<Contact> sphere_sphere(const Circle2d& a, const Circle2d& b) { return truth_of_sphere_sphere(a, b); }
+Truth<Contact> sphere_sphere(const Sphere3d& a, const Sphere3d& b) { return truth_of_sphere_sphere(a, b); }
 
 template <Exact Number>
 Truth<Contact> sphere_sphere(const Circle2<Number>& a, const Circle2<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_sphere_sphere(a, b);
 }
 template <Exact Number>
 Truth<Contact> sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b) {
-  return truth_of(a, b);
+  return truth_of_sphere_sphere(a, b);
 }
 template Truth<Contact> sphere_sphere(const Circle2<Rational>&, const Circle2<Rational>&);
 template Truth<Contact> sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&);

@@ -4,7 +4,7 @@
 #include "robust/kernel/strict_math.h"
 
 #if defined(__SSE2__)
-#include <immintrin.h>
+#include <xmmintrin.h>
 #else
 #include <cfenv>
 #endif

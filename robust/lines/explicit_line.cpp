@@ -16,7 +16,7 @@ std::array<kernel::Term, 3> elevation(double slope, double intercept, const Poin
   return {kernel::term(point.y), -kernel::term(intercept), -kernel::term(slope, point.x)};
 }
 
-void validate(double slope, double intercept, const Point2d& point) {
+void validate_explicit_line(double slope, double intercept, const Point2d& point) {
   if (kernel::all_finite(slope, intercept) && kernel::valid(point)) return;
   validation::validate("slope", slope), validation::validate("intercept", intercept),
       validation::validate("point", point);
@@ -52,7 +52,7 @@ Perhaps<Height> filter_of_large(double slope, double intercept, Point2d point) {
 
 Decided<Height> stages::explicit_line::past_filter(double slope, double intercept, const Point2d& point) {
   if (const auto height = filter_of_large(slope, intercept, point)) return {*height, Stage::filter};
-  return in_turn<explicit_line, validate, Stage::lattice, Stage::exact>(slope, intercept, point);
+  return in_turn<explicit_line, validate_explicit_line, Stage::lattice, Stage::exact>(slope, intercept, point);
 }
 
 }  // namespace touchstone::robust

@@ -10,7 +10,7 @@ namespace {
 /// 1, 0, -1: inside, on, outside.
 Location location(int sign) { return sign > 0 ? Location::inside : sign < 0 ? Location::outside : Location::boundary; }
 
-void validate(const Circle2d& circle, const Point2d& point) {
+void validate_implicit_circle(const Circle2d& circle, const Point2d& point) {
   if (kernel::valid(circle) && kernel::valid(point)) return;
   validation::validate_numbers("circle", circle), validation::validate_numbers("point", point),
       validation::validate("circle", circle), validation::validate("point", point);
@@ -32,7 +32,7 @@ Location stages::implicit_circle::exact(const Circle2d& circle, const Point2d& p
 }
 
 Decided<Location> stages::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {
-  return in_turn<implicit_circle, validate, Stage::lattice, Stage::exact>(circle, point);
+  return in_turn<implicit_circle, validate_implicit_circle, Stage::lattice, Stage::exact>(circle, point);
 }
 
 }  // namespace touchstone::robust

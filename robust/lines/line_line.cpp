@@ -15,11 +15,11 @@ LineRelation relation_of(const Line2<Integer>& a, const Line2<Integer>& b) {
 }
 
 template <class Integer, class Numbers>
-Line2<Integer> first_in(const Numbers& n) {
+Line2<Integer> first_line_in(const Numbers& n) {
   return {{n[0], n[1]}, {n[2], n[3]}};
 }
 template <class Integer, class Numbers>
-Line2<Integer> second_in(const Numbers& n) {
+Line2<Integer> second_line_in(const Numbers& n) {
   return {{n[4], n[5]}, {n[6], n[7]}};
 }
 
@@ -30,7 +30,7 @@ auto as_integers(const Line2d& a, const Line2d& b) {
   return kernel::integers_of(a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y);
 }
 
-void validate(const Line2d& a, const Line2d& b) {
+void validate_line_line(const Line2d& a, const Line2d& b) {
   if (kernel::valid(a) && kernel::valid(b)) return;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
       validation::validate("b", b);
@@ -41,16 +41,16 @@ void validate(const Line2d& a, const Line2d& b) {
 Perhaps<LineRelation> stages::line_line::decision::lattice(const Line2d& a, const Line2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
-  return relation_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at));
+  return relation_of(first_line_in<std::int64_t>(lattice->at), second_line_in<std::int64_t>(lattice->at));
 }
 
 LineRelation stages::line_line::decision::exact(const Line2d& a, const Line2d& b) {
   const auto n = as_integers(a, b).at;
-  return relation_of(first_in<mpz_class>(n), second_in<mpz_class>(n));
+  return relation_of(first_line_in<mpz_class>(n), second_line_in<mpz_class>(n));
 }
 
 Decided<LineRelation> stages::line_line::decision::past_filter(const Line2d& a, const Line2d& b) {
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(a, b);
+  return in_turn<decision, validate_line_line, Stage::lattice, Stage::exact>(a, b);
 }
 
 namespace {
@@ -91,17 +91,18 @@ Perhaps<LineLine<double>> stages::line_line::enclosed(const Line2d& a, const Lin
 Perhaps<LineLine<double>> stages::line_line::lattice(const Line2d& a, const Line2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
-  return answer_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at), lattice->exponent);
+  return answer_of(first_line_in<std::int64_t>(lattice->at), second_line_in<std::int64_t>(lattice->at),
+                   lattice->exponent);
 }
 
 LineLine<double> stages::line_line::exact(const Line2d& a, const Line2d& b) {
   const auto n = as_integers(a, b);
-  return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
+  return answer_of(first_line_in<mpz_class>(n.at), second_line_in<mpz_class>(n.at), n.exponent);
 }
 
 LineLine<double> line_line(const Line2d& a, const Line2d& b) {
   if (const auto crossing = enclosed_crossing(a, b)) return answer_of(*crossing);
-  return answer_in_turn<stages::line_line, validate, Stage::lattice, Stage::exact>(a, b);
+  return answer_in_turn<stages::line_line, validate_line_line, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

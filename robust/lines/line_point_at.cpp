@@ -59,7 +59,7 @@ Point2d stages::line_point_at::exact(const ParametricLine2d& line, double t) {
 
 namespace {
 
-void validate(const ParametricLine2d& line, double t) {
+void validate_line_point_at(const ParametricLine2d& line, double t) {
   if (kernel::valid(line) && kernel::all_finite(t)) return;
   validation::validate_numbers("line", line), validation::validate_numbers("t", t), validation::validate("line", line),
       validation::validate("t", t);
@@ -67,13 +67,13 @@ void validate(const ParametricLine2d& line, double t) {
 
 /// Apart from the usual way, which then has no registers to save.
 [[gnu::noinline]] Point2d past_enclosure(const ParametricLine2d& line, double t) {
-  return answer_in_turn<stages::line_point_at, validate, Stage::lattice, Stage::exact>(line, t);
+  return answer_in_turn<stages::line_point_at, validate_line_point_at, Stage::lattice, Stage::exact>(line, t);
 }
 
 }  // namespace
 
 Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
-  return in_turn<line_point_at, Stage::enclosed, validate, Stage::lattice, Stage::exact>(line, t);
+  return in_turn<line_point_at, Stage::enclosed, validate_line_point_at, Stage::lattice, Stage::exact>(line, t);
 }
 
 Point2d line_point_at(const ParametricLine2d& line, double t) {

@@ -19,7 +19,7 @@ Side side_of(const std::array<Integer, 6>& n) {
   return side(kernel::turn(Point2<Integer>{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
 }
 
-void validate(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+void validate_orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (kernel::valid(p0) && kernel::valid(p1) && kernel::valid(p)) return;
   validation::validate("p0", p0), validation::validate("p1", p1), validation::validate("p", p);
 }
@@ -41,7 +41,7 @@ Side stages::orientation::exact(const Point2d& p0, const Point2d& p1, const Poin
 Decided<Side> stages::orientation::past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y))
     return {side_of(lattice->at), Stage::lattice};
-  return in_turn<orientation, validate, Stage::exact>(p0, p1, p);
+  return in_turn<orientation, validate_orientation, Stage::exact>(p0, p1, p);
 }
 
 }  // namespace touchstone::robust

@@ -51,7 +51,7 @@ double sum_rounded(double a, double b) {
   return kernel::round_scaled(exact.n, exact.exponent);
 }
 
-void validate(const Circle2d& circle, double u) {
+void validate_parametric_circle(const Circle2d& circle, double u) {
   if (kernel::valid(circle) && kernel::all_finite(u)) return;
   validation::validate_numbers("circle", circle), validation::validate_numbers("u", u),
       validation::validate("circle", circle), validation::validate("u", u);
@@ -80,7 +80,7 @@ Point2d stages::parametric_circle::exact(const Circle2d& circle, double u) {
 }
 
 Decided<Point2d> stages::parametric_circle::ask(const Circle2d& circle, double u) {
-  return in_turn<parametric_circle, validate, Stage::enclosed, Stage::exact>(circle, u);
+  return in_turn<parametric_circle, validate_parametric_circle, Stage::enclosed, Stage::exact>(circle, u);
 }
 
 Point2d parametric_circle(const Circle2d& circle, double u) { return stages::parametric_circle::ask(circle, u).answer; }

@@ -34,7 +34,7 @@ auto as_integers(const Point2d& p, const Segment2d& s) {
   return kernel::integers_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y).at;
 }
 
-void validate(const Point2d& point, const Segment2d& segment) {
+void validate_point_on_segment(const Point2d& point, const Segment2d& segment) {
   if (kernel::valid(point) && kernel::valid(segment)) return;
   validation::validate("point", point), validation::validate("segment", segment);
 }
@@ -54,7 +54,7 @@ Incidence stages::point_on_segment::decision::exact(const Point2d& point, const 
 
 /// Numbers on a lattice are finite: nothing to validate before.
 Decided<Incidence> stages::point_on_segment::decision::past_filter(const Point2d& point, const Segment2d& segment) {
-  return in_turn<decision, Stage::lattice, validate, Stage::exact>(point, segment);
+  return in_turn<decision, Stage::lattice, validate_point_on_segment, Stage::exact>(point, segment);
 }
 
 namespace {
@@ -82,7 +82,8 @@ PointOnSegment<double> stages::point_on_segment::exact(const Point2d& point, con
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
   using decision = stages::point_on_segment::decision;
   if (decision::filter(point, segment)) return {Incidence::off, std::nullopt};
-  return answer_in_turn<stages::point_on_segment, Stage::lattice, validate, Stage::exact>(point, segment);
+  return answer_in_turn<stages::point_on_segment, Stage::lattice, validate_point_on_segment, Stage::exact>(point,
+                                                                                                           segment);
 }
 
 }  // namespace touchstone::robust

@@ -68,7 +68,7 @@ Question<mpz_class> as_integers(const Ray2d& ray, const Segment2d& s) {
   return {{n[0], n[1]}, {v.at[0], v.at[1]}, {{n[2], n[3]}, {n[4], n[5]}}, p.exponent, v.exponent};
 }
 
-void validate(const Ray2d& ray, const Segment2d& segment) {
+void validate_ray_segment(const Ray2d& ray, const Segment2d& segment) {
   if (kernel::valid(ray) && kernel::valid(segment)) return;
   validation::validate_numbers("ray", ray), validation::validate_numbers("segment", segment),
       validation::validate("ray", ray), validation::validate("segment", segment);
@@ -87,7 +87,7 @@ RayRelation stages::ray_segment::decision::exact(const Ray2d& ray, const Segment
 }
 
 Decided<RayRelation> stages::ray_segment::decision::past_filter(const Ray2d& ray, const Segment2d& segment) {
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(ray, segment);
+  return in_turn<decision, validate_ray_segment, Stage::lattice, Stage::exact>(ray, segment);
 }
 
 /// The numbers where the filter says that they meet in a point.
@@ -159,8 +159,9 @@ RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment) {
   const auto relation = decision::filter(ray, segment);
   if (relation && *relation == RayRelation::none) return {RayRelation::none, {}, {}, {}};
   if (relation)
-    return answer_in_turn<stages::ray_segment, Stage::enclosed, validate, Stage::lattice, Stage::exact>(ray, segment);
-  return answer_in_turn<stages::ray_segment, validate, Stage::lattice, Stage::exact>(ray, segment);
+    return answer_in_turn<stages::ray_segment, Stage::enclosed, validate_ray_segment, Stage::lattice, Stage::exact>(
+        ray, segment);
+  return answer_in_turn<stages::ray_segment, validate_ray_segment, Stage::lattice, Stage::exact>(ray, segment);
 }
 
 }  // namespace touchstone::robust

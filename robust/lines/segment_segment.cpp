@@ -11,7 +11,7 @@ namespace {
 using kernel::before;
 
 /// How two segments meet; on_one_line: all four ends lie on one line (or on one point).
-struct Meeting {
+struct MeetingSegments {
   SegmentRelation relation;
   bool on_one_line;
 };
@@ -31,7 +31,7 @@ Segment2<Integer> common_part(const Segment2<Integer>& a, const Segment2<Integer
 }
 
 template <class Integer>
-Meeting meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
+MeetingSegments meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
   const int ba = kernel::turn(a.a, a.b, b.a), bb = kernel::turn(a.a, a.b, b.b);
   if (ba * bb > 0) return {SegmentRelation::disjoint, false};
   const int aa = kernel::turn(b.a, b.b, a.a), ab = kernel::turn(b.a, b.b, a.b);
@@ -45,11 +45,11 @@ Meeting meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
 }
 
 template <class Integer, class Numbers>
-Segment2<Integer> first_in(const Numbers& n) {
+Segment2<Integer> first_segment_in(const Numbers& n) {
   return {{n[0], n[1]}, {n[2], n[3]}};
 }
 template <class Integer, class Numbers>
-Segment2<Integer> second_in(const Numbers& n) {
+Segment2<Integer> second_segment_in(const Numbers& n) {
   return {{n[4], n[5]}, {n[6], n[7]}};
 }
 
@@ -60,7 +60,7 @@ auto as_integers(const Segment2d& a, const Segment2d& b) {
   return kernel::integers_of(a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y);
 }
 
-void validate(const Segment2d& a, const Segment2d& b) {
+void validate_segment_segment(const Segment2d& a, const Segment2d& b) {
   if (kernel::valid(a) && kernel::valid(b)) return;
   validation::validate("a", a), validation::validate("b", b);
 }
@@ -68,7 +68,7 @@ void validate(const Segment2d& a, const Segment2d& b) {
 /// The filter's boxes; refuses what is not finite.
 bool apart(const Segment2d& a, const Segment2d& b) {
   if (!filters::apart(a, b)) return false;
-  validate(a, b);
+  validate_segment_segment(a, b);
   return true;
 }
 
@@ -77,18 +77,18 @@ bool apart(const Segment2d& a, const Segment2d& b) {
 Perhaps<SegmentRelation> stages::segment_segment::decision::lattice(const Segment2d& a, const Segment2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
-  return meeting_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at)).relation;
+  return meeting_of(first_segment_in<std::int64_t>(lattice->at), second_segment_in<std::int64_t>(lattice->at)).relation;
 }
 
 SegmentRelation stages::segment_segment::decision::exact(const Segment2d& a, const Segment2d& b) {
   const auto n = as_integers(a, b).at;
-  return meeting_of(first_in<mpz_class>(n), second_in<mpz_class>(n)).relation;
+  return meeting_of(first_segment_in<mpz_class>(n), second_segment_in<mpz_class>(n)).relation;
 }
 
 /// Numbers on a lattice are finite: nothing to validate before.
 Decided<SegmentRelation> stages::segment_segment::decision::past_filter(const Segment2d& a, const Segment2d& b) {
   if (apart(a, b)) return {SegmentRelation::disjoint, Stage::filter};
-  return in_turn<decision, Stage::lattice, validate, Stage::exact>(a, b);
+  return in_turn<decision, Stage::lattice, validate_segment_segment, Stage::exact>(a, b);
 }
 
 /// The numbers where the filter says that the segments cross.
@@ -136,12 +136,13 @@ SegmentSegment<double> answer_of(const Segment2<Integer>& a, const Segment2<Inte
 Perhaps<SegmentSegment<double>> stages::segment_segment::lattice(const Segment2d& a, const Segment2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
-  return answer_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at), lattice->exponent);
+  return answer_of(first_segment_in<std::int64_t>(lattice->at), second_segment_in<std::int64_t>(lattice->at),
+                   lattice->exponent);
 }
 
 SegmentSegment<double> stages::segment_segment::exact(const Segment2d& a, const Segment2d& b) {
   const auto n = as_integers(a, b);
-  return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
+  return answer_of(first_segment_in<mpz_class>(n.at), second_segment_in<mpz_class>(n.at), n.exponent);
 }
 
 /// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
@@ -151,8 +152,9 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   if (relation ? *relation == SegmentRelation::disjoint : apart(a, b))
     return {SegmentRelation::disjoint, {}, {}, {}, {}};
   if (relation)
-    return answer_in_turn<stages::segment_segment, Stage::enclosed, Stage::lattice, validate, Stage::exact>(a, b);
-  return answer_in_turn<stages::segment_segment, Stage::lattice, validate, Stage::exact>(a, b);
+    return answer_in_turn<stages::segment_segment, Stage::enclosed, Stage::lattice, validate_segment_segment,
+                          Stage::exact>(a, b);
+  return answer_in_turn<stages::segment_segment, Stage::lattice, validate_segment_segment, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

@@ -25,7 +25,7 @@ Contact contact(int sign, const Aabb3d& box) {
   return sign < 0 && !flat(box) ? Contact::overlapping : Contact::touching;
 }
 
-void validate(const Aabb3d& aabb, const Plane3d& plane) {
+void validate_aabb_plane(const Aabb3d& aabb, const Plane3d& plane) {
   if (kernel::valid(aabb) && kernel::valid(plane)) return;
   validation::validate_numbers("aabb", aabb), validation::validate_numbers("plane", plane);
   validation::validate("aabb", aabb), validation::validate("plane", plane);
@@ -51,7 +51,7 @@ Contact stages::aabb_plane::exact(const Aabb3d& aabb, const Plane3d& plane) {
 
 /// The filter looks at one corner alone, so the box is validated before it.
 Decided<Contact> stages::aabb_plane::ask(const Aabb3d& aabb, const Plane3d& plane) {
-  return in_turn<aabb_plane, validate, Stage::filter, Stage::lattice, Stage::exact>(aabb, plane);
+  return in_turn<aabb_plane, validate_aabb_plane, Stage::filter, Stage::lattice, Stage::exact>(aabb, plane);
 }
 
 Contact aabb_plane(const Aabb3d& aabb, const Plane3d& plane) { return stages::aabb_plane::ask(aabb, plane).answer; }

@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const Capsule3d& a, const Capsule3d& b) {
+void validate_capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
   if (kernel::valid(a) && kernel::valid(b)) return;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validation::validate("a", a), validation::validate("b", b);
@@ -32,7 +32,7 @@ Contact stages::capsule_capsule::exact(const Capsule3d& a, const Capsule3d& b) {
 }
 
 Decided<Contact> stages::capsule_capsule::ask(const Capsule3d& a, const Capsule3d& b) {
-  return in_turn<capsule_capsule, Stage::filter, validate, Stage::exact>(a, b);
+  return in_turn<capsule_capsule, Stage::filter, validate_capsule_capsule, Stage::exact>(a, b);
 }
 
 Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b) { return stages::capsule_capsule::ask(a, b).answer; }

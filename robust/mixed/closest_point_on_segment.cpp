@@ -8,44 +8,46 @@
 namespace touchstone::robust {
 namespace {
 
-using stages_of = stages::closest_point_on_segment;
-
 template <class Point, class Segment>
-void validate(const Point& point, const Segment& segment) {
+void validate_closest_point_on_segment(const Point& point, const Segment& segment) {
   if (kernel::valid(point) && kernel::valid(segment)) return;
   validation::validate_numbers("point", point), validation::validate_numbers("segment", segment);
 }
 
 }  // namespace
 
-Perhaps<ClosestPoint2<double>> stages_of::enclosed(const Point2d& point, const Segment2d& segment) {
+Perhaps<ClosestPoint2<double>> stages::closest_point_on_segment::enclosed(const Point2d& point,
+                                                                          const Segment2d& segment) {
   return kernel::in_plane(enclosed(kernel::in_space(point), kernel::in_space(segment)));
 }
-Perhaps<ClosestPoint3<double>> stages_of::enclosed(const Point3d& point, const Segment3d& segment) {
+Perhaps<ClosestPoint3<double>> stages::closest_point_on_segment::enclosed(const Point3d& point,
+                                                                          const Segment3d& segment) {
   if (!(filters::moderate(point) & filters::moderate(segment))) return std::nullopt;
   return kernel::closest_point(filters::nearest_parts(segment, point));
 }
 
-ClosestPoint2<double> stages_of::exact(const Point2d& point, const Segment2d& segment) {
+ClosestPoint2<double> stages::closest_point_on_segment::exact(const Point2d& point, const Segment2d& segment) {
   return kernel::in_plane(exact(kernel::in_space(point), kernel::in_space(segment)));
 }
-ClosestPoint3<double> stages_of::exact(const Point3d& point, const Segment3d& segment) {
+ClosestPoint3<double> stages::closest_point_on_segment::exact(const Point3d& point, const Segment3d& segment) {
   const auto [at, exponent] = kernel::whole_points(point, segment.a, segment.b);
   return kernel::closest_point(at[0], kernel::nearest_on_segment(at[0], {at[1], at[2]}), exponent);
 }
 
-Decided<ClosestPoint2<double>> stages_of::ask(const Point2d& point, const Segment2d& segment) {
-  return in_turn<stages_of, Stage::enclosed, validate<Point2d, Segment2d>, Stage::exact>(point, segment);
+Decided<ClosestPoint2<double>> stages::closest_point_on_segment::ask(const Point2d& point, const Segment2d& segment) {
+  return in_turn<stages::closest_point_on_segment, Stage::enclosed,
+                 validate_closest_point_on_segment<Point2d, Segment2d>, Stage::exact>(point, segment);
 }
-Decided<ClosestPoint3<double>> stages_of::ask(const Point3d& point, const Segment3d& segment) {
-  return in_turn<stages_of, Stage::enclosed, validate<Point3d, Segment3d>, Stage::exact>(point, segment);
+Decided<ClosestPoint3<double>> stages::closest_point_on_segment::ask(const Point3d& point, const Segment3d& segment) {
+  return in_turn<stages::closest_point_on_segment, Stage::enclosed,
+                 validate_closest_point_on_segment<Point3d, Segment3d>, Stage::exact>(point, segment);
 }
 
 ClosestPoint2<double> closest_point_on_segment(const Point2d& point, const Segment2d& segment) {
-  return stages_of::ask(point, segment).answer;
+  return stages::closest_point_on_segment::ask(point, segment).answer;
 }
 ClosestPoint3<double> closest_point_on_segment(const Point3d& point, const Segment3d& segment) {
-  return stages_of::ask(point, segment).answer;
+  return stages::closest_point_on_segment::ask(point, segment).answer;
 }
 
 }  // namespace touchstone::robust

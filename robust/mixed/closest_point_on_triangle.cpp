@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const Point3d& point, const Triangle3d& triangle) {
+void validate_closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle) {
   if (kernel::valid(point) && kernel::valid(triangle)) return;
   validation::validate_numbers("point", point), validation::validate_numbers("triangle", triangle);
 }
@@ -29,7 +29,8 @@ ClosestPoint3<double> stages::closest_point_on_triangle::exact(const Point3d& po
 
 Decided<ClosestPoint3<double>> stages::closest_point_on_triangle::ask(const Point3d& point,
                                                                       const Triangle3d& triangle) {
-  return in_turn<closest_point_on_triangle, Stage::enclosed, validate, Stage::exact>(point, triangle);
+  return in_turn<closest_point_on_triangle, Stage::enclosed, validate_closest_point_on_triangle, Stage::exact>(
+      point, triangle);
 }
 
 ClosestPoint3<double> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle) {

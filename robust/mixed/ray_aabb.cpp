@@ -7,7 +7,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const kernel::Line& line, const kernel::Box& aabb) {
+void validate_ray_aabb(const kernel::Line& line, const kernel::Box& aabb) {
   if (kernel::valid(line.from) && kernel::valid_normal(line.ray().direction) && kernel::valid(aabb)) return;
   validation::validate_numbers("ray", line.ray()), validation::validate_numbers("aabb", aabb);
   validation::validate("ray", line.ray()), validation::validate("aabb", aabb);
@@ -17,7 +17,7 @@ void validate(const kernel::Line& line, const kernel::Box& aabb) {
 
 /// The filter does not see what is not finite: lines and boxes are validated first.
 Decided<Passage<double>> stages::ray_aabb::ask(const kernel::Line& ray, const kernel::Box& aabb) {
-  return in_turn<ray_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(ray, aabb);
+  return in_turn<ray_aabb, validate_ray_aabb, Stage::filter, Stage::enclosed, Stage::exact>(ray, aabb);
 }
 
 Perhaps<PassageRelation> stages::ray_aabb::decision::lattice(const kernel::Line& ray, const kernel::Box& aabb) {
@@ -29,7 +29,7 @@ PassageRelation stages::ray_aabb::decision::exact(const kernel::Line& ray, const
 }
 
 Decided<PassageRelation> stages::ray_aabb::decision::past_filter(const kernel::Line& ray, const kernel::Box& aabb) {
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(ray, aabb);
+  return in_turn<decision, validate_ray_aabb, Stage::lattice, Stage::exact>(ray, aabb);
 }
 
 }  // namespace touchstone::robust

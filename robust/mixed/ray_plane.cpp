@@ -18,7 +18,7 @@ kernel::CrossingLine line_of(const Ray3d& ray, const Plane3d& plane) {
   return found;
 }
 
-void validate(const Ray3d& ray, const Plane3d& plane) {
+void validate_ray_plane(const Ray3d& ray, const Plane3d& plane) {
   if (kernel::valid(ray.origin) && kernel::valid_normal(ray.direction) && kernel::valid(plane)) return;
   validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
   validation::validate("ray", ray), validation::validate("plane", plane);
@@ -31,7 +31,7 @@ LinePlaneRelation stages::ray_plane::decision::exact(const Ray3d& ray, const Pla
 }
 
 Decided<LinePlaneRelation> stages::ray_plane::decision::past_filter(const Ray3d& ray, const Plane3d& plane) {
-  return in_turn<decision, validate, Stage::exact>(ray, plane);
+  return in_turn<decision, validate_ray_plane, Stage::exact>(ray, plane);
 }
 
 Perhaps<LinePlane<double>> stages::ray_plane::enclosed(const Ray3d& ray, const Plane3d& plane) {
@@ -55,7 +55,7 @@ LinePlane<double> stages::ray_plane::exact(const Ray3d& ray, const Plane3d& plan
 LinePlane<double> ray_plane(const Ray3d& ray, const Plane3d& plane) {
   const auto relation = stages::ray_plane::decision::filter(ray, plane);
   if (relation && *relation == LinePlaneRelation::none) return {LinePlaneRelation::none, std::nullopt, std::nullopt};
-  return answer_in_turn<stages::ray_plane, Stage::enclosed, validate, Stage::exact>(ray, plane);
+  return answer_in_turn<stages::ray_plane, Stage::enclosed, validate_ray_plane, Stage::exact>(ray, plane);
 }
 
 }  // namespace touchstone::robust

@@ -7,7 +7,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const kernel::Line& line, const kernel::Ball& sphere) {
+void validate_ray_sphere(const kernel::Line& line, const kernel::Ball& sphere) {
   if (kernel::valid(line.from) && kernel::valid_normal(line.ray().direction) && kernel::valid(sphere)) return;
   validation::validate_numbers("ray", line.ray()), validation::validate_numbers("sphere", sphere);
   validation::validate("ray", line.ray()), validation::validate("sphere", sphere);
@@ -16,7 +16,7 @@ void validate(const kernel::Line& line, const kernel::Ball& sphere) {
 }  // namespace
 
 Decided<Passage<double>> stages::ray_sphere::ask(const kernel::Line& ray, const kernel::Ball& sphere) {
-  return in_turn<ray_sphere, Stage::filter, Stage::enclosed, validate, Stage::exact>(ray, sphere);
+  return in_turn<ray_sphere, Stage::filter, Stage::enclosed, validate_ray_sphere, Stage::exact>(ray, sphere);
 }
 
 PassageRelation stages::ray_sphere::decision::exact(const kernel::Line& ray, const kernel::Ball& sphere) {
@@ -25,7 +25,7 @@ PassageRelation stages::ray_sphere::decision::exact(const kernel::Line& ray, con
 
 Decided<PassageRelation> stages::ray_sphere::decision::past_filter(const kernel::Line& ray,
                                                                    const kernel::Ball& sphere) {
-  return in_turn<decision, validate, Stage::exact>(ray, sphere);
+  return in_turn<decision, validate_ray_sphere, Stage::exact>(ray, sphere);
 }
 
 }  // namespace touchstone::robust

@@ -62,7 +62,7 @@ struct Question {
   }
 };
 
-void validate(const Ray3d& ray, const Triangle3d& t) {
+void validate_ray_triangle(const Ray3d& ray, const Triangle3d& t) {
   using kernel::valid;
   if (valid(ray.origin) && kernel::valid_normal(ray.direction) && valid(t.a) && valid(t.b) && valid(t.c)) return;
   validation::validate_numbers("ray", ray), validation::validate_numbers("triangle", t);
@@ -82,7 +82,7 @@ Relation stages::ray_triangle::decision::exact(const Ray3d& ray, const Triangle3
 }
 
 Decided<Relation> stages::ray_triangle::decision::past_filter(const Ray3d& ray, const Triangle3d& triangle) {
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(ray, triangle);
+  return in_turn<decision, validate_ray_triangle, Stage::lattice, Stage::exact>(ray, triangle);
 }
 
 /// Where the filter says `point`, all three edges are on one side of the ray: it is inside.
@@ -108,7 +108,7 @@ RayTriangle<double> stages::ray_triangle::exact(const Ray3d& ray, const Triangle
 }
 
 RayTriangle<double> ray_triangle(const Ray3d& ray, const Triangle3d& triangle) {
-  return answer_in_turn<stages::ray_triangle, Stage::enclosed, validate, Stage::exact>(ray, triangle);
+  return answer_in_turn<stages::ray_triangle, Stage::enclosed, validate_ray_triangle, Stage::exact>(ray, triangle);
 }
 
 }  // namespace touchstone::robust

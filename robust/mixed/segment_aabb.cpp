@@ -7,7 +7,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const kernel::Line& line, const kernel::Box& aabb) {
+void validate_segment_aabb(const kernel::Line& line, const kernel::Box& aabb) {
   if (kernel::valid(line.from) && kernel::valid(line.to) && kernel::valid(aabb)) return;
   validation::validate_numbers("segment", line.segment()), validation::validate_numbers("aabb", aabb);
   validation::validate("aabb", aabb);
@@ -17,7 +17,7 @@ void validate(const kernel::Line& line, const kernel::Box& aabb) {
 
 /// The filter does not see what is not finite: lines and boxes are validated first.
 Decided<Passage<double>> stages::segment_aabb::ask(const kernel::Line& segment, const kernel::Box& aabb) {
-  return in_turn<segment_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(segment, aabb);
+  return in_turn<segment_aabb, validate_segment_aabb, Stage::filter, Stage::enclosed, Stage::exact>(segment, aabb);
 }
 
 Perhaps<PassageRelation> stages::segment_aabb::decision::lattice(const kernel::Line& segment, const kernel::Box& aabb) {
@@ -30,7 +30,7 @@ PassageRelation stages::segment_aabb::decision::exact(const kernel::Line& segmen
 
 Decided<PassageRelation> stages::segment_aabb::decision::past_filter(const kernel::Line& segment,
                                                                      const kernel::Box& aabb) {
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(segment, aabb);
+  return in_turn<decision, validate_segment_aabb, Stage::lattice, Stage::exact>(segment, aabb);
 }
 
 }  // namespace touchstone::robust

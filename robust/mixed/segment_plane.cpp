@@ -19,7 +19,7 @@ kernel::CrossingLine line_of(const Segment3d& segment, const Plane3d& plane) {
   return found;
 }
 
-void validate(const Segment3d& segment, const Plane3d& plane) {
+void validate_segment_plane(const Segment3d& segment, const Plane3d& plane) {
   if (kernel::valid(segment.a) && kernel::valid(segment.b) && kernel::valid(plane)) return;
   validation::validate_numbers("segment", segment), validation::validate_numbers("plane", plane);
   validation::validate("plane", plane);
@@ -33,7 +33,7 @@ LinePlaneRelation stages::segment_plane::decision::exact(const Segment3d& segmen
 
 Decided<LinePlaneRelation> stages::segment_plane::decision::past_filter(const Segment3d& segment,
                                                                         const Plane3d& plane) {
-  return in_turn<decision, validate, Stage::exact>(segment, plane);
+  return in_turn<decision, validate_segment_plane, Stage::exact>(segment, plane);
 }
 
 Perhaps<LinePlane<double>> stages::segment_plane::enclosed(const Segment3d& segment, const Plane3d& plane) {
@@ -57,7 +57,7 @@ LinePlane<double> stages::segment_plane::exact(const Segment3d& segment, const P
 LinePlane<double> segment_plane(const Segment3d& segment, const Plane3d& plane) {
   const auto relation = stages::segment_plane::decision::filter(segment, plane);
   if (relation && *relation == LinePlaneRelation::none) return {LinePlaneRelation::none, std::nullopt, std::nullopt};
-  return answer_in_turn<stages::segment_plane, Stage::enclosed, validate, Stage::exact>(segment, plane);
+  return answer_in_turn<stages::segment_plane, Stage::enclosed, validate_segment_plane, Stage::exact>(segment, plane);
 }
 
 }  // namespace touchstone::robust

@@ -7,7 +7,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const kernel::Line& line, const kernel::Ball& sphere) {
+void validate_segment_sphere(const kernel::Line& line, const kernel::Ball& sphere) {
   if (kernel::valid(line.from) && kernel::valid(line.to) && kernel::valid(sphere)) return;
   validation::validate_numbers("segment", line.segment()), validation::validate_numbers("sphere", sphere);
   validation::validate("sphere", sphere);
@@ -16,7 +16,8 @@ void validate(const kernel::Line& line, const kernel::Ball& sphere) {
 }  // namespace
 
 Decided<Passage<double>> stages::segment_sphere::ask(const kernel::Line& segment, const kernel::Ball& sphere) {
-  return in_turn<segment_sphere, Stage::filter, Stage::enclosed, validate, Stage::exact>(segment, sphere);
+  return in_turn<segment_sphere, Stage::filter, Stage::enclosed, validate_segment_sphere, Stage::exact>(segment,
+                                                                                                        sphere);
 }
 
 PassageRelation stages::segment_sphere::decision::exact(const kernel::Line& segment, const kernel::Ball& sphere) {
@@ -25,7 +26,7 @@ PassageRelation stages::segment_sphere::decision::exact(const kernel::Line& segm
 
 Decided<PassageRelation> stages::segment_sphere::decision::past_filter(const kernel::Line& segment,
                                                                        const kernel::Ball& sphere) {
-  return in_turn<decision, validate, Stage::exact>(segment, sphere);
+  return in_turn<decision, validate_segment_sphere, Stage::exact>(segment, sphere);
 }
 
 }  // namespace touchstone::robust

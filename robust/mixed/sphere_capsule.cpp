@@ -9,7 +9,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const Sphere3d& sphere, const Capsule3d& capsule) {
+void validate_sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
   if (kernel::valid(sphere) && kernel::valid(capsule)) return;
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("capsule", capsule);
   validation::validate("sphere", sphere), validation::validate("capsule", capsule);
@@ -40,7 +40,7 @@ Contact stages::sphere_capsule::exact(const Sphere3d& sphere, const Capsule3d& c
 }
 
 Decided<Contact> stages::sphere_capsule::ask(const Sphere3d& sphere, const Capsule3d& capsule) {
-  return in_turn<sphere_capsule, Stage::filter, validate, Stage::exact>(sphere, capsule);
+  return in_turn<sphere_capsule, Stage::filter, validate_sphere_capsule, Stage::exact>(sphere, capsule);
 }
 
 Contact sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {

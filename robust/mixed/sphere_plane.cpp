@@ -12,7 +12,7 @@ namespace {
 /// Of a ball whose center is in the half-space. The radius as bits: a subnormal one may be read as zero.
 Contact around_center(double radius) { return validation::zero(radius) ? Contact::touching : Contact::overlapping; }
 
-void validate(const Sphere3d& sphere, const Plane3d& plane) {
+void validate_sphere_plane(const Sphere3d& sphere, const Plane3d& plane) {
   if (kernel::valid(sphere) && kernel::valid(plane)) return;
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("plane", plane);
   validation::validate("sphere", sphere), validation::validate("plane", plane);
@@ -47,7 +47,7 @@ Contact stages::sphere_plane::exact(const Sphere3d& sphere, const Plane3d& plane
 }
 
 Decided<Contact> stages::sphere_plane::ask(const Sphere3d& sphere, const Plane3d& plane) {
-  return in_turn<sphere_plane, Stage::filter, validate, Stage::exact>(sphere, plane);
+  return in_turn<sphere_plane, Stage::filter, validate_sphere_plane, Stage::exact>(sphere, plane);
 }
 
 Contact sphere_plane(const Sphere3d& sphere, const Plane3d& plane) {

@@ -9,7 +9,7 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const Sphere3d& sphere, const Triangle3d& triangle) {
+void validate_sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {
   if (kernel::valid(sphere) && kernel::valid(triangle)) return;
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("triangle", triangle);
   validation::validate("sphere", sphere);
@@ -34,7 +34,7 @@ Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d&
 }
 
 Decided<Contact> stages::sphere_triangle::ask(const Sphere3d& sphere, const Triangle3d& triangle) {
-  return in_turn<sphere_triangle, Stage::filter, validate, Stage::exact>(sphere, triangle);
+  return in_turn<sphere_triangle, Stage::filter, validate_sphere_triangle, Stage::exact>(sphere, triangle);
 }
 
 Contact sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {

@@ -156,7 +156,7 @@ auto numbers_of(const Triangle3d& t, const Aabb3d& box, const Numbers& numbers) 
   return numbers(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, min.x, min.y, min.z, max.x, max.y, max.z);
 }
 
-void validate(const Triangle3d& triangle, const Aabb3d& aabb) {
+void validate_triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {
   if (kernel::valid(triangle) && kernel::valid(aabb)) return;
   validation::validate_numbers("triangle", triangle), validation::validate_numbers("aabb", aabb);
   validation::validate("aabb", aabb);
@@ -176,7 +176,7 @@ Contact stages::triangle_aabb::exact(const Triangle3d& triangle, const Aabb3d& a
 
 /// The filter decides by some of the numbers, so all are validated before it.
 Decided<Contact> stages::triangle_aabb::ask(const Triangle3d& triangle, const Aabb3d& aabb) {
-  return in_turn<triangle_aabb, validate, Stage::filter, Stage::lattice, Stage::exact>(triangle, aabb);
+  return in_turn<triangle_aabb, validate_triangle_aabb, Stage::filter, Stage::lattice, Stage::exact>(triangle, aabb);
 }
 
 Contact triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {

@@ -13,7 +13,7 @@ namespace {
 
 PlaneSide side(int sign) { return sign > 0 ? PlaneSide::front : sign < 0 ? PlaneSide::back : PlaneSide::on; }
 
-void validate(const Plane3d& plane, const Point3d& point) {
+void validate_point_plane(const Plane3d& plane, const Point3d& point) {
   if (kernel::valid(plane) && kernel::valid(point)) return;
   validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
       validation::validate("plane", plane), validation::validate("point", point);
@@ -53,7 +53,7 @@ Perhaps<PlaneSide> filter_of_large(Plane3d plane, Point3d point) {
 
 Decided<PlaneSide> stages::point_plane::decision::past_filter(const Plane3d& plane, const Point3d& point) {
   if (const auto side = filter_of_large(plane, point)) return {*side, Stage::filter};
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(plane, point);
+  return in_turn<decision, validate_point_plane, Stage::lattice, Stage::exact>(plane, point);
 }
 
 Perhaps<PointPlane<double>> stages::point_plane::enclosed(const Plane3d& plane, const Point3d& p) {
@@ -96,7 +96,8 @@ PointPlane<double> stages::point_plane::exact(const Plane3d& plane, const Point3
 }
 
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point) {
-  return answer_in_turn<stages::point_plane, Stage::enclosed, validate, Stage::lattice, Stage::exact>(plane, point);
+  return answer_in_turn<stages::point_plane, Stage::enclosed, validate_point_plane, Stage::lattice, Stage::exact>(
+      plane, point);
 }
 
 }  // namespace touchstone::robust

@@ -84,7 +84,7 @@ std::optional<Int128> in_units(const kernel::Scaled<Int128>& x, int exponent) {
   return x.n * (Int128{1} << shift);
 }
 
-void validate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+void validate_point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {
   if (kernel::valid(plane) && kernel::valid(start) && kernel::valid(end)) return;
   validation::validate_numbers("plane", plane), validation::validate_numbers("start", start),
       validation::validate_numbers("end", end), validation::validate("plane", plane),
@@ -116,8 +116,8 @@ PointPlaneToi<double> stages::point_plane_toi::exact(const Plane3d& plane, const
 
 Decided<PointPlaneToi<double>> stages::point_plane_toi::ask(const Plane3d& plane, const Point3d& start,
                                                             const Point3d& end) {
-  return in_turn<point_plane_toi, Stage::filter, Stage::enclosed, validate, Stage::lattice, Stage::exact>(plane, start,
-                                                                                                          end);
+  return in_turn<point_plane_toi, Stage::filter, Stage::enclosed, validate_point_plane_toi, Stage::lattice,
+                 Stage::exact>(plane, start, end);
 }
 
 PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {

@@ -116,7 +116,7 @@ PolygonNormal<double> answer_of(const kernel::ScaledPoints<Integer>& points) {
           Vector3d{unit(x), unit(y), unit(z)}};
 }
 
-void validate(const Polygon3d& polygon) { validation::validate("polygon", polygon); }
+void validate_polygon_normal(const Polygon3d& polygon) { validation::validate("polygon", polygon); }
 
 }  // namespace
 
@@ -131,12 +131,12 @@ PolygonNormal<double> stages::polygon_normal::exact(const Polygon3d& polygon) {
 }
 
 Decided<PolygonNormal<double>> stages::polygon_normal::ask(const Polygon3d& polygon) {
-  return in_turn<polygon_normal, Stage::enclosed, validate, Stage::lattice, Stage::exact>(polygon);
+  return in_turn<polygon_normal, Stage::enclosed, validate_polygon_normal, Stage::lattice, Stage::exact>(polygon);
 }
 
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon) {
   if (const auto numbers = enclosed_numbers(polygon)) return numbers->answer();
-  return answer_in_turn<stages::polygon_normal, validate, Stage::lattice, Stage::exact>(polygon);
+  return answer_in_turn<stages::polygon_normal, validate_polygon_normal, Stage::lattice, Stage::exact>(polygon);
 }
 
 }  // namespace touchstone::robust

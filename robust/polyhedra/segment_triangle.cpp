@@ -45,7 +45,7 @@ Point3d rounded(const Question& q, const Clipped::Parameter& t) {
   return {coordinate(a.x, b.x), coordinate(a.y, b.y), coordinate(a.z, b.z)};
 }
 
-void validate(const Segment3d& s, const Triangle3d& t) {
+void validate_segment_triangle(const Segment3d& s, const Triangle3d& t) {
   using kernel::valid;
   if (valid(s.a) && valid(s.b) && valid(t.a) && valid(t.b) && valid(t.c)) return;
   validation::validate_numbers("segment", s), validation::validate_numbers("triangle", t);
@@ -65,7 +65,7 @@ Relation stages::segment_triangle::decision::exact(const Segment3d& segment, con
 
 Decided<Relation> stages::segment_triangle::decision::past_filter(const Segment3d& segment,
                                                                   const Triangle3d& triangle) {
-  return in_turn<decision, validate, Stage::lattice, Stage::exact>(segment, triangle);
+  return in_turn<decision, validate_segment_triangle, Stage::lattice, Stage::exact>(segment, triangle);
 }
 
 Perhaps<SegmentTriangle<double>> stages::segment_triangle::enclosed(const Segment3d& segment,
@@ -93,7 +93,8 @@ SegmentTriangle<double> stages::segment_triangle::exact(const Segment3d& segment
 }
 
 SegmentTriangle<double> segment_triangle(const Segment3d& segment, const Triangle3d& triangle) {
-  return answer_in_turn<stages::segment_triangle, Stage::enclosed, validate, Stage::exact>(segment, triangle);
+  return answer_in_turn<stages::segment_triangle, Stage::enclosed, validate_segment_triangle, Stage::exact>(segment,
+                                                                                                            triangle);
 }
 
 }  // namespace touchstone::robust

@@ -12,7 +12,6 @@ namespace touchstone::robust {
 namespace {
 
 using filters::Sign;
-using Relation = TriangleTriangleRelation;
 using Plane = filters::FacePlane<double>;
 using Sides = std::array<Sign, 3>;
 
@@ -39,7 +38,7 @@ Sign lone_side(const Sides& sides) {
   return sides[1] == sides[2] ? sides[0] : sides[0] == sides[2] ? sides[1] : sides[2];
 }
 
-void validate(const Triangle3d& a, const Triangle3d& b) {
+void validate_triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
   using kernel::valid;
   if (valid(a.a) && valid(a.b) && valid(a.c) && valid(b.a) && valid(b.b) && valid(b.c)) return;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
@@ -47,12 +46,12 @@ void validate(const Triangle3d& a, const Triangle3d& b) {
 
 }  // namespace
 
-Perhaps<Relation> stages::triangle_triangle::filter(const Triangle3d& a, const Triangle3d& b) {
+Perhaps<TriangleTriangleRelation> stages::triangle_triangle::filter(const Triangle3d& a, const Triangle3d& b) {
   const Sides of_b = sides_of(Plane(a.a, a.b, a.c), b);
-  if (known(of_b) && one_side(of_b)) return Relation::none;
+  if (known(of_b) && one_side(of_b)) return TriangleTriangleRelation::none;
   const Sides of_a = sides_of(Plane(b.a, b.b, b.c), a);
   if (!known(of_a)) return std::nullopt;
-  if (one_side(of_a)) return Relation::none;
+  if (one_side(of_a)) return TriangleTriangleRelation::none;
   if (!known(of_b)) return std::nullopt;
   // Guigue and Devillers: the edges from p to its second and from q to its second cross the line of both planes, and so
   // do those to the third. The side of q's second from p, p's second and q is the order of the first two along that
@@ -62,23 +61,23 @@ Perhaps<Relation> stages::triangle_triangle::filter(const Triangle3d& a, const T
   if (lone_side(of_b) == Sign::negative) p.turn();
   const Sign first = Plane(*p.corner, *p.second, *q.corner).side(*q.second),
              last = Plane(*p.corner, *p.third, *q.third).side(*q.corner);
-  if (first == Sign::positive || last == Sign::positive) return Relation::none;
+  if (first == Sign::positive || last == Sign::positive) return TriangleTriangleRelation::none;
   if (first == Sign::unknown || last == Sign::unknown) return std::nullopt;
-  return Relation::segment;
+  return TriangleTriangleRelation::segment;
 }
 
-Perhaps<Relation> stages::triangle_triangle::lattice(const Triangle3d& a, const Triangle3d& b) {
+Perhaps<TriangleTriangleRelation> stages::triangle_triangle::lattice(const Triangle3d& a, const Triangle3d& b) {
   const auto dimension = kernel::common_dimension_on_lattice(a, b);
   if (!dimension) return std::nullopt;
-  return static_cast<Relation>(1 + *dimension);
+  return static_cast<TriangleTriangleRelation>(1 + *dimension);
 }
 
-Relation stages::triangle_triangle::exact(const Triangle3d& a, const Triangle3d& b) {
-  return static_cast<Relation>(1 + kernel::common_dimension_in_integers(a, b));
+TriangleTriangleRelation stages::triangle_triangle::exact(const Triangle3d& a, const Triangle3d& b) {
+  return static_cast<TriangleTriangleRelation>(1 + kernel::common_dimension_in_integers(a, b));
 }
 
-Decided<Relation> stages::triangle_triangle::past_filter(const Triangle3d& a, const Triangle3d& b) {
-  return in_turn<triangle_triangle, validate, Stage::lattice, Stage::exact>(a, b);
+Decided<TriangleTriangleRelation> stages::triangle_triangle::past_filter(const Triangle3d& a, const Triangle3d& b) {
+  return in_turn<triangle_triangle, validate_triangle_triangle, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

@@ -67,7 +67,7 @@ std::optional<Vector3<Int128>> shifted(const Vector3<Int128>& v, int shift) {
   return Vector3<Int128>{*x, *y, *z};
 }
 
-void validate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point, const Vector3d& normal) {
+void validate_contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point, const Vector3d& normal) {
   if (kernel::valid(a) && kernel::valid(b) && kernel::valid(point) && kernel::valid_normal(normal)) return;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("point", point), validation::validate_numbers("normal", normal),
@@ -112,7 +112,7 @@ ContactState stages::contact_state::exact(const MovingBodyd& a, const MovingBody
 
 Decided<ContactState> stages::contact_state::past_filter(const MovingBodyd& a, const MovingBodyd& b,
                                                          const Point3d& point, const Vector3d& normal) {
-  return in_turn<contact_state, validate, Stage::lattice, Stage::exact>(a, b, point, normal);
+  return in_turn<contact_state, validate_contact_state, Stage::lattice, Stage::exact>(a, b, point, normal);
 }
 
 }  // namespace touchstone::robust

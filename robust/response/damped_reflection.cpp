@@ -26,7 +26,7 @@ namespace {
   return enclosed_push(v, share(back, size, d.value, d.inverse), n);
 }
 
-void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
+void validate_damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
   if (kernel::valid(velocity) && kernel::valid_normal(normal) && kernel::all_finite(k)) return;
   validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
       validation::validate_numbers("k", k), validation::validate("velocity", velocity),
@@ -50,12 +50,12 @@ Vector3d stages::damped_reflection::exact(const Vector3d& v, const Vector3d& n, 
 }
 
 Decided<Vector3d> stages::damped_reflection::ask(const Vector3d& v, const Vector3d& n, double k) {
-  return in_turn<damped_reflection, Stage::enclosed, validate, Stage::exact>(v, n, k);
+  return in_turn<damped_reflection, Stage::enclosed, validate_damped_reflection, Stage::exact>(v, n, k);
 }
 
 Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
   if (const auto after = enclosed_velocity(velocity, normal, k)) return after->answer();
-  return answer_in_turn<stages::damped_reflection, validate, Stage::exact>(velocity, normal, k);
+  return answer_in_turn<stages::damped_reflection, validate_damped_reflection, Stage::exact>(velocity, normal, k);
 }
 
 }  // namespace touchstone::robust

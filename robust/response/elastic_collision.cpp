@@ -20,7 +20,7 @@ namespace {
   return enclosed_impulse(masses, velocities, n, factor(Two(-2 * masses.second, 2 * masses.first)));
 }
 
-void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
+void validate_elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
   if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal)) return;
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate("masses", masses),
@@ -41,12 +41,13 @@ Velocitiesd stages::elastic_collision::exact(const Massesd& masses, const Veloci
 
 Decided<Velocitiesd> stages::elastic_collision::ask(const Massesd& masses, const Velocitiesd& velocities,
                                                     const Vector3d& n) {
-  return in_turn<elastic_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities, n);
+  return in_turn<elastic_collision, Stage::enclosed, validate_elastic_collision, Stage::exact>(masses, velocities, n);
 }
 
 Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
   if (const auto after = enclosed_velocities(masses, velocities, normal)) return after->answer();
-  return answer_in_turn<stages::elastic_collision, validate, Stage::exact>(masses, velocities, normal);
+  return answer_in_turn<stages::elastic_collision, validate_elastic_collision, Stage::exact>(masses, velocities,
+                                                                                             normal);
 }
 
 }  // namespace touchstone::robust

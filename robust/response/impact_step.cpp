@@ -20,8 +20,8 @@ using kernel::OneRoot;
 using kernel::sign;
 using Rational = mpq_class;
 
-void validate(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
-              double timestep) {
+void validate_impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
+                          double timestep) {
   const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
   for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
   for (std::size_t i = 0; i < walls.size(); ++i) validation::validate_numbers(numbered("walls", i), walls[i]);
@@ -55,20 +55,21 @@ struct Wall {
 };
 
 /// Of two bodies, or of a body with a wall: `other` is the place in the answer, beyond the bodies for a wall.
-struct Pair {
+struct BodyPair {
   std::size_t body, other;
-  friend auto operator<=>(const Pair&, const Pair&) = default;
+  friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 struct Met {
-  Pair pair;
+  BodyPair pair;
   Vector3<OneRoot> normal;
   OneRoot parting;
   bool collides;
 };
 
-class Step {
+class ImpactStep {
  public:
-  Step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution, double timestep)
+  ImpactStep(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
+             double timestep)
       : bounce_(1 + rational(restitution)), timestep_(rational(timestep)) {
     for (const auto& [w, v, sphere] : bodies) {
       const auto& [x, y, z] = sphere.center;
@@ -87,7 +88,7 @@ class Step {
         return step;
       }
       const auto groups = groups_at(*t);
-      std::vector<Pair> all;
+      std::vector<BodyPair> all;
       for (const auto& group : groups) {
         for (const Met& contact : group) all.push_back(contact.pair);
         if (!t->rational() && group.size() > most_contacts_at_a_root) step.relation = StepCourse::too_many_contacts;
@@ -121,28 +122,28 @@ class Step {
   void visit_pairs(const Visit& visit) const {
     for (std::size_t i = 0; i < flights_.size(); ++i)
       for (std::size_t j = i + 1; j < flights_.size() + walls_.size(); ++j)
-        if (moves(i) || moves(j)) visit(Pair{i, j});
+        if (moves(i) || moves(j)) visit(BodyPair{i, j});
   }
-  const Rational& start_of(const Pair& pair) const {
+  const Rational& start_of(const BodyPair& pair) const {
     const Rational& clock = flights_[pair.body].clock;
     return is_wall(pair.other) ? clock : std::max(clock, flights_[pair.other].clock);
   }
 
   /// The distance from where they touch, in squares for two balls: not positive where they meet.
   template <class Number>
-  Number gap(const Pair& pair, const Vector3<Number>& normal) const {
+  Number gap(const BodyPair& pair, const Vector3<Number>& normal) const {
     const Rational reach = flights_[pair.body].radius + flights_[pair.other].radius;
     return dot(normal, normal) - Number(reach * reach);
   }
   template <class Number>
-  Number height(const Pair& pair, const Number& t) const {
+  Number height(const BodyPair& pair, const Number& t) const {
     const auto& [normal, offset] = walls_[pair.other - flights_.size()];
     const Flight& f = flights_[pair.body];
     return Number(dot(normal, f.from) + offset) + t * Number(dot(normal, f.way));
   }
   /// Whether a body meets a wall, from its height over it times the length of the normal.
   template <class Number>
-  bool at_wall(const Pair& pair, const Number& height) const {
+  bool at_wall(const BodyPair& pair, const Number& height) const {
     const Vector3<Rational>& normal = walls_[pair.other - flights_.size()].normal;
     const Rational& radius = flights_[pair.body].radius;
     if (sign(OneRoot(height)) <= 0) return true;
@@ -151,7 +152,7 @@ class Step {
 
   /// Makes `least` the time at which the pair collides, if that is earlier, or there is none yet and it is at most 1.
   /// That it is is told from signs at `least` itself, where a pair that approached before meets, or parts again.
-  void look_at(const Pair& pair, std::optional<OneRoot>& least) const {
+  void look_at(const BodyPair& pair, std::optional<OneRoot>& least) const {
     const Rational& start = start_of(pair);
     const OneRoot limit = least ? *least : OneRoot(1);
     if (sign(OneRoot(start) - limit) > 0) return;
@@ -183,13 +184,13 @@ class Step {
   }
   std::optional<OneRoot> next_moment() const {
     std::optional<OneRoot> least;
-    visit_pairs([&](const Pair& pair) {
+    visit_pairs([&](const BodyPair& pair) {
       if (settled_.count(pair) == 0) look_at(pair, least);
     });
     return least;
   }
 
-  std::optional<Met> met_at(const OneRoot& t, const Pair& pair) const {
+  std::optional<Met> met_at(const OneRoot& t, const BodyPair& pair) const {
     if (sign(OneRoot(start_of(pair)) - t) > 0) return std::nullopt;
     Met met{pair, {}, {}, false};
     Vector3<Rational> relative = flights_[pair.body].velocity;
@@ -209,7 +210,7 @@ class Step {
   /// The contacts of a moment by bodies that hang together, of those groups in which something collides.
   std::vector<std::vector<Met>> groups_at(const OneRoot& t) const {
     std::vector<std::vector<Met>> groups;
-    visit_pairs([&](const Pair& pair) {
+    visit_pairs([&](const BodyPair& pair) {
       const std::optional<Met> met = met_at(t, pair);
       if (!met) return;
       std::vector<Met> joined{*met};
@@ -235,7 +236,7 @@ class Step {
   }
 
   /// 1, -1 or 0 times the inverse mass: how the contact's impulse moves that body.
-  Rational push(const Pair& pair, std::size_t place) const {
+  Rational push(const BodyPair& pair, std::size_t place) const {
     if (!moves(place)) return 0;
     const Rational& w = flights_[place].inverse_mass;
     return pair.body == place ? w : pair.other == place ? Rational(-w) : Rational(0);
@@ -271,7 +272,7 @@ class Step {
     return {found.begin(), found.end()};
   }
 
-  void answer(const OneRoot& t, const std::vector<std::vector<Met>>& groups, const std::vector<Pair>& all) {
+  void answer(const OneRoot& t, const std::vector<std::vector<Met>>& groups, const std::vector<BodyPair>& all) {
     std::map<std::size_t, Vector3<OneRoot>> after;
     for (const auto& group : groups) {
       const std::vector<OneRoot> found = t.rational() ? rational_impulses(group) : impulses(group);
@@ -284,7 +285,7 @@ class Step {
         }
       }
     }
-    std::erase_if(settled_, [&](const Pair& p) { return after.count(p.body) != 0 || after.count(p.other) != 0; });
+    std::erase_if(settled_, [&](const BodyPair& p) { return after.count(p.body) != 0 || after.count(p.other) != 0; });
     settled_.insert(all.begin(), all.end());
     const Rational clock = kernel::of_53_digits(t);
     for (const auto& [body, v] : after) {
@@ -298,15 +299,15 @@ class Step {
   Rational bounce_, timestep_;
   std::vector<Flight> flights_;
   std::vector<Wall> walls_;
-  std::set<Pair> settled_;
+  std::set<BodyPair> settled_;
 };
 
 }  // namespace
 
 ImpactStepd impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
                         double timestep) {
-  validate(bodies, walls, restitution, timestep);
-  return Step(bodies, walls, restitution, timestep).made();
+  validate_impact_step(bodies, walls, restitution, timestep);
+  return ImpactStep(bodies, walls, restitution, timestep).made();
 }
 
 }  // namespace touchstone::robust

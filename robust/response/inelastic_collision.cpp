@@ -17,7 +17,7 @@ kernel::Enclosed<Float> momentum(const kernel::Factor<Float>& m1, const Float& v
   return (sum += kernel::product(m2, kernel::factor(w))).value();
 }
 
-void validate(const Massesd& masses, const Velocitiesd& velocities) {
+void validate_inelastic_collision(const Massesd& masses, const Velocitiesd& velocities) {
   if (kernel::valid(masses) && kernel::valid(velocities)) return;
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate("masses", masses), validation::validate("velocities", velocities);
@@ -55,11 +55,12 @@ Vector3d stages::inelastic_collision::exact(const Massesd& masses, const Velocit
 }
 
 Decided<Vector3d> stages::inelastic_collision::ask(const Massesd& masses, const Velocitiesd& velocities) {
-  return in_turn<inelastic_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities);
+  return in_turn<inelastic_collision, Stage::enclosed, validate_inelastic_collision, Stage::exact>(masses, velocities);
 }
 
 Vector3d inelastic_collision(const Massesd& masses, const Velocitiesd& velocities) {
-  return answer_in_turn<stages::inelastic_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities);
+  return answer_in_turn<stages::inelastic_collision, Stage::enclosed, validate_inelastic_collision, Stage::exact>(
+      masses, velocities);
 }
 
 }  // namespace touchstone::robust

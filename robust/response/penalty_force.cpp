@@ -56,7 +56,8 @@ Vector3d stages::penalty_force::exact(const Point3d& p, const Vector3d& v, const
 
 namespace {
 
-void validate(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness, double damping) {
+void validate_penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness,
+                            double damping) {
   if (kernel::valid(point) && kernel::valid(velocity) && kernel::valid(plane) && kernel::all_finite(stiffness, damping))
     return;
   validation::validate_numbers("point", point), validation::validate_numbers("velocity", velocity),
@@ -70,13 +71,13 @@ void validate(const Point3d& point, const Vector3d& velocity, const Plane3d& pla
 
 Decided<Vector3d> stages::penalty_force::ask(const Point3d& p, const Vector3d& v, const Plane3d& plane,
                                              double stiffness, double damping) {
-  return in_turn<penalty_force, Stage::enclosed, validate, Stage::exact>(p, v, plane, stiffness, damping);
+  return in_turn<penalty_force, Stage::enclosed, validate_penalty_force, Stage::exact>(p, v, plane, stiffness, damping);
 }
 
 Vector3d penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness,
                        double damping) {
-  return answer_in_turn<stages::penalty_force, Stage::enclosed, validate, Stage::exact>(point, velocity, plane,
-                                                                                        stiffness, damping);
+  return answer_in_turn<stages::penalty_force, Stage::enclosed, validate_penalty_force, Stage::exact>(
+      point, velocity, plane, stiffness, damping);
 }
 
 }  // namespace touchstone::robust

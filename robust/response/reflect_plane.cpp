@@ -19,7 +19,7 @@ namespace {
   return enclosed_push(v, share(twice_back, Two(2) * approach.error, d.value, d.inverse), n);
 }
 
-void validate(const Vector3d& velocity, const Vector3d& normal) {
+void validate_reflect_plane(const Vector3d& velocity, const Vector3d& normal) {
   if (kernel::valid(velocity) && kernel::valid_normal(normal)) return;
   validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
 }
@@ -40,12 +40,12 @@ Vector3d stages::reflect_plane::exact(const Vector3d& v, const Vector3d& n) {
 }
 
 Decided<Vector3d> stages::reflect_plane::ask(const Vector3d& v, const Vector3d& n) {
-  return in_turn<reflect_plane, Stage::enclosed, validate, Stage::exact>(v, n);
+  return in_turn<reflect_plane, Stage::enclosed, validate_reflect_plane, Stage::exact>(v, n);
 }
 
 Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal) {
   if (const auto after = enclosed_velocity(velocity, normal)) return after->answer();
-  return answer_in_turn<stages::reflect_plane, validate, Stage::exact>(velocity, normal);
+  return answer_in_turn<stages::reflect_plane, validate_reflect_plane, Stage::exact>(velocity, normal);
 }
 
 }  // namespace touchstone::robust

@@ -23,7 +23,8 @@ namespace {
   return enclosed_impulse(masses, velocities, n, factor(Enclosed<Two>{c.head, c.tail, Two()}));
 }
 
-void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal, double e) {
+void validate_restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
+                                    double e) {
   if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal) &&
       kernel::valid_restitution(e))
     return;
@@ -49,13 +50,15 @@ Velocitiesd stages::restitution_collision::exact(const Massesd& masses, const Ve
 
 Decided<Velocitiesd> stages::restitution_collision::ask(const Massesd& masses, const Velocitiesd& velocities,
                                                         const Vector3d& n, double e) {
-  return in_turn<restitution_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities, n, e);
+  return in_turn<restitution_collision, Stage::enclosed, validate_restitution_collision, Stage::exact>(
+      masses, velocities, n, e);
 }
 
 Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                   double e) {
   if (const auto after = enclosed_velocities(masses, velocities, normal, e)) return after->answer();
-  return answer_in_turn<stages::restitution_collision, validate, Stage::exact>(masses, velocities, normal, e);
+  return answer_in_turn<stages::restitution_collision, validate_restitution_collision, Stage::exact>(masses, velocities,
+                                                                                                     normal, e);
 }
 
 }  // namespace touchstone::robust

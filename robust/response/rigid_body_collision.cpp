@@ -103,7 +103,8 @@ void validate_body(const std::string& field, const RigidBodyd& body) {
   if (!positive_definite(body.inertia)) validation::refuse_indefinite(field + ".inertia");
 }
 
-void validate(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point, const Vector3d& normal, double e) {
+void validate_rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
+                                   const Vector3d& normal, double e) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("point", point);
   validation::validate_numbers("normal", normal), validation::validate_numbers("e", e);
@@ -132,12 +133,13 @@ Motions<double> stages::rigid_body_collision::exact(const RigidBodyd& a, const R
 
 Decided<Motions<double>> stages::rigid_body_collision::ask(const RigidBodyd& a, const RigidBodyd& b, const Point3d& p,
                                                            const Vector3d& n, double e) {
-  return in_turn<rigid_body_collision, Stage::enclosed, validate, Stage::exact>(a, b, p, n, e);
+  return in_turn<rigid_body_collision, Stage::enclosed, validate_rigid_body_collision, Stage::exact>(a, b, p, n, e);
 }
 
 Motions<double> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
                                      const Vector3d& normal, double e) {
-  return answer_in_turn<stages::rigid_body_collision, Stage::enclosed, validate, Stage::exact>(a, b, point, normal, e);
+  return answer_in_turn<stages::rigid_body_collision, Stage::enclosed, validate_rigid_body_collision, Stage::exact>(
+      a, b, point, normal, e);
 }
 
 }  // namespace touchstone::robust

@@ -14,7 +14,8 @@ namespace {
 
 using kernel::Dyadic;
 
-void validate(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, const StepSettingsd& settings) {
+void validate_simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
+                              const StepSettingsd& settings) {
   const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (!kernel::valid(bodies[i].sphere) || !kernel::valid(bodies[i].velocity) ||
@@ -60,9 +61,9 @@ struct Velocity {
   Dyadic below{1, 0};
 };
 
-class Step {
+class SimulationStep {
  public:
-  Step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, const StepSettingsd& settings)
+  SimulationStep(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, const StepSettingsd& settings)
       : bodies_(bodies),
         walls_(walls),
         settings_(settings),
@@ -220,8 +221,8 @@ class Step {
 
 NextStated simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
                            const StepSettingsd& settings) {
-  validate(bodies, walls, settings);
-  return Step(bodies, walls, settings).made();
+  validate_simulation_step(bodies, walls, settings);
+  return SimulationStep(bodies, walls, settings).made();
 }
 
 }  // namespace touchstone::robust

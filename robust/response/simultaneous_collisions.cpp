@@ -10,7 +10,8 @@
 namespace touchstone::robust {
 namespace {
 
-void validate(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts, double e) {
+void validate_simultaneous_collisions(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts,
+                                      double e) {
   const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (!kernel::valid(bodies[i].velocity) || !kernel::all_finite(bodies[i].inverse_mass))
@@ -54,7 +55,7 @@ void move(const kernel::ContactSystem& system, const kernel::Impulses& found, st
 
 SimultaneousVelocitiesd simultaneous_collisions(const std::vector<PointBodyd>& bodies,
                                                 const std::vector<BodyContactd>& contacts, double e) {
-  validate(bodies, contacts, e);
+  validate_simultaneous_collisions(bodies, contacts, e);
   const kernel::ContactSystem system = kernel::contact_system(bodies, contacts, e);
   std::vector<Vector3d> velocities;
   for (const PointBodyd& body : bodies)

@@ -127,7 +127,7 @@ bool valid(const Vector2d& v) { return kernel::all_finite(v.x, v.y); }
 bool valid(const Vector3d& v) { return kernel::valid(v); }
 
 template <class Box, class Vector>
-void validate(const Box& a, const Box& b, const Vector& velocity) {
+void validate_swept_aabb_aabb(const Box& a, const Box& b, const Vector& velocity) {
   if (kernel::valid(a) && kernel::valid(b) && valid(velocity)) return;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("velocity", velocity);
@@ -157,8 +157,8 @@ FirstContact<double> stages::swept_aabb_aabb::exact(const Box& a, const Box& b, 
 /// The filter does not see which end of an interval is the lesser: boxes are validated first.
 template <class Box, class Vector>
 Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Box& a, const Box& b, const Vector& velocity) {
-  return in_turn<swept_aabb_aabb, validate<Box, Vector>, Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact>(
-      a, b, velocity);
+  return in_turn<swept_aabb_aabb, validate_swept_aabb_aabb<Box, Vector>, Stage::filter, Stage::enclosed, Stage::lattice,
+                 Stage::exact>(a, b, velocity);
 }
 
 FirstContact<double> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity) {

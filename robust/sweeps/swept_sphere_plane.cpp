@@ -76,7 +76,7 @@ struct Integers {
   }
 };
 
-void validate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
+void validate_swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
   if (kernel::valid(sphere) && kernel::valid(velocity) && kernel::valid(plane)) return;
   validation::validate_numbers("sphere", sphere), validation::validate_numbers("velocity", velocity),
       validation::validate_numbers("plane", plane), validation::validate("sphere", sphere),
@@ -98,7 +98,8 @@ FirstContact<double> stages::swept_sphere_plane::exact(const Sphere3d& sphere, c
 
 Decided<FirstContact<double>> stages::swept_sphere_plane::ask(const Sphere3d& sphere, const Vector3d& velocity,
                                                               const Plane3d& plane) {
-  return in_turn<swept_sphere_plane, Stage::filter, Stage::enclosed, validate, Stage::exact>(sphere, velocity, plane);
+  return in_turn<swept_sphere_plane, Stage::filter, Stage::enclosed, validate_swept_sphere_plane, Stage::exact>(
+      sphere, velocity, plane);
 }
 
 FirstContact<double> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {

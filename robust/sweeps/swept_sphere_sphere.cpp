@@ -14,27 +14,27 @@ namespace {
 using filters::Sign;
 
 /// When two moving spheres meet first, as far as signs tell.
-enum class Meeting { at_start, later, never };
+enum class Passage { at_start, later, never };
 
 /// What the filter is sure of, `later` by its end or by the line of the sweep.
-std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+std::optional<Passage> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b) {
   if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius))
     return std::nullopt;  // -0.0, or for validation to refuse
   const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
   const Sign start = sweep.start();
-  if (start == Sign::negative) return Meeting::at_start;
+  if (start == Sign::negative) return Passage::at_start;
   if (start == Sign::unknown) return std::nullopt;
   const Sign slope = sweep.slope_at_start();
-  if (slope == Sign::positive) return Meeting::never;
+  if (slope == Sign::positive) return Passage::never;
   const Sign end = sweep.end();
-  if (end == Sign::negative) return Meeting::later;
+  if (end == Sign::negative) return Passage::later;
   const Sign slope_at_end = sweep.slope_at_end();
-  if (end == Sign::positive && slope_at_end == Sign::negative) return Meeting::never;
+  if (end == Sign::positive && slope_at_end == Sign::negative) return Passage::never;
   const Sign passage = sweep.passage();
-  if (passage == Sign::positive) return Meeting::never;
+  if (passage == Sign::positive) return Passage::never;
   const bool turns = slope == Sign::negative && slope_at_end == Sign::positive;
-  if (turns && passage == Sign::negative) return Meeting::later;
+  if (turns && passage == Sign::negative) return Passage::later;
   return std::nullopt;
 }
 
@@ -42,16 +42,16 @@ std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, c
 
 Perhaps<FirstContact<double>> stages::swept_sphere_sphere::filter(const Sphere3d& a, const Sphere3d& b,
                                                                   const Vector3d& va, const Vector3d& vb) {
-  const auto meeting = meeting_by_filter(a, b, va, vb);
-  if (meeting == Meeting::never) return FirstContact<double>{HitRelation::never, std::nullopt};
-  if (meeting == Meeting::at_start) return FirstContact<double>{HitRelation::hit, 0.0};
+  const auto passage = meeting_by_filter(a, b, va, vb);
+  if (passage == Passage::never) return FirstContact<double>{HitRelation::never, std::nullopt};
+  if (passage == Passage::at_start) return FirstContact<double>{HitRelation::hit, 0.0};
   return std::nullopt;
 }
 
 /// The smaller zero of f where the filter says that the spheres meet on the way: the root is taken to where it adds.
 Perhaps<FirstContact<double>> stages::swept_sphere_sphere::enclosed(const Sphere3d& a, const Sphere3d& b,
                                                                     const Vector3d& va, const Vector3d& vb) {
-  if (meeting_by_filter(a, b, va, vb) != Meeting::later) return std::nullopt;
+  if (meeting_by_filter(a, b, va, vb) != Passage::later) return std::nullopt;
   using namespace kernel;
   const Point3d &ca = a.center, &cb = b.center;
   // Position and velocity beside each other.
@@ -126,17 +126,17 @@ class Motion {
         radii_(square(Integer(n[3] + n[7]), Integer(0), Integer(0))) {}
 
   /// f(t) = |position + t velocity|^2 - radii falls as long as position . velocity + t velocity . velocity < 0.
-  Meeting meeting() const {
+  Passage passage() const {
     const Vector3<Integer>&p = position_, &v = velocity_;
     const auto distance = square(p.x, p.y, p.z);
-    if (order(distance, radii_) <= 0) return Meeting::at_start;
+    if (order(distance, radii_) <= 0) return Passage::at_start;
     const auto half_slope = product(p, v);
-    if (kernel::sign_of(half_slope) >= 0) return Meeting::never;
+    if (kernel::sign_of(half_slope) >= 0) return Passage::never;
     const Vector3<Integer> last{p.x + v.x, p.y + v.y, p.z + v.z};
-    if (order(square(last.x, last.y, last.z), radii_) <= 0) return Meeting::later;
-    if (kernel::sign_of(product(last, v)) <= 0) return Meeting::never;
+    if (order(square(last.x, last.y, last.z), radii_) <= 0) return Passage::later;
+    if (kernel::sign_of(product(last, v)) <= 0) return Passage::never;
     const bool passes = discriminant_sign(half_slope, square(v.x, v.y, v.z), distance, radii_) < 0;
-    return passes ? Meeting::never : Meeting::later;
+    return passes ? Passage::never : Passage::later;
   }
 
   /// The smaller zero of f.
@@ -148,9 +148,9 @@ class Motion {
   }
 
   FirstContact<double> contact() const {
-    const Meeting m = meeting();
-    if (m == Meeting::never) return {HitRelation::never, std::nullopt};
-    return {HitRelation::hit, m == Meeting::at_start ? 0.0 : first_zero()};
+    const Passage m = passage();
+    if (m == Passage::never) return {HitRelation::never, std::nullopt};
+    return {HitRelation::hit, m == Passage::at_start ? 0.0 : first_zero()};
   }
 
  private:
@@ -172,7 +172,8 @@ Motion<mpz_class> on_integers(const Sphere3d& a, const Sphere3d& b, const Vector
                                .at);
 }
 
-void validate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a, const Vector3d& velocity_b) {
+void validate_swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                  const Vector3d& velocity_b) {
   if (kernel::valid(a) && kernel::valid(b) && kernel::valid(velocity_a) && kernel::valid(velocity_b)) return;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("velocity_a", velocity_a), validation::validate_numbers("velocity_b", velocity_b),
@@ -196,8 +197,8 @@ FirstContact<double> stages::swept_sphere_sphere::exact(const Sphere3d& a, const
 
 Decided<FirstContact<double>> stages::swept_sphere_sphere::ask(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
                                                                const Vector3d& vb) {
-  return in_turn<swept_sphere_sphere, Stage::filter, Stage::enclosed, validate, Stage::lattice, Stage::exact>(a, b, va,
-                                                                                                              vb);
+  return in_turn<swept_sphere_sphere, Stage::filter, Stage::enclosed, validate_swept_sphere_sphere, Stage::lattice,
+                 Stage::exact>(a, b, va, vb);
 }
 
 FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
@@ -207,32 +208,32 @@ FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, c
 
 namespace {
 
-HitRelation relation_of(Meeting meeting) { return meeting == Meeting::never ? HitRelation::never : HitRelation::hit; }
+HitRelation relation_of(Passage passage) { return passage == Passage::never ? HitRelation::never : HitRelation::hit; }
 
 }  // namespace
 
 Perhaps<HitRelation> stages::swept_sphere_sphere::decision::filter(const Sphere3d& a, const Sphere3d& b,
                                                                    const Vector3d& va, const Vector3d& vb) {
-  const auto meeting = meeting_by_filter(a, b, va, vb);
-  if (!meeting) return std::nullopt;
-  return relation_of(*meeting);
+  const auto passage = meeting_by_filter(a, b, va, vb);
+  if (!passage) return std::nullopt;
+  return relation_of(*passage);
 }
 
 Perhaps<HitRelation> stages::swept_sphere_sphere::decision::lattice(const Sphere3d& a, const Sphere3d& b,
                                                                     const Vector3d& va, const Vector3d& vb) {
   const auto motion = on_lattice(a, b, va, vb);
   if (!motion) return std::nullopt;
-  return relation_of(motion->meeting());
+  return relation_of(motion->passage());
 }
 
 HitRelation stages::swept_sphere_sphere::decision::exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
                                                          const Vector3d& vb) {
-  return relation_of(on_integers(a, b, va, vb).meeting());
+  return relation_of(on_integers(a, b, va, vb).passage());
 }
 
 Decided<HitRelation> stages::swept_sphere_sphere::decision::ask(const Sphere3d& a, const Sphere3d& b,
                                                                 const Vector3d& va, const Vector3d& vb) {
-  return in_turn<decision, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b, va, vb);
+  return in_turn<decision, Stage::filter, validate_swept_sphere_sphere, Stage::lattice, Stage::exact>(a, b, va, vb);
 }
 
 HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,

@@ -42,7 +42,7 @@ Contact contact_of(const AxisContact& all) {
 }
 
 template <class Box>
-void validate(const Box& a, const Box& b) {
+void validate_aabb_aabb(const Box& a, const Box& b) {
   if (!kernel::valid(a) || !kernel::valid(b))
     validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
         validation::validate("b", b);
@@ -54,10 +54,10 @@ Contact stages::aabb_aabb::exact(const Aabb2d& a, const Aabb2d& b) { return cont
 Contact stages::aabb_aabb::exact(const Aabb3d& a, const Aabb3d& b) { return contact_of(on_all_axes(a, b)); }
 
 Decided<Contact> stages::aabb_aabb::past_filter(const Aabb2d& a, const Aabb2d& b) {
-  return in_turn<aabb_aabb, validate<Aabb2d>, Stage::exact>(a, b);
+  return in_turn<aabb_aabb, validate_aabb_aabb<Aabb2d>, Stage::exact>(a, b);
 }
 Decided<Contact> stages::aabb_aabb::past_filter(const Aabb3d& a, const Aabb3d& b) {
-  return in_turn<aabb_aabb, validate<Aabb3d>, Stage::exact>(a, b);
+  return in_turn<aabb_aabb, validate_aabb_aabb<Aabb3d>, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

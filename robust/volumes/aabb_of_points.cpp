@@ -92,7 +92,7 @@ typename Of<Point>::Box exactly(const std::vector<Point>& points) {
 }
 
 template <class Point>
-void validate(const std::vector<Point>& points) {
+void validate_aabb_of_points(const std::vector<Point>& points) {
   const bool valid = std::all_of(points.begin(), points.end(), [](const Point& p) { return kernel::valid(p); });
   if (!valid || points.empty()) validation::validate_points("points", points);
 }
@@ -100,7 +100,7 @@ void validate(const std::vector<Point>& points) {
 template <class Point>
 typename Of<Point>::Box answer(const std::vector<Point>& points) {
   if (const auto box = filtered(points)) return *box;
-  validate(points);
+  validate_aabb_of_points(points);
   return exactly(points);
 }
 
@@ -118,10 +118,10 @@ Perhaps<Box> stages::aabb_of_points::filter(const std::vector<Point3d>& points) 
 Box stages::aabb_of_points::exact(const std::vector<Point2d>& points) { return exactly(points); }
 Box stages::aabb_of_points::exact(const std::vector<Point3d>& points) { return exactly(points); }
 Decided<Box> stages::aabb_of_points::ask(const std::vector<Point2d>& points) {
-  return in_turn<aabb_of_points, Stage::filter, validate<Point2d>, Stage::exact>(points);
+  return in_turn<aabb_of_points, Stage::filter, validate_aabb_of_points<Point2d>, Stage::exact>(points);
 }
 Decided<Box> stages::aabb_of_points::ask(const std::vector<Point3d>& points) {
-  return in_turn<aabb_of_points, Stage::filter, validate<Point3d>, Stage::exact>(points);
+  return in_turn<aabb_of_points, Stage::filter, validate_aabb_of_points<Point3d>, Stage::exact>(points);
 }
 
 Aabb2d aabb_of_points(const std::vector<Point2d>& points) { return answer(points); }

@@ -16,7 +16,7 @@ bool same(const Vector3d& n, const Vector3d& m) {
   return validation::same(n.x, m.x) && validation::same(n.y, m.y) && validation::same(n.z, m.z);
 }
 
-void validate(const Kdop3d& a, const Kdop3d& b) {
+void validate_kdop_kdop(const Kdop3d& a, const Kdop3d& b) {
   if (!kernel::valid(a) || !kernel::valid(b))
     validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
         validation::validate("b", b);
@@ -59,7 +59,7 @@ Contact stages::kdop_kdop::exact(const Kdop3d& a, const Kdop3d& b) {
 }
 
 Decided<Contact> stages::kdop_kdop::ask(const Kdop3d& a, const Kdop3d& b) {
-  return in_turn<kdop_kdop, Stage::filter, validate, Stage::exact>(a, b);
+  return in_turn<kdop_kdop, Stage::filter, validate_kdop_kdop, Stage::exact>(a, b);
 }
 
 Contact kdop_kdop(const Kdop3d& a, const Kdop3d& b) { return stages::kdop_kdop::ask(a, b).answer; }

@@ -61,7 +61,7 @@ class Outward {
   bool empty_ = true;
 };
 
-void validate(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
+void validate_kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
   validation::validate_points_numbers("points", points), validation::validate_numbers("normals", normals);
   if (points.empty()) validation::validate_points("points", points);
   if (normals.empty()) throw InvalidInput("normals", "at least 1 normal");
@@ -104,7 +104,7 @@ std::vector<Slabd> stages::kdop_of_points::exact(const std::vector<Point3d>& poi
 
 Decided<std::vector<Slabd>> stages::kdop_of_points::ask(const std::vector<Point3d>& points,
                                                         const std::vector<Vector3d>& normals) {
-  validate(points, normals);
+  validate_kdop_of_points(points, normals);
   return in_turn<kdop_of_points, Stage::lattice, Stage::exact>(points, normals);
 }
 

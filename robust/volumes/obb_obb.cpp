@@ -96,7 +96,7 @@ auto numbers_of(const Obb3d& a, const Obb3d& b, const Numbers& numbers) {
                  d.x, d.y, d.z, x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
 }
 
-void validate(const Obb3d& a, const Obb3d& b) {
+void validate_obb_obb(const Obb3d& a, const Obb3d& b) {
   if (!kernel::valid(b) && kernel::valid(a)) validation::validate_numbers("b", b);  // before the rules of a
   kernel::validate_obb("a", a), kernel::validate_obb("b", b);
 }
@@ -114,7 +114,7 @@ Contact stages::obb_obb::exact(const Obb3d& a, const Obb3d& b) {
 }
 
 Decided<Contact> stages::obb_obb::ask(const Obb3d& a, const Obb3d& b) {
-  return in_turn<obb_obb, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b);
+  return in_turn<obb_obb, Stage::filter, validate_obb_obb, Stage::lattice, Stage::exact>(a, b);
 }
 
 Contact obb_obb(const Obb3d& a, const Obb3d& b) { return stages::obb_obb::ask(a, b).answer; }

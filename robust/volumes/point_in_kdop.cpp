@@ -46,7 +46,7 @@ Perhaps<Location> location(const Kdop3d& kdop, const Depth& depth) {
   return on ? Location::boundary : Location::inside;
 }
 
-void validate(const Kdop3d& kdop, const Point3d& point) {
+void validate_point_in_kdop(const Kdop3d& kdop, const Point3d& point) {
   if (kernel::valid(kdop) && kernel::valid(point)) return;
   validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),
       validation::validate("kdop", kdop), validation::validate("point", point);
@@ -69,7 +69,7 @@ Location stages::point_in_kdop::exact(const Kdop3d& kdop, const Point3d& point) 
 }
 
 Decided<Location> stages::point_in_kdop::ask(const Kdop3d& kdop, const Point3d& point) {
-  return in_turn<point_in_kdop, Stage::filter, validate, Stage::lattice, Stage::exact>(kdop, point);
+  return in_turn<point_in_kdop, Stage::filter, validate_point_in_kdop, Stage::lattice, Stage::exact>(kdop, point);
 }
 
 Location point_in_kdop(const Kdop3d& kdop, const Point3d& point) {

@@ -32,7 +32,7 @@ auto numbers_of(const Obb3d& obb, const Point3d& p, const Numbers& numbers) {
   return numbers(c.x, c.y, c.z, u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, p.x, p.y, p.z);
 }
 
-void validate(const Obb3d& obb, const Point3d& point) {
+void validate_point_in_obb(const Obb3d& obb, const Point3d& point) {
   if (!kernel::valid(point) && kernel::valid(obb)) validation::validate("point", point);  // before the rules of the box
   kernel::validate_obb("obb", obb);
 }
@@ -50,7 +50,7 @@ Location stages::point_in_obb::exact(const Obb3d& obb, const Point3d& point) {
 }
 
 Decided<Location> stages::point_in_obb::past_filter(const Obb3d& obb, const Point3d& point) {
-  return in_turn<point_in_obb, validate, Stage::lattice, Stage::exact>(obb, point);
+  return in_turn<point_in_obb, validate_point_in_obb, Stage::lattice, Stage::exact>(obb, point);
 }
 
 }  // namespace touchstone::robust

@@ -41,7 +41,7 @@ auto integers_of(const Sphere3d& s, const Aabb3d& b) {
 }
 
 template <class Ball, class Box>
-void validate(const Ball& sphere, const Box& aabb) {
+void validate_sphere_aabb(const Ball& sphere, const Box& aabb) {
   if (!kernel::valid(sphere) || !kernel::valid(aabb))
     validation::validate_numbers("sphere", sphere), validation::validate_numbers("aabb", aabb),
         validation::validate("sphere", sphere), validation::validate("aabb", aabb);
@@ -64,7 +64,7 @@ Contact stages::sphere_aabb::exact(const Ball& sphere, const Box& aabb) {
 
 template <class Ball, class Box>
 Decided<Contact> stages::sphere_aabb::past_filter(const Ball& sphere, const Box& aabb) {
-  return in_turn<sphere_aabb, validate<Ball, Box>, Stage::lattice, Stage::exact>(sphere, aabb);
+  return in_turn<sphere_aabb, validate_sphere_aabb<Ball, Box>, Stage::lattice, Stage::exact>(sphere, aabb);
 }
 
 template Perhaps<Contact> stages::sphere_aabb::lattice(const Circle2d&, const Aabb2d&);

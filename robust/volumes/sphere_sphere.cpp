@@ -17,7 +17,7 @@ Contact stages::sphere_sphere::exact(const Ball& a, const Ball& b) { return cont
 namespace {
 
 /// A disc's ball has the disc's field names, and a third coordinate that is always valid.
-void validate(const Sphere3d& a, const Sphere3d& b) {
+void validate_sphere_sphere(const Sphere3d& a, const Sphere3d& b) {
   if (!kernel::valid(a) || !kernel::valid(b))
     validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
         validation::validate("b", b);
@@ -26,7 +26,7 @@ void validate(const Sphere3d& a, const Sphere3d& b) {
 }  // namespace
 
 Decided<Contact> stages::sphere_sphere::past_filter(const Ball& a, const Ball& b) {
-  return in_turn<sphere_sphere, validate, Stage::lattice, Stage::exact>(a, b);
+  return in_turn<sphere_sphere, validate_sphere_sphere, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust
