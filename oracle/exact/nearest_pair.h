@@ -53,4 +53,10 @@ Truth<Answer> truth_of_distance(Answer answer, const Rational& squared_distance,
   return {std::move(answer), std::nullopt, [kind, facts = std::move(weights)] { return Certificate{kind, facts}; }};
 }
 
+/// A point without its roots, which has none; one of the plane lies at z = 0.
+inline Point3<Rational> rational(const Point2<Surd>& p) { return {p.x.rational_part(), p.y.rational_part(), 0}; }
+inline Point3<Rational> rational(const Point3<Surd>& p) {
+  return {p.x.rational_part(), p.y.rational_part(), p.z.rational_part()};
+}
+
 }  // namespace touchstone::oracle

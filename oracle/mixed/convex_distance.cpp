@@ -52,10 +52,6 @@ Truth<ConvexDistance<Surd>> truth_of_convex_distance(const Mesh<Number>& a, cons
   return apart(m, solid(first, m.a), solid(second, m.b));
 }
 
-Point3<Rational> rational(const Point3<Surd>& p) {
-  return {p.x.rational_part(), p.y.rational_part(), p.z.rational_part()};
-}
-
 }  // namespace
 
 ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistance<Surd>& truth, const Point3d& on_a) {

@@ -31,11 +31,6 @@ Truth<ClosestPair3<Surd>> truth_of_segment_segment_distance(const Segment3<Numbe
   return proved(ClosestPair3<Surd>{in_space(nearest.on_a), in_space(nearest.on_b), {}, {}}, nearest);
 }
 
-Point3<Rational> rational(const Point2<Surd>& p) { return {p.x.rational_part(), p.y.rational_part(), 0}; }
-Point3<Rational> rational(const Point3<Surd>& p) {
-  return {p.x.rational_part(), p.y.rational_part(), p.z.rational_part()};
-}
-
 /// The point of a; the way to that of b is the same for all.
 template <class Segment, class Pair, class Point>
 std::pair<Point3<Rational>, Vector3<Rational>> moved_along(const Segment& a, const Segment& b, const Pair& truth,
