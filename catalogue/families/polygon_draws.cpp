@@ -84,30 +84,23 @@ Meshd with_fin(Meshd mesh, DrawStream& draws) {
   if (mesh.polygons.empty()) return mesh;
   const Corners corners = mesh.polygons[draws.below(mesh.polygons.size())];
   const std::size_t first = draws.below(corners.size());
-  const Index a = corners[first], b = corners[(first + 2 + draws.below(2)) % corners.size()];
+  const Index a = corners[first], b = corners[(first + (draws.one_in(4) ? 3 : 2)) % corners.size()];
+  const Point3d p = mesh.vertices[a], q = mesh.vertices[b], next = mesh.vertices[corners[(first + 1) % corners.size()]];
   if (a == b) return mesh;
-  const Point3d &p = mesh.vertices[a], &q = mesh.vertices[b];
   const auto tip = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.push_back({p.x + 60, q.y - 60, p.z - 60});
-  if (draws.below(2) == 1) {  // one triangle: two would meet each other before they meet the polygon
-    mesh.faces.insert(mesh.faces.begin(), {a, b, tip});
-    mesh.polygons.insert(mesh.polygons.begin(), {a, b, tip});
+  const auto add_in_front = [&mesh](const Face& f) {
+    mesh.faces.insert(mesh.faces.begin(), f), mesh.polygons.insert(mesh.polygons.begin(), {f.a, f.b, f.c});
+  };
+  const auto add = [&mesh](const Face& f) { mesh.faces.push_back(f), mesh.polygons.push_back({f.a, f.b, f.c}); };
+  const std::uint64_t kind = draws.below(5);
+  if (kind == 4) {
+    mesh.vertices.push_back(p + (p - q)), add({a, b, tip});
     return mesh;
   }
-  mesh.faces.insert(mesh.faces.end(), {{a, b, tip}, {b, a, tip}});
-  mesh.polygons.insert(mesh.polygons.end(), {{a, b, tip}, {b, a, tip}});
+  mesh.vertices.push_back(p + 0.5 * (q - p) + 0x1p-6 * cross(next - p, q - p));
+  if (kind >= 2) add_in_front({a, b, tip});
+  else add({a, b, tip}), add({b, a, tip});
   return mesh;
-}
-
-Meshd with_corners_apart(Meshd mesh, DrawStream& draws) {
-  for (Corners& corners : mesh.polygons) {
-    for (auto corner = corners.begin(); corner != corners.end(); ++corner) {
-      if (std::find(corners.begin(), corner, *corner) == corner) continue;
-      mesh.vertices.push_back(Point3d(mesh.vertices[*corner]));
-      *corner = static_cast<Index>(mesh.vertices.size() - 1);
-    }
-  }
-  return recut(std::move(mesh), draws);
 }
 
 Meshd with_broken_polygons(Meshd mesh, DrawStream& draws) {

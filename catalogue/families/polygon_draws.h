@@ -15,12 +15,10 @@ Meshd with_polygons(const Meshd& mesh, DrawStream& draws);
 /// The same polygons, which are valid, with other cuts, drawn.
 Meshd recut(Meshd mesh, DrawStream& draws);
 
-/// Two triangles more, back to back, on two corners of a polygon and a vertex outside: along one of its diagonals, or
-/// of its edges. Or one triangle alone, before all polygons.
+/// Two triangles more, back to back, on two corners of a polygon and a vertex above it: along one of its diagonals, or
+/// of its edges. Or one such triangle before all polygons, where two would meet each other first. Or one without an
+/// area.
 Meshd with_fin(Meshd mesh, DrawStream& draws);
-
-/// The same polygons, which are valid, but where one comes back to a vertex, to another one in its position.
-Meshd with_corners_apart(Meshd mesh, DrawStream& draws);
 
 /// Mostly a mesh that breaks a rule of polygons: a corner off the plane, two corners swapped, a triangle of the cut
 /// turned over, named twice or over other corners, a triangle too few.

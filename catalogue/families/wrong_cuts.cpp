@@ -35,6 +35,10 @@ CutPolygon square_with_a_detour(DrawStream& draws) {
           {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 0, 5}}};
 }
 
+/// The same detour between two vertices in one position, and triangles around its end: a valid cut.
+const CutPolygon square_with_a_bridge{
+    {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 2}, {0, 0}}, {0, 4, 5, 1, 2, 3}, {{5, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+
 /// A square with two vertices in one corner, one after the other, and a triangle between these and the next.
 const CutPolygon square_with_a_corner_twice{
     {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {0, 4, 1, 2, 3}, {{0, 4, 1}, {0, 1, 2}, {0, 2, 3}}};
@@ -73,17 +77,27 @@ void move_away(Meshd& mesh, Face& face) {
 Meshd with_wrong_cut(Meshd mesh, DrawStream& draws) {
   if (mesh.polygons.empty()) return mesh;
   Face& face = mesh.faces[draws.below(mesh.faces.size())];
-  switch (draws.below(8)) {
-    case 0: face = {face.b, face.c, face.a}; return mesh;  // right, unless it is the whole polygon
-    case 1: move_away(mesh, face); return mesh;
+  switch (draws.below(5)) {
+    case 0: face = {face.b, face.c, face.a}; break;  // right, unless it is the whole polygon
+    case 1: move_away(mesh, face); break;
     case 2:
-      mesh.vertices.push_back(Point3d(mesh.vertices[face.a])), face.a = static_cast<Index>(mesh.vertices.size() - 1);
-      return mesh;
-    case 3: std::swap(face.b, face.c); return mesh;
-    case 4: std::swap(face, mesh.faces[draws.below(mesh.faces.size())]); return mesh;
-    case 5: return with_one_more(std::move(mesh), square_with_a_detour(draws), draws);
-    case 6: return with_one_more(std::move(mesh), square_with_a_corner_twice, draws);
-    default: return with_one_more(std::move(mesh), strip_across_itself, draws);
+      mesh.vertices.push_back(Point3d(mesh.vertices[face.a]));
+      face.a = static_cast<Index>(mesh.vertices.size() - 1);
+      break;
+    case 3: std::swap(face.b, face.c); break;
+    default: std::swap(face, mesh.faces[draws.below(mesh.faces.size())]);
+  }
+  return mesh;
+}
+
+Meshd with_wrong_polygon(Meshd mesh, DrawStream& draws) {
+  if (mesh.polygons.empty()) return mesh;
+  switch (draws.below(5)) {
+    case 0: return with_one_more(std::move(mesh), {{{0, 0}, {4, 0}, {0, 4}}, {0, 1, 2}, {{0, 1, 2}}}, draws);
+    case 1: return with_one_more(std::move(mesh), square_with_a_detour(draws), draws);
+    case 2: return with_one_more(std::move(mesh), square_with_a_corner_twice, draws);
+    case 3: return with_one_more(std::move(mesh), strip_across_itself, draws);
+    default: return with_one_more(std::move(mesh), square_with_a_bridge, draws);
   }
 }
 

@@ -208,7 +208,7 @@ struct point_in_polyhedron {
          [](DrawStream& c) -> Question {
            const Meshd mesh = drawn_prism(c);
            const Point3d p = between_vertices(mesh, c);
-           return {with_wrong_cut(mesh, c), p};
+           return {c.below(2) == 0 ? with_wrong_cut(mesh, c) : with_wrong_polygon(mesh, c), p};
          },
          /*unscaled=*/true},
         {"shells",

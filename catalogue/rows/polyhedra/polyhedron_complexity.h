@@ -115,7 +115,6 @@ struct polyhedron_complexity {
                const bool convex = c.below(3) == 2;
                Meshd mesh = convex ? convex_solid_of_polygons(c) : solid_of_polygons(c);
                switch (c.below(6)) {
-                 case 3: return {with_corners_apart(mesh, c)};
                  case 4: return {together(mesh, solid_of_polygons(c))};
                  case 5: return {with_broken_polygons(mesh, c)};
                  default: return {mesh};
@@ -142,7 +141,13 @@ struct polyhedron_complexity {
             {"wrong_cuts",
              [](DrawStream& c) -> Question {
                const Meshd mesh = drawn_prism(c);
-               return {with_wrong_cut(mesh, c)};
+               return {c.below(2) == 0 ? with_wrong_cut(mesh, c) : with_wrong_polygon(mesh, c)};
+             },
+             /*unscaled=*/true},
+            {"wrong_polygon",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = drawn_prism(c);
+               return {with_wrong_polygon(mesh, c)};
              },
              /*unscaled=*/true},
             {"lifted_corner",
