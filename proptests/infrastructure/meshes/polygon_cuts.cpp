@@ -10,6 +10,7 @@
 #include "catalogue/families/prism_draws.h"
 #include "catalogue/families/wrong_cuts.h"
 #include "oracle/exact/polygon_faces.h"
+#include "oracle/polyhedra/point_in_polyhedron.h"
 #include "proptests/drawn.h"
 #include "robust/kernel/polygon_faces.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
@@ -119,6 +120,34 @@ TEST_CASE("polygon cuts: robust answers of any valid cut as of its own") {
   CHECK(other > 100);
   CHECK(meeting > 20);
   CHECK(meeting < other);
+}
+
+template <class Asked>
+std::string refusal_of(const Asked& asked) {
+  try {
+    asked();
+    return "accepted";
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+}
+
+TEST_CASE("polygon cuts: the edge that keeps a mesh open is named as its face has it, whatever the cut") {
+  DrawStream simplest = DrawStream::replayed({});
+  Meshd open = catalogue::drawn_prism(simplest);  // a cube of squares
+  open.polygons.erase(open.polygons.begin());
+  std::set<std::vector<std::array<Index, 3>>> cuts;
+  for (std::uint64_t i = 0; i < 8; ++i) {
+    DrawStream draws = seeded(i);
+    const Meshd mesh = catalogue::recut(open, draws);
+    std::vector<std::array<Index, 3>> cut;
+    for (const Face& f : mesh.faces) cut.push_back({f.a, f.b, f.c});
+    cuts.insert(cut);
+    const std::string found = refusal_of([&] { robust::point_in_polyhedron(mesh, {1, 1, 1}); });
+    CHECK(found == "mesh.faces[1]: closed: the edge from vertex 0 to vertex 1 must be in an even number of faces");
+    CHECK(refusal_of([&] { oracle::point_in_polyhedron(mesh, {1, 1, 1}); }) == found);
+  }
+  CHECK(cuts.size() > 1);
 }
 
 }  // namespace
