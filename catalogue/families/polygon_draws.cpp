@@ -3,28 +3,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "catalogue/families/cube_surface.h"
+#include "catalogue/families/drawn_cut.h"
 #include "catalogue/families/mesh_draws.h"
 #include "catalogue/families/numbers.h"
 #include "catalogue/families/solid_draws.h"
-#include "robust/kernel/polygon_faces.h"
 
 namespace touchstone::catalogue {
 namespace {
 
 using Corners = std::vector<Index>;
-
-std::optional<std::vector<Face>> cut_of(const std::vector<Point3d>& vertices, const Corners& corners) {
-  if (corners.size() == 3) return std::vector<Face>{{corners[0], corners[1], corners[2]}};
-  auto cut = robust::kernel::cut_polygon(vertices, corners);
-  if (auto* faces = std::get_if<std::vector<Face>>(&cut)) return std::move(*faces);
-  return std::nullopt;
-}
 
 void turn_to_begin_at(Corners& corners, std::size_t place) {
   std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(place), corners.end());
@@ -46,17 +37,6 @@ Corners united(Corners a, Corners b, std::size_t first) {
   return {};
 }
 
-void set_polygons(Meshd& mesh, std::vector<Corners> polygons) {
-  mesh.faces.clear();
-  for (const Corners& corners : polygons) {
-    const auto cut = cut_of(mesh.vertices, corners).value();
-    mesh.faces.insert(mesh.faces.end(), cut.begin(), cut.end());
-  }
-  const auto triangle = [](const Corners& corners) { return corners.size() == 3; };
-  mesh.polygons.clear();
-  if (!std::all_of(polygons.begin(), polygons.end(), triangle)) mesh.polygons = std::move(polygons);
-}
-
 /// A cube, and perhaps others beside it in one layer, around a hole too.
 Meshd cubes_of_a_layer(DrawStream& draws) {
   std::vector<Whole> cells{{0, 0, 0}};
@@ -71,13 +51,18 @@ Meshd cubes_of_a_layer(DrawStream& draws) {
 Meshd with_polygons(const Meshd& mesh, DrawStream& draws) {
   std::vector<Corners> polygons;
   for (const Face& f : mesh.faces) polygons.push_back({f.a, f.b, f.c});
+  const PolygonCutter cutter(mesh.vertices);
+  const auto valid = [&cutter](const Corners& corners) {
+    DrawStream simplest = DrawStream::replayed({});
+    return cutter.cut(corners, simplest).has_value();
+  };
   // The simplest unites all that it can.
   const std::uint64_t left_out = draws.below(3);
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     for (std::size_t j = i + 1; j < polygons.size();) {
       const std::size_t first = draws.below(3);
       Corners both = united(polygons[i], polygons[j], first);
-      if (both.empty() || (left_out != 0 && draws.below(4) < left_out) || !cut_of(mesh.vertices, both)) {
+      if (both.empty() || (left_out != 0 && draws.below(4) < left_out) || !valid(both)) {
         ++j;
         continue;
       }
@@ -87,33 +72,34 @@ Meshd with_polygons(const Meshd& mesh, DrawStream& draws) {
     }
   }
   for (Corners& corners : polygons) turn_to_begin_at(corners, draws.below(corners.size()));
-  Meshd result{mesh.vertices, {}, {}};
-  set_polygons(result, std::move(polygons));
-  return result;
+  return cut_mesh(mesh.vertices, std::move(polygons), draws);
 }
 
 Meshd recut(Meshd mesh, DrawStream& draws) {
-  const std::vector<Corners> named = mesh.polygons;
-  if (named.empty()) return mesh;
-  std::vector<Corners> turned = named;
-  for (Corners& corners : turned) {
-    if (corners.size() > 3) turn_to_begin_at(corners, draws.below(corners.size()));
-  }
-  set_polygons(mesh, std::move(turned));
-  mesh.polygons = named;
-  return mesh;
+  if (mesh.polygons.empty()) return mesh;
+  return cut_mesh(std::move(mesh.vertices), std::move(mesh.polygons), draws);
 }
 
 Meshd with_fin(Meshd mesh, DrawStream& draws) {
   if (mesh.polygons.empty()) return mesh;
   const Corners corners = mesh.polygons[draws.below(mesh.polygons.size())];
-  const Index a = corners[0], b = corners[(2 + draws.below(2)) % corners.size()];
-  const Point3d &p = mesh.vertices[a], &q = mesh.vertices[b];
-  const auto tip = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.push_back({p.x + 60, q.y - 60, p.z - 60});
+  const std::size_t first = draws.below(corners.size());
+  const Index a = corners[first], b = corners[(first + (draws.one_in(4) ? 3 : 2)) % corners.size()];
+  const Point3d p = mesh.vertices[a], q = mesh.vertices[b], next = mesh.vertices[corners[(first + 1) % corners.size()]];
   if (a == b) return mesh;
-  mesh.faces.insert(mesh.faces.end(), {{a, b, tip}, {b, a, tip}});
-  mesh.polygons.insert(mesh.polygons.end(), {{a, b, tip}, {b, a, tip}});
+  const auto tip = static_cast<Index>(mesh.vertices.size());
+  const auto add_in_front = [&mesh](const Face& f) {
+    mesh.faces.insert(mesh.faces.begin(), f), mesh.polygons.insert(mesh.polygons.begin(), {f.a, f.b, f.c});
+  };
+  const auto add = [&mesh](const Face& f) { mesh.faces.push_back(f), mesh.polygons.push_back({f.a, f.b, f.c}); };
+  const std::uint64_t kind = draws.below(5);
+  if (kind == 4) {
+    mesh.vertices.push_back(p + (p - q)), add({a, b, tip});
+    return mesh;
+  }
+  mesh.vertices.push_back(p + 0.5 * (q - p) + 0x1p-6 * cross(next - p, q - p));
+  if (kind >= 2) add_in_front({a, b, tip});
+  else add({a, b, tip}), add({b, a, tip});
   return mesh;
 }
 

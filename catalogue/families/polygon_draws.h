@@ -12,11 +12,12 @@ namespace touchstone::catalogue {
 /// any of its corners. Without triangles to unite the mesh stays as it is.
 Meshd with_polygons(const Meshd& mesh, DrawStream& draws);
 
-/// The same polygons, which are valid, cut another way: by ears from another corner on.
+/// The same polygons, which are valid, with other cuts, drawn.
 Meshd recut(Meshd mesh, DrawStream& draws);
 
-/// Two triangles more, back to back, on two corners of a polygon and a vertex outside: along one of its diagonals, or
-/// of its edges.
+/// Two triangles more, back to back, on two corners of a polygon and a vertex above it: along one of its diagonals, or
+/// of its edges. Or one such triangle before all polygons, where two would meet each other first. Or one without an
+/// area.
 Meshd with_fin(Meshd mesh, DrawStream& draws);
 
 /// Mostly a mesh that breaks a rule of polygons: a corner off the plane, two corners swapped, a triangle of the cut

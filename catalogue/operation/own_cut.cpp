@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/operation/own_cut.h"
 
+#include <optional>
+#include <utility>
+
 #include "geometry/invalid_input.h"
 #include "geometry/validation.h"
 #include "robust/kernel/polygon_faces.h"
@@ -8,14 +11,33 @@
 
 namespace touchstone::catalogue {
 
-OwnCut<Meshd>::OwnCut(const Meshd& mesh) : mesh_(mesh) {
-  if (mesh.polygons.empty()) return;
+namespace {
+
+/// Empty where robust refuses to make one.
+std::optional<Meshd> cut_by_robust(const Meshd& mesh) {
+  try {
+    return robust::polygon_mesh(mesh.vertices, mesh.polygons);
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+bool is_valid(const Meshd& mesh) {
   try {
     validation::validate("mesh", mesh), robust::kernel::validate_polygons("mesh", mesh);
+    return true;
   } catch (const InvalidInput&) {
-    return;
+    return false;
   }
-  cut_ = robust::polygon_mesh(mesh.vertices, mesh.polygons);
+}
+
+}  // namespace
+
+OwnCut<Meshd>::OwnCut(const Meshd& mesh) : mesh_(mesh) {
+  if (mesh.polygons.empty()) return;
+  std::optional<Meshd> own = cut_by_robust(mesh);
+  if ((own && own->faces == mesh.faces) || !is_valid(mesh)) return;
+  cut_ = own ? std::move(*own) : robust::polygon_mesh(mesh.vertices, mesh.polygons);  // which throws
 }
 
 }  // namespace touchstone::catalogue

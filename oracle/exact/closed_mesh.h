@@ -15,17 +15,22 @@ namespace touchstone::oracle {
 
 inline std::array<std::pair<Index, Index>, 3> edges_of(const Face& f) { return {{{f.a, f.b}, {f.b, f.c}, {f.c, f.a}}}; }
 
-/// Every edge, a pair of vertices in whichever order, is in an even number of faces.
+/// Every edge, a pair of vertices in whichever order, is in an even number of faces: of triangles, since an edge of a cut
+/// alone is in two of these.
 template <class Number>
 void validate_closed(const std::string& field, const Mesh<Number>& mesh) {
   std::map<std::pair<Index, Index>, int> times;
   for (const Face& face : mesh.faces) {
     for (const auto& [from, to] : edges_of(face)) ++times[std::minmax(from, to)];
   }
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    for (const auto& [from, to] : edges_of(mesh.faces[i])) {
-      if (times[std::minmax(from, to)] % 2 != 0) validation::refuse_odd_edge(field, mesh, i, from, to);
+  std::size_t triangle = 0;
+  for (std::size_t i = 0; i < named_faces(mesh); ++i) {
+    const std::vector<Index> corners = corners_of_named(mesh, i);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Index from = corners[k], to = corners[(k + 1) % corners.size()];
+      if (times[std::minmax(from, to)] % 2 != 0) validation::refuse_odd_edge(field, mesh, triangle, from, to);
     }
+    triangle += corners.size() - 2;
   }
 }
 

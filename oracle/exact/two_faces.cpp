@@ -2,6 +2,7 @@
 #include "oracle/exact/two_faces.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "oracle/exact/linear_program.h"
@@ -45,17 +46,33 @@ bool beside(const WholeCloud& cloud, const Corners& plane, const Corners& other)
   return side != 0;
 }
 
-/// A plane across an axis has f below or on it and g above or on it, and on it, of one of them, only common corners.
+/// A plane has f below or on it and g above or on it, and on it, of one of them, only common corners. at: how high a
+/// vertex is.
+template <class Height>
+bool held_apart(const Height& at, const Corners& f, const Corners& g) {
+  const Integer top = std::max({Integer(at(f[0])), Integer(at(f[1])), Integer(at(f[2]))}),
+                bottom = std::min({Integer(at(g[0])), Integer(at(g[1])), Integer(at(g[2]))});
+  const auto only_common = [&](const Corners& face, const Corners& other) {
+    return std::all_of(face.begin(), face.end(), [&](Index v) { return at(v) != top || has(other, v); });
+  };
+  return top < bottom || (top == bottom && (only_common(f, g) || only_common(g, f)));
+}
+
 bool across_an_axis(const WholeCloud& cloud, const Corners& f, const Corners& g) {
-  for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z}) {
-    const auto at = [&](Index v) -> const Integer& { return cloud[v].*axis; };
-    const Integer top = std::max({at(f[0]), at(f[1]), at(f[2])}), bottom = std::min({at(g[0]), at(g[1]), at(g[2])});
-    const auto only_common = [&](const Corners& face, const Corners& other) {
-      return std::all_of(face.begin(), face.end(), [&](Index v) { return at(v) != top || has(other, v); });
-    };
-    if (top < bottom || (top == bottom && (only_common(f, g) || only_common(g, f)))) return true;
-  }
+  for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z})
+    if (held_apart([&](Index v) -> const Integer& { return cloud[v].*axis; }, f, g)) return true;
   return false;
+}
+
+/// The outward normals of the planes through the edges of f, at right angles to it: that of one with f below and g
+/// above.
+std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const Corners& f, const Corners& g) {
+  const Vector3<Integer> upwards = cloud.normal(f[0], f[1], f[2]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3<Integer> outwards = cross(cloud.between(f[k], f[(k + 1) % 3]), upwards);
+    if (held_apart([&](Index v) { return cloud.along(outwards, v); }, f, g)) return outwards;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -68,6 +85,15 @@ TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
   if (demands.size() == 3) {
     meet = true, on_first[0] = 1;
     on_second[static_cast<std::size_t>(std::find(second.begin(), second.end(), first[0]) - second.begin())] = 1;
+    return;
+  }
+  const auto smallest = [](const Vector3<Integer>& n) { return WitnessPlane::of(n, 0).normal; };
+  if (const auto of_first = upright_between(cloud, first, second)) {
+    normal = smallest(*of_first);
+    return;
+  }
+  if (const auto of_second = upright_between(cloud, second, first)) {
+    normal = smallest(Integer(-1) * *of_second);
     return;
   }
   std::vector<Program::Row> rows;
@@ -87,7 +113,7 @@ TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
   meet = !program.feasible();
   if (!meet) {
     const auto number = [&program](int i) { return Integer(program.numerator(2 * i) - program.numerator(2 * i + 1)); };
-    normal = WitnessPlane::of({number(0), number(1), number(2)}, 0).normal;
+    normal = smallest({number(0), number(1), number(2)});
     return;
   }
   Rational sum;
@@ -107,20 +133,9 @@ TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
     for (Rational& weight : *weights) weight /= sum;
 }
 
-bool boxes_apart(const WholeCloud& cloud, const Face& first, const Face& second) {
-  for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z}) {
-    const auto ends = [&](const Face& f) {
-      return std::minmax({cloud[f.a].*axis, cloud[f.b].*axis, cloud[f.c].*axis});
-    };
-    const auto [low, high] = ends(first);
-    const auto [other_low, other_high] = ends(second);
-    if (high < other_low || other_high < low) return true;
-  }
-  return false;
-}
-
 bool plainly_apart(const WholeCloud& cloud, const Face& first, const Face& second) {
   const Corners f = corners_of(first), g = corners_of(second);
+  if (std::all_of(f.begin(), f.end(), [&g](Index v) { return has(g, v); })) return false;
   return across_an_axis(cloud, f, g) || across_an_axis(cloud, g, f) || beside(cloud, f, g) || beside(cloud, g, f);
 }
 

@@ -10,7 +10,8 @@
 /// Whether two faces of a mesh meet beyond the vertices that both name.
 namespace touchstone::oracle {
 
-/// Two faces with areas, over integers. One exact linear program decides both ways: either there is a plane with the
+/// Two faces with areas, over integers. A plane through an edge of one of them, upright on that face, may hold them
+/// apart. Where none does, one exact linear program decides both ways: either there is a plane with the
 /// first face on one side, the second on the other, and of their corners on it the common ones alone; what they have in
 /// common is in that plane, and so spanned by common corners. Or, by Farkas, positive multiples of corners that are not
 /// common, and any of common ones, cancel; those of common ones go to the side where they are positive, and what is
@@ -26,10 +27,8 @@ struct TwoFaces {
   std::array<Rational, 3> on_first, on_second;
 };
 
-/// Whether the faces' boxes have no common point.
-bool boxes_apart(const WholeCloud& cloud, const Face& first, const Face& second);
-
-/// Whether a plane across an axis or that of one of the two holds the faces apart: then a checker needs no other.
+/// Whether a plane across an axis or that of one of the two holds the faces apart: then they do not meet, and a checker
+/// needs no other. False of faces with three common vertices.
 bool plainly_apart(const WholeCloud& cloud, const Face& first, const Face& second);
 
 }  // namespace touchstone::oracle

@@ -9,11 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/exact/near_triangles.h"
 #include "oracle/exact/polygon_faces.h"
 #include "oracle/exact/rational_validation.h"
+#include "oracle/exact/solid.h"
 #include "oracle/exact/two_faces.h"
 #include "oracle/exact/whole_cloud.h"
-#include "oracle/polyhedra/point_in_polyhedron.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -169,40 +170,48 @@ std::optional<std::array<std::array<Rational, 3>, 2>> shared_diagonal(const Surf
   return std::nullopt;
 }
 
-/// All faces have areas. Whether a pair of triangles of two faces meets; if not, pairs may get a normal.
+/// All faces have areas, and the boxes of two triangles meet. Whether the triangles do; if not, they may get a normal.
 bool meet_polyhedron_complexity(const std::vector<Face>& list, const WholeCloud& cloud, const Surface& surface,
                                 const IndexPair& faces, const IndexPair& pair, Pairs& pairs) {
   const Face &f = list[pair.i], &g = list[pair.j];
-  if (boxes_apart(cloud, f, g)) return false;
-  const TwoFaces two(cloud, f, g);
-  const auto diagonal = two.meet ? std::nullopt : shared_diagonal(surface, faces.i, f, faces.j, g);
-  if (two.meet || diagonal) {
-    const auto& [on_first, on_second] = diagonal.value_or(std::array{two.on_first, two.on_second});
+  const auto note_meeting = [&](const std::array<Rational, 3>& on_first, const std::array<Rational, 3>& on_second) {
     pairs.weights.assign(on_first.begin(), on_first.end());
     pairs.weights.insert(pairs.weights.end(), on_second.begin(), on_second.end());
     pairs.triangles = {Rational(pair.i), Rational(pair.j)};
     return true;
-  }
+  };
+  Vector3<Integer> normal{0, 0, 0};
   if (!plainly_apart(cloud, f, g)) {
-    for (const Integer& n : {two.normal.x, two.normal.y, two.normal.z}) pairs.normals.emplace_back(n);
+    const TwoFaces two(cloud, f, g);
+    if (two.meet) return note_meeting(two.on_first, two.on_second);
+    normal = two.normal;
   }
+  if (const auto diagonal = shared_diagonal(surface, faces.i, f, faces.j, g))
+    return note_meeting((*diagonal)[0], (*diagonal)[1]);
+  if (!zero(normal))
+    for (const Integer& n : {normal.x, normal.y, normal.z}) pairs.normals.emplace_back(n);
   return false;
 }
 
-Pairs paired(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud, const Surface& surface,
-             PolyhedronComplexityAnswer& found) {
+/// Pairs of faces in the order of their places, of each the pairs of their triangles, up to the first that meets.
+Pairs paired(const std::vector<Face>& list, const std::vector<Index>& named, const Cuts& cuts, const WholeCloud& cloud,
+             const Surface& surface, PolyhedronComplexityAnswer& found) {
+  const auto near = later_triangles_near(cloud, list);
   Pairs pairs;
   for (Index i = 0; i < cuts.size(); ++i) {
-    for (Index j = i + 1; j < cuts.size(); ++j) {
-      const std::size_t of_earlier_faces = pairs.normals.size();
-      for (const Index s : cuts[i]) {
-        for (const Index t : cuts[j]) {
-          if (!meet_polyhedron_complexity(list, cloud, surface, {i, j}, {s, t}, pairs)) continue;
-          found.meeting_faces = IndexPair{i, j};
-          pairs.normals.resize(of_earlier_faces);  // of these faces one pair of triangles is enough
-          return pairs;
-        }
-      }
+    std::vector<std::array<Index, 3>> others;  // the other face, the triangles of both
+    for (const Index s : cuts[i])
+      for (const Index t : near[s])
+        if (named[t] != i) others.push_back({named[t], s, t});
+    std::sort(others.begin(), others.end());
+    std::size_t of_earlier_faces = 0;
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      const auto& [j, s, t] = others[k];
+      if (k == 0 || others[k - 1][0] != j) of_earlier_faces = pairs.normals.size();
+      if (!meet_polyhedron_complexity(list, cloud, surface, {i, j}, {s, t}, pairs)) continue;
+      found.meeting_faces = IndexPair{i, j};
+      pairs.normals.resize(of_earlier_faces);  // of these faces one pair of triangles is enough
+      return pairs;
     }
   }
   return pairs;
@@ -234,34 +243,44 @@ VolumeSign sign_of_volume(const std::vector<Face>& list, const WholeCloud& cloud
   return sgn(sum) > 0 ? VolumeSign::positive : sgn(sum) < 0 ? VolumeSign::negative : VolumeSign::zero;
 }
 
+/// The solid that some triangles bound, over their own corners.
+Solid solid_of(const std::vector<Face>& triangles, const WholeCloud& cloud) {
+  std::map<Index, Index> places;
+  std::vector<Point3<Integer>> vertices;
+  const auto place = [&](Index v) {
+    const auto [found, added] = places.emplace(v, static_cast<Index>(vertices.size()));
+    if (added) vertices.push_back(cloud[v]);
+    return found->second;
+  };
+  std::vector<Face> faces;
+  for (const auto& [a, b, c] : triangles) faces.push_back({place(a), place(b), place(c)});
+  return Solid(std::move(vertices), std::move(faces), cloud.unit);
+}
+
 /// Of a closed embedded mesh. Returns the directions of the rays, one after the other.
-template <class Number>
-std::vector<Rational> nest(const Mesh<Number>& mesh, const Cuts& cuts,
+std::vector<Rational> nest(const std::vector<Face>& list, const Cuts& cuts,
                            const std::vector<std::set<std::size_t>>& components, const WholeCloud& cloud,
                            PolyhedronComplexityAnswer& found) {
   std::vector<Rational> directions;
   found.nesting.emplace();
   for (Index i = 0; i < components.size(); ++i) {
-    Mesh<Number> outer{mesh.vertices, {}, {}};
-    std::set<Index> corners;
-    for (const std::size_t face : components[i]) {
-      for (const Index t : cuts[face]) {
-        const Face& f = mesh.faces[t];
-        outer.faces.push_back(f), corners.insert({f.a, f.b, f.c});
-      }
-    }
-    const auto in_box = [&](Index vertex) {
+    std::vector<Face> triangles;
+    for (const std::size_t face : components[i])
+      for (const Index t : cuts[face]) triangles.push_back(list[t]);
+    const Solid outer = solid_of(triangles, cloud);
+    const auto in_box = [&outer](const Point3<Integer>& p) {
       for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z}) {
-        const auto below = [&](Index one, Index other) { return cloud[one].*axis < cloud[other].*axis; };
-        const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end(), below);
-        if (below(vertex, *least) || below(*greatest, vertex)) return false;
+        const auto below = [axis](const auto& one, const auto& other) { return one.*axis < other.*axis; };
+        const auto [least, greatest] = std::minmax_element(outer.vertices().begin(), outer.vertices().end(), below);
+        if (below(p, *least) || below(*greatest, p)) return false;
       }
       return true;
     };
     for (Index j = 0; j < components.size(); ++j) {
-      const Index inner = mesh.faces[cuts[*components[j].begin()][0]].a;
+      const Point3<Integer>& inner = cloud[list[cuts[*components[j].begin()][0]].a];
       if (i == j || !in_box(inner)) continue;
-      const Truth<Location> where = point_in_polyhedron(outer, mesh.vertices[inner]);
+      const Truth<Location> where =
+          outer.locate_by_three_rays({Rational(inner.x), Rational(inner.y), Rational(inner.z)});
       if (where.answer == Location::inside) found.nesting->push_back({i, j});
       for (const auto& [name, values] : where.certificate().facts)
         if (name == "direction") directions.insert(directions.end(), values.begin(), values.end());
@@ -282,13 +301,13 @@ Truth<PolyhedronComplexityAnswer> truth_of_polyhedron_complexity(const Mesh<Numb
   if (found.closed && found.oriented) found.volume = sign_of_volume(mesh.faces, cloud);
   look_for_flat_face(mesh.faces, cuts, cloud, found);
   Pairs pairs;
-  if (!found.flat_face) pairs = paired(mesh.faces, cuts, cloud, surface, found);
+  if (!found.flat_face) pairs = paired(mesh.faces, named_face_of_each(mesh), cuts, cloud, surface, found);
   found.embedded = !found.flat_face && !found.meeting_faces;
   std::vector<Rational> directions;
   if (found.closed && found.embedded) {
     look_for_splitting_face(mesh.faces, cuts, surface, cloud, found);
     found.convex = !found.splitting_face;
-    directions = nest(mesh, cuts, parts, cloud, found);
+    directions = nest(mesh.faces, cuts, parts, cloud, found);
   }
   const bool polygons = !mesh.polygons.empty();
   return {found, std::nullopt, [pairs = std::move(pairs), directions = std::move(directions), polygons] {

@@ -8,10 +8,11 @@
 namespace touchstone::oracle {
 
 /// Truth: from the definitions: sets of vertices and edges; components by walking from face to face; at every vertex a
-/// walk through its faces, which has to come past all of them; for each pair of faces whose boxes meet an exact linear
-/// program for a plane between them (oracle/exact/two_faces.h); every vertex against the plane of every face; the sum
-/// of the prisms under the faces; the place of a vertex of each component in every other one, by rays
-/// (oracle/polyhedra/point_in_polyhedron.h). Margin: none: several quantities decide several words.
+/// walk through its faces, which has to come past all of them; for each pair of triangles whose boxes meet a plane
+/// between them, across an axis, that of one of the two, upright on an edge of one, or by an exact linear program
+/// (oracle/exact/two_faces.h); every vertex against the plane of every face; the sum of the prisms under the faces; the
+/// place of a vertex of each component in every other one, by rays (oracle/exact/solid.h). Margin: none: several
+/// quantities decide several words.
 ///
 /// Certificate: "complexity": what indices tell is counted once more, and so are areas, sides of planes and the volume.
 /// normals: of a plane for each pair of faces before the meeting ones that neither a plane across an axis nor the

@@ -50,12 +50,15 @@ void validate_closed(const std::string& field, const Meshd& mesh) {
   validation::validate_triangles(field, mesh);
   const auto odd = edges_of_odd_number(mesh);
   if (odd.empty()) return;
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const auto ring = ring_of(mesh.faces[i]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (std::binary_search(odd.begin(), odd.end(), edge(ring[k], ring[k + 1])))
-        validation::refuse_odd_edge(field, mesh, i, ring[k], ring[k + 1]);
+  std::size_t triangle = 0;
+  for (std::size_t i = 0; i < named_faces(mesh); ++i) {
+    const std::vector<Index> corners = corners_of_named(mesh, i);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Index from = corners[k], to = corners[(k + 1) % corners.size()];
+      if (std::binary_search(odd.begin(), odd.end(), edge(from, to)))
+        validation::refuse_odd_edge(field, mesh, triangle, from, to);
     }
+    triangle += corners.size() - 2;
   }
 }
 

@@ -227,7 +227,7 @@ struct convex_distance {
         {"polygons",
          [](DrawStream& c) -> Question {
            const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
+           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
            return {asked, shifted(b, 12.0 * lattice_normal(c, 4))};
          },
          /*unscaled=*/true}};

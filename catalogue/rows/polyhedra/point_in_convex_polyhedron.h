@@ -130,7 +130,7 @@ struct point_in_convex_polyhedron {
          [](DrawStream& c) -> Question {
            const Meshd mesh = convex_solid_of_polygons(c);
            const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
-           const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : recut(mesh, c);
+           const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : mesh;
            return {asked, p};
          },
          /*unscaled=*/true},

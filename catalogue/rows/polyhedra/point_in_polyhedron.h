@@ -5,8 +5,10 @@
 #include "catalogue/families/mesh_draws.h"
 #include "catalogue/families/part_draws.h"
 #include "catalogue/families/polygon_draws.h"
+#include "catalogue/families/prism_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
+#include "catalogue/families/wrong_cuts.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -193,8 +195,20 @@ struct point_in_polyhedron {
          [](DrawStream& c) -> Question {
            const Meshd mesh = solid_of_polygons(c);
            const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
-           const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : recut(mesh, c);
-           return {asked, p};
+           return {c.below(4) == 3 ? with_broken_polygons(mesh, c) : mesh, p};
+         },
+         /*unscaled=*/true},
+        {"prisms",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = drawn_prism(c);
+           return {mesh, c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c)};
+         },
+         /*unscaled=*/true},
+        {"wrong_cuts",
+         [](DrawStream& c) -> Question {
+           const Meshd mesh = drawn_prism(c);
+           const Point3d p = between_vertices(mesh, c);
+           return {c.below(2) == 0 ? with_wrong_cut(mesh, c) : with_wrong_polygon(mesh, c), p};
          },
          /*unscaled=*/true},
         {"shells",

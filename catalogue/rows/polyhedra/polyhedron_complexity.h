@@ -4,8 +4,10 @@
 #include "catalogue/families/contact_mesh_draws.h"
 #include "catalogue/families/mesh_draws.h"
 #include "catalogue/families/polygon_draws.h"
+#include "catalogue/families/prism_draws.h"
 #include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
+#include "catalogue/families/wrong_cuts.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_complexity.h"
@@ -113,10 +115,9 @@ struct polyhedron_complexity {
                const bool convex = c.below(3) == 2;
                Meshd mesh = convex ? convex_solid_of_polygons(c) : solid_of_polygons(c);
                switch (c.below(6)) {
-                 case 3: return {with_fin(mesh, c)};
                  case 4: return {together(mesh, solid_of_polygons(c))};
                  case 5: return {with_broken_polygons(mesh, c)};
-                 default: return {recut(mesh, c)};
+                 default: return {mesh};
                }
              },
              /*unscaled=*/true},
@@ -127,6 +128,32 @@ struct polyhedron_complexity {
                for (std::uint64_t left = c.below(4); left > 0 && part.faces.size() > 8; --left)
                  part.faces.erase(part.faces.begin() + static_cast<std::ptrdiff_t>(c.below(part.faces.size())));
                return {with_polygons(part, c)};
+             },
+             /*unscaled=*/true},
+            {"prisms", [](DrawStream& c) -> Question { return {c.below(4) == 3 ? two_prisms(c) : drawn_prism(c)}; },
+             /*unscaled=*/true},
+            {"fins",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = drawn_prism(c);
+               return {with_fin(mesh, c)};
+             },
+             /*unscaled=*/true},
+            {"wrong_cuts",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = drawn_prism(c);
+               return {c.below(2) == 0 ? with_wrong_cut(mesh, c) : with_wrong_polygon(mesh, c)};
+             },
+             /*unscaled=*/true},
+            {"wrong_polygon",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = drawn_prism(c);
+               return {with_wrong_polygon(mesh, c)};
+             },
+             /*unscaled=*/true},
+            {"lifted_corner",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = drawn_prism(c);
+               return {with_lifted_corner(mesh, c)};
              },
              /*unscaled=*/true},
             {"convex_at_a_vertex", [](DrawStream& c) -> Question { return {convex_at_a_vertex(c)}; },

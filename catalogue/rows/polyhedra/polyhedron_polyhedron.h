@@ -184,7 +184,7 @@ struct polyhedron_polyhedron {
         {"polygons",
          [](DrawStream& c) -> Question {
            const Meshd a = solid_of_polygons(c), b = convex_solid_of_polygons(c);
-           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
+           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
            return {asked, moved(b, c, 12, 3)};
          },
          /*unscaled=*/true},

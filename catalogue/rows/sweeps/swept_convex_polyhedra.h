@@ -151,7 +151,7 @@ struct swept_convex_polyhedra {
         {"polygons",
          [](DrawStream& c) -> Question {
            const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : recut(a, c);
+           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
            const Vector3d apart = 12.0 * lattice_normal(c, 2);
            return {asked, shifted(b, apart), 12.0 * lattice_normal(c, 2)};
          },
