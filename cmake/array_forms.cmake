@@ -2,7 +2,7 @@
 # The decisions over arrays for C and Python, made from what robust/batch declares, so that there is no list of them:
 #   touchstone_robust.h, .cpp   for C, part of the component robust
 #   array_forms.h               their names, for a binding
-#   arrays.py                   functions and enumerators of the Python module
+#   _decisions.py, arrays.py    functions and enumerators of the Python module, and what its help() says of them
 #
 # An operand is a struct of robust/batch/columns.h, Polygon2d or Meshd. The comment of a declaration says "its Side:", the enumeration of
 # the answers, which is looked up in geometry/. Overloads are those of the plane and of space; C has no overloads, and calls them _2 and _3.
@@ -11,7 +11,7 @@ set(array_folder ${PROJECT_SOURCE_DIR}/robust/batch)
 file(GLOB array_headers CONFIGURE_DEPENDS ${array_folder}/*.h)
 file(GLOB geometry_headers ${PROJECT_SOURCE_DIR}/geometry/*.h)
 set(array_templates ${PROJECT_SOURCE_DIR}/robust/c/touchstone_robust.h.in ${PROJECT_SOURCE_DIR}/robust/c/touchstone_robust.cpp.in
-                    ${PROJECT_SOURCE_DIR}/python/touchstone/arrays.py.in)
+                    ${PROJECT_SOURCE_DIR}/python/touchstone/arrays.py.in ${PROJECT_SOURCE_DIR}/python/touchstone/_decisions.py.in)
 set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${array_headers} ${geometry_headers} ${array_templates})
 
 # "TriangleTriangleRelation" -> triangle_triangle_relation, "Points2" -> points2
@@ -131,8 +131,55 @@ macro(touchstone_add_enumeration name)
   list(APPEND includes "#include \"geometry/${found}\"")
   string(APPEND enumerations_in_c "${meaning_in_c}\ntypedef enum touchstone_${snake} {\n${in_c}\n} touchstone_${snake};\n")
   string(REGEX REPLACE "[ ]+(\n|$)" "\\1" meaning_in_python "${meaning_in_python}")
-  string(APPEND enumerations_in_python "\n\nclass ${name}(IntEnum):\n${meaning_in_python}${in_python}")
+  string(APPEND enumerations_in_python "\n\nclass ${name}(Enumeration):\n${meaning_in_python}${in_python}")
   list(APPEND exported "${name}")
+  set(enumerators_of_${name} ${enumerators})
+endmacro()
+
+# touchstone_add_mask(NAME ENUMERATION operands): where an enumerator says that there is no common point, adds the function of
+# Python that tells so by bool: X_contains(X, points) of point_in_X and point_on_X, NAME_intersects of others.
+macro(touchstone_add_mask name enumeration operands)
+  set(nothing "")
+  set(boundary "")
+  set(interior "")
+  foreach(enumerator ${enumerators_of_${enumeration}})
+    if(enumerator MATCHES "^(outside|off|disjoint|none)$")
+      set(nothing ${enumerator})
+    elseif(enumerator MATCHES "^(boundary|touching)$")
+      set(boundary ${enumerator})
+    else()
+      list(APPEND interior ${enumeration}.${enumerator})
+    endif()
+  endforeach()
+  list(JOIN interior ", " interior)
+  if(NOT "${nothing}" STREQUAL "")
+    set(mask ${name}_intersects)
+    string(REPLACE ", " ";" mask_operands "${operands}")
+    set(meaning "the closed shapes have a point in common")
+    set(open "; with ${boundary}=False, whether their interiors have")
+    if("${name}" MATCHES "^point_([io]n)_(.*)$")
+      set(mask ${CMAKE_MATCH_2}_contains)
+      set(meaning "each point is in the closed shape")
+      set(open "; with ${boundary}=False, in its interior")
+      if(CMAKE_MATCH_1 STREQUAL "on")
+        list(REVERSE mask_operands)
+      endif()
+    endif()
+    set(mask_test "answers != ${enumeration}.${nothing}")
+    list(JOIN mask_operands ": Operand, " mask_annotated)
+    string(APPEND mask_annotated ": Operand")
+    list(JOIN mask_operands ", " mask_in_help)
+    if(boundary)
+      string(APPEND mask_test " if ${boundary} else answers.isin(${interior})")
+      string(APPEND mask_annotated ", *, ${boundary}: bool = True")
+      string(APPEND mask_in_help ", ${boundary}=True")
+      string(APPEND meaning "${open}")
+    endif()
+    string(APPEND functions_in_python "\n\ndef ${mask}(${mask_annotated}) -> Mask:\n    \"\"\"A mask, by `${name}`: whether ${meaning}.\"\"\"\n"
+           "    answers = ${name}(${operands})\n    return ${mask_test}\n")
+    list(APPEND exported ${mask})
+    list(APPEND masks_in_help "  ${mask}(${mask_in_help})")
+  endif()
 endmacro()
 
 set(enumerations_in_c "")
@@ -144,6 +191,8 @@ set(forms "")
 set(checks "")
 set(includes "")
 set(exported "")
+set(decisions_in_help "")
+set(masks_in_help "")
 foreach(header ${array_headers})
   cmake_path(GET header STEM name)
   if(name STREQUAL columns)
@@ -214,8 +263,13 @@ foreach(header ${array_headers})
   string(TOUPPER ${name} upper)
   string(APPEND functions_in_python "\n\n_${upper} = (${forms_in_python},)\n\n\n"
          "def ${name}(${annotated}: Operand, *, out: Out = None) -> Answers:\n    \"\"\"${comment_in_python}\"\"\"\n"
-         "    return decide(_${upper}, out, ${parameters_in_python})\n")
+         "    return decide(_${upper}, ${enumeration}, out, ${parameters_in_python})\n")
+  list(JOIN enumerators_of_${enumeration} ", " enumerators)
+  list(APPEND decisions_in_help "  ${name}(${parameters_in_python})  ${enumeration}: ${enumerators}")
+  touchstone_add_mask(${name} ${enumeration} "${parameters_in_python}")
 endforeach()
+list(JOIN decisions_in_help "\n" decisions_in_help)
+list(JOIN masks_in_help "\n" masks_in_help)
 list(REMOVE_DUPLICATES includes)
 list(JOIN includes "\n" includes)
 list(TRANSFORM exported REPLACE "(.+)" "    \"\\1\"," OUTPUT_VARIABLE exported)
@@ -229,7 +283,9 @@ configure_file(${PROJECT_SOURCE_DIR}/robust/c/touchstone_robust.h.in ${touchston
 configure_file(${PROJECT_SOURCE_DIR}/c/touchstone.h ${touchstone_c_headers}/touchstone.h COPYONLY)
 set(array_forms_source ${PROJECT_BINARY_DIR}/array_forms/touchstone_robust.cpp)
 configure_file(${PROJECT_SOURCE_DIR}/robust/c/touchstone_robust.cpp.in ${array_forms_source} @ONLY)
-configure_file(${PROJECT_SOURCE_DIR}/python/touchstone/arrays.py.in ${PROJECT_BINARY_DIR}/array_forms/arrays.py @ONLY)
+foreach(name _decisions arrays)
+  configure_file(${PROJECT_SOURCE_DIR}/python/touchstone/${name}.py.in ${PROJECT_BINARY_DIR}/array_forms/${name}.py @ONLY)
+endforeach()
 file(CONFIGURE OUTPUT ${touchstone_generated}/robust/c/array_forms.h @ONLY CONTENT [[
 // Made by cmake/array_forms.cmake from the headers of robust/batch.
 #pragma once

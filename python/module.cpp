@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The compiled part of the Python module: the functions of touchstone_robust.h over buffers, and those of touchstone.h.
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <array>
@@ -11,25 +12,29 @@
 
 #include "c/touchstone.h"
 #include "robust/c/array_forms.h"
+#include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::python {
 namespace {
 
 namespace py = pybind11;
 
+[[noreturn]] void raise_refusal(const std::string& field, const std::string& rule) {
+  const py::object type = py::module_::import("touchstone._errors").attr("InvalidInput");
+  PyErr_SetObject(type.ptr(), type(field, rule).ptr());
+  throw py::error_already_set();
+}
+
 [[noreturn]] void raise_error(int code, const touchstone_error& error) {
   if (code == TOUCHSTONE_OUT_OF_MEMORY) throw std::bad_alloc();
   if (code == TOUCHSTONE_FAILED) throw std::runtime_error(std::string("a defect of touchstone: ") + error.rule);
-  const py::module_ errors = py::module_::import("touchstone._errors");
   if (code == TOUCHSTONE_REFUSED) {
-    PyErr_SetString(errors.attr("CertificateRefused").ptr(), error.rule);
+    PyErr_SetString(py::module_::import("touchstone._errors").attr("CertificateRefused").ptr(), error.rule);
     throw py::error_already_set();
   }
   std::string field = error.field;
   if (error.question != TOUCHSTONE_NO_QUESTION) field = "questions[" + std::to_string(error.question) + "]." + field;
-  const py::object type = errors.attr("InvalidInput");
-  PyErr_SetObject(type.ptr(), type(field, error.rule).ptr());
-  throw py::error_already_set();
+  raise_refusal(field, error.rule);
 }
 
 /// What Python hands over, one operand after the other: arrays, each with the number of its axes that are not of
@@ -150,6 +155,38 @@ void decide(const std::string& name, const py::sequence& arrays, const py::buffe
   decisions.at(name)(arrays, static_cast<std::size_t>(answers.shape[0]), static_cast<std::uint8_t*>(answers.ptr));
 }
 
+/// A cut of polygons into triangles: `sizes` says how many of the `corners` each has.
+py::array_t<std::uint32_t> cut(const py::array_t<double>& vertices, const py::array_t<std::uint32_t>& corners,
+                               const py::array_t<std::int64_t>& sizes) {
+  const auto points = vertices.unchecked<2>();
+  const auto places = corners.unchecked<1>();
+  const auto lengths = sizes.unchecked<1>();
+  std::vector<Point3d> positions;
+  for (py::ssize_t i = 0; i < points.shape(0); ++i) positions.push_back({points(i, 0), points(i, 1), points(i, 2)});
+  std::vector<std::vector<Index>> polygons;
+  py::ssize_t next = 0;
+  for (py::ssize_t i = 0; i < lengths.shape(0); ++i) {
+    if (lengths(i) < 0 || lengths(i) > places.shape(0) - next)
+      throw std::invalid_argument("fewer corners than sizes say");
+    std::vector<Index>& polygon = polygons.emplace_back();
+    for (const py::ssize_t end = next + lengths(i); next < end; ++next) polygon.push_back(places(next));
+  }
+  std::vector<Face> faces;
+  try {
+    const py::gil_scoped_release others_may_run;
+    faces = robust::polygon_mesh(std::move(positions), std::move(polygons)).faces;
+  } catch (const InvalidInput& refused) {
+    raise_refusal(refused.field(), refused.rule());
+  }
+  py::array_t<std::uint32_t> triangles({static_cast<py::ssize_t>(faces.size()), py::ssize_t{3}});
+  auto written = triangles.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < written.shape(0); ++i) {
+    const auto& [a, b, c] = faces[static_cast<std::size_t>(i)];
+    written(i, 0) = a, written(i, 1) = b, written(i, 2) = c;
+  }
+  return triangles;
+}
+
 /// The text that a function of touchstone.h makes.
 template <class Call>
 std::string text_of(const Call& call) {
@@ -174,6 +211,7 @@ namespace py = pybind11;
 
 PYBIND11_MODULE(_touchstone, module) {
   module.def("decide", touchstone::python::decide);
+  module.def("cut", touchstone::python::cut);
   module.def("answer", [](const std::string& operation, const std::string& question) {
     return text_of([&](char** result, touchstone_error* error) {
       return touchstone_answer(operation.c_str(), question.c_str(), result, error);

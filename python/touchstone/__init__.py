@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Right answers to questions of collision detection, and the exact truth.
 
-    touchstone.segment_segment(a, b)               a decision for each row of two arrays of float64
+    touchstone.segment_segment_intersects(a, b)    a mask: one bool for each row of two arrays of float64
+    touchstone.segment_segment(a, b)               an enumerator for each row; help(touchstone.arrays) lists all of both
     touchstone.answer("segment_segment", {...})    what robust answers, numbers rounded once
     touchstone.truth("segment_segment", {...})     the exact answer with fractions, margin and certificate
     touchstone.certify(truth.claim)                whether the certificate proves the answer
@@ -14,15 +15,17 @@ from typing import Any
 
 from ._errors import CertificateRefused, InvalidInput
 from ._operations import Exact, Question, Surd, Truth, answer, certify, draw, operations, truth
+from ._version import __version__
 
 __all__ = [
-    "CertificateRefused", "Exact", "InvalidInput", "Question", "Surd", "Truth", "answer", "certify", "draw", "operations",
-    "truth"
+    "CertificateRefused", "Exact", "InvalidInput", "Question", "Surd", "Truth", "__version__", "answer", "certify", "draw",
+    "operations", "truth"
 ]
 try:
-    from . import arrays
-    from .arrays import *  # noqa: F403
-    __all__ += arrays.__all__
+    from . import _decisions, arrays
+    from ._answers import Answers
+    from ._decisions import *  # noqa: F403
+    __all__ += ["Answers", "arrays", *_decisions.__all__]
 except ModuleNotFoundError as missing:
     if missing.name != "numpy":
         raise

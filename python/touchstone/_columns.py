@@ -2,6 +2,7 @@
 """Operands over arrays as columns of float64, without copying them."""
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any, Optional, Union
 
@@ -9,11 +10,11 @@ import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from . import _touchstone
+from ._answers import Answers, Enumeration
 from ._errors import InvalidInput
 
 Operand = Union[ArrayLike, tuple[Any, ...], Mapping[str, Any]]
 Out = Optional[NDArray[numpy.uint8]]
-Answers = NDArray[numpy.uint8]
 Located = tuple[NDArray[Any], int]
 _float64 = numpy.dtype(numpy.float64)
 _whole = -1  # instead of a number of axes: one array for all rows, a polygon or a part of a mesh
@@ -98,7 +99,7 @@ class _Polygon2:
 
 
 class _Mesh:
-    """One mesh: vertices, and three places of vertices for each face."""
+    """One mesh: vertices, and three or more places of vertices for each face."""
 
     def expected(self) -> str:
         return "(vertices, faces)"
@@ -108,15 +109,44 @@ class _Mesh:
             value = value["vertices"], value["faces"]
         if not isinstance(value, tuple) or len(value) != 2:
             raise InvalidInput(field, f"expected {self.expected()}")
-        yield _vertices(value[0], f"{field}.vertices", 3), _whole
-        faces = numpy.asarray(value[1])
-        if faces.size == 0:
-            faces = numpy.zeros((0, 3), dtype=numpy.uint32)
-        if faces.dtype.kind not in "iu" or faces.ndim != 2 or faces.shape[1] != 3:
-            raise InvalidInput(f"{field}.faces", f"integers of the shape (f, 3), found {faces.dtype} of {faces.shape}")
-        if faces.size > 0 and (faces.min() < 0 or faces.max() > 0xFFFFFFFF):
-            raise InvalidInput(f"{field}.faces", "places of vertices, counted from 0")
-        yield numpy.ascontiguousarray(faces, dtype=numpy.uint32), _whole
+        vertices = _vertices(value[0], f"{field}.vertices", 3)
+        yield vertices, _whole
+        corners, sizes = _corners(value[1], f"{field}.faces")
+        if (sizes == 3).all():
+            yield corners.reshape(-1, 3), _whole
+        else:
+            yield _touchstone.cut(vertices, corners, sizes), _whole
+
+    def as_given(self, value: Any, field: str, refused: InvalidInput) -> InvalidInput:
+        """A refusal that names a triangle of the cut names the face of which it is a part."""
+        found = re.fullmatch(re.escape(field) + r"\.faces\[(\d+)\](.*)", refused.field)
+        if found is None:
+            return refused
+        faces = value["faces"] if isinstance(value, Mapping) else value[1]
+        sizes = _corners(faces, field)[1]
+        face = numpy.searchsorted(numpy.cumsum(sizes - 2), int(found[1]), side="right")
+        return InvalidInput(f"{field}.faces[{face}]{found[2]}", refused.rule)
+
+
+def _corners(faces: Any, field: str) -> tuple[NDArray[numpy.uint32], NDArray[numpy.int64]]:
+    """The corners of all faces, one face after the other, and how many each has. Lists may have different lengths."""
+    if isinstance(faces, numpy.ndarray):
+        sizes = numpy.full(len(faces) if faces.ndim == 2 else 0, faces.shape[-1] if faces.ndim == 2 else 0)
+        corners = faces.ravel()
+    else:
+        try:
+            sizes = numpy.array([len(face) for face in faces], dtype=numpy.int64)
+            corners = numpy.array([corner for face in faces for corner in face])
+        except (TypeError, ValueError):
+            raise InvalidInput(field, "a list of three or more places of vertices for each face") from None
+    if corners.size == 0 and len(sizes) == 0:
+        return numpy.zeros(0, dtype=numpy.uint32), numpy.zeros(0, dtype=numpy.int64)
+    if corners.dtype.kind not in "iu" or len(sizes) == 0:
+        shape = f" of {faces.shape}" if isinstance(faces, numpy.ndarray) else ""
+        raise InvalidInput(field, f"integers, three or more for each face, found {corners.dtype}{shape}")
+    if corners.size > 0 and (corners.min() < 0 or corners.max() > 0xFFFFFFFF):
+        raise InvalidInput(field, "places of vertices, counted from 0")
+    return numpy.ascontiguousarray(corners, dtype=numpy.uint32), sizes
 
 
 def _vertices(value: Any, field: str, dimensions: int) -> NDArray[numpy.float64]:
@@ -148,8 +178,14 @@ class Form:
         return [located for (field, shape), value in zip(self.operands.items(), values)
                 for located in shape.arrays(value, field)]
 
+    def as_given(self, values: tuple[Any, ...], refused: InvalidInput) -> InvalidInput:
+        for (field, shape), value in zip(self.operands.items(), values):
+            if isinstance(shape, _Mesh):
+                refused = shape.as_given(value, field, refused)
+        return refused
 
-def decide(forms: tuple[Form, ...], out: Out, *values: Any) -> Answers:
+
+def decide(forms: tuple[Form, ...], enumeration: type[Enumeration], out: Out, *values: Any) -> Answers:
     """The answers by the first of the forms, in the plane or in space, whose operands these are."""
     if len(forms) > 1:
         forms = tuple(form for form in forms if form.fits(values)) or forms
@@ -173,8 +209,11 @@ def decide(forms: tuple[Form, ...], out: Out, *values: Any) -> Answers:
         raise InvalidInput("out", f"an array of uint8 of the shape ({count},), found {found}")
     elif not out.flags.c_contiguous or not out.flags.writeable:
         raise InvalidInput("out", "an array that is contiguous and can be written")
-    _touchstone.decide(form.name, [part for pair in located for part in pair], out)
-    return out
+    try:
+        _touchstone.decide(form.name, [part for pair in located for part in pair], out)
+    except InvalidInput as refused:
+        raise form.as_given(values, refused) from None
+    return Answers(enumeration, out)
 
 
 def _count(form: Form, located: list[Located]) -> int:

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Decisions over numpy's arrays: equal to robust's answer and to the truth, question by question, wherever the numbers stand."""
-import inspect
+import pydoc
 import threading
-from enum import IntEnum
 
 import numpy
 import pytest
 import touchstone
 from hypothesis import given, settings, strategies
 from touchstone import arrays
+from touchstone._answers import Enumeration
 
-ENUMERATIONS = [made for made in vars(arrays).values() if isinstance(made, type) and issubclass(made, IntEnum) and made is not IntEnum]
-DECISIONS = [name for name in arrays.__all__ if inspect.isfunction(getattr(arrays, name))]
+NAMES = touchstone._decisions.__all__
+ENUMERATIONS = [made for made in map(vars(arrays).get, NAMES) if isinstance(made, type) and issubclass(made, Enumeration)]
+MASKS = [name for name in NAMES if name.endswith(("_contains", "_intersects"))]
+DECISIONS = [name for name in NAMES if name not in MASKS and name not in [made.__name__ for made in ENUMERATIONS]]
 OPERATIONS = touchstone.operations()
 
 
@@ -81,12 +83,92 @@ def test_arrays_equal_answers_equal_truth(name):
     seen = set()
     for questions in kinds_of(touchstone.draw(name, 400)):
         answers = decide(*operands_of(name, questions))
-        assert answers.dtype == numpy.uint8 and answers.shape == (len(questions),)
+        assert answers.numbers.dtype == numpy.uint8 and answers.numbers.shape == (len(questions),)
         for answer, question in zip(answers, questions):
-            assert enumeration(answer) == word_in(question.answer, enumeration), question.claim
-            assert enumeration(answer) == word_in(touchstone.answer(name, question.input), enumeration), question.claim
+            assert answer is word_in(question.answer, enumeration), question.claim
+            assert answer is word_in(touchstone.answer(name, question.input), enumeration), question.claim
             seen.add(int(answer))
     assert seen == set(map(int, enumeration))
+
+
+SQUARE = numpy.array([[0.0, 0], [4, 0], [4, 4], [0, 4]])
+AT_SQUARE = numpy.array([[9.0, 9], [2, 2], [4, 1]])  # outside, inside, on the boundary
+
+
+def test_masks_choose_rows():
+    assert AT_SQUARE[touchstone.polygon_contains(SQUARE, AT_SQUARE)].tolist() == [[2, 2], [4, 1]]
+    assert AT_SQUARE[touchstone.polygon_contains(SQUARE, AT_SQUARE, boundary=False)].tolist() == [[2, 2]]
+    spheres = numpy.array([[4.0, 0, 0, 2], [3, 0, 0, 2], [5, 0, 0, 2]])
+    assert touchstone.sphere_sphere_intersects(spheres, [0.0, 0, 0, 2]).tolist() == [True, True, False]
+    assert touchstone.sphere_sphere_intersects(spheres, [0.0, 0, 0, 2], touching=False).tolist() == [False, True, False]
+    assert touchstone.segment_contains([0.0, 0, 2, 2], numpy.array([[1.0, 1], [3, 3], [1, 0]])).tolist() == [True, False, False]
+
+
+@pytest.mark.parametrize("name", MASKS)
+def test_a_mask_is_that_of_its_decision(name):
+    """The decision's enumerator that says `nothing in common` is False, all others are True."""
+    decision = getattr(arrays, name).__doc__.split("`")[1]
+    nothing = {"outside", "off", "disjoint", "none"}
+    for questions in kinds_of(touchstone.draw(decision, 100)):
+        operands = operands_of(decision, questions)
+        expected = [word_in(question.answer, enumeration_of(decision)).name not in nothing for question in questions]
+        mask = getattr(touchstone, name)(*(operands[::-1] if decision.startswith("point_on") else operands))
+        assert mask.dtype == bool and mask.tolist() == expected
+
+
+def test_answers_are_no_masks():
+    answers = touchstone.point_in_polygon(SQUARE, AT_SQUARE)
+    assert list(answers) == [touchstone.Location.outside, touchstone.Location.inside, touchstone.Location.boundary]
+    for use in (lambda: AT_SQUARE[answers], lambda: numpy.where(answers, 1, 0), lambda: numpy.array(answers), lambda: bool(answers),
+                lambda: numpy.bincount(answers), lambda: numpy.logical_not(answers), lambda: "" if answers[0] else ""):
+        with pytest.raises(TypeError):
+            use()
+    with pytest.raises(TypeError, match="write answers == Location.inside for a mask, answers.numbers for numbers"):
+        AT_SQUARE[answers]
+    with pytest.raises(TypeError, match="is no condition, compare it: answer == Location.inside"):
+        print("inside" if answers[1] else "not inside")
+    assert AT_SQUARE[answers == touchstone.Location.inside].tolist() == [[2, 2]]
+    assert AT_SQUARE[touchstone.Location.inside != answers].tolist() == [[9, 9], [4, 1]]
+    assert answers.isin(touchstone.Location.inside, touchstone.Location.boundary).tolist() == [False, True, True]
+    assert answers[answers != touchstone.Location.outside].numbers.tolist() == [0, 1]
+    for other in (touchstone.Contact.disjoint, 0, "inside", touchstone.orientation((0.0, 0), (1.0, 0), AT_SQUARE)):
+        with pytest.raises(TypeError, match="answers of Location are compared with its enumerators"):
+            answers == other
+
+
+CUBE = numpy.array([[x, y, z] for x in (0.0, 2) for y in (0.0, 2) for z in (0.0, 2)])
+SIDES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+
+
+def test_faces_have_any_number_of_corners():
+    points = numpy.array([[1.0, 1, 1], [2, 1, 1], [2, 2, 2], [3, 1, 1]])
+    expected = ["inside", "boundary", "boundary", "outside"]
+    mixed = [SIDES[0][:3], [0, 3, 2], *SIDES[1:]]
+    for faces in (SIDES, numpy.array(SIDES), tuple(map(tuple, SIDES)), mixed):
+        assert [answer.name for answer in touchstone.point_in_polyhedron((CUBE, faces), points)] == expected
+        assert touchstone.polyhedron_contains({"vertices": CUBE, "faces": faces}, points).tolist() == [True, True, True, False]
+
+
+@pytest.mark.parametrize("faces", [SIDES[1:], [*SIDES[:5], [1, 5, 7]], [*SIDES[:5], [1, 5, 7, 2]], [*SIDES[:5], [1, 5, 7, 9]],
+                                   [*SIDES[:5], [1, 7, 5, 3]], [*SIDES[:5], [1, 5]]])
+def test_faces_that_are_refused_are_named_as_they_are_given(faces):
+    """As a single question is refused, which also says how far corners are from a plane."""
+    with pytest.raises(touchstone.InvalidInput) as single:
+        touchstone.answer("point_in_polyhedron", {"mesh": {"vertices": CUBE, "faces": faces}, "point": [1, 1, 1]})
+    field, rule = refusal(touchstone.point_in_polyhedron, (CUBE, faces), numpy.ones(3))
+    assert field == single.value.field and f"{single.value.rule}: ".startswith(f"{rule}: ")
+
+
+@pytest.mark.parametrize("faces", [5, [1, 2, 3], [[0.5, 1, 2]], ["abc"], [[0, 1, -1]], numpy.zeros((4, 3)), numpy.zeros(6, dtype=int)])
+def test_faces_that_are_none(faces):
+    assert refusal(touchstone.point_in_polyhedron, (CUBE, faces), numpy.ones(3))[0] == "mesh.faces"
+
+
+def test_help_is_a_page():
+    page = pydoc.plain(pydoc.render_doc(arrays))
+    assert page.count("\n") < 80
+    assert all(f"  {name}(" in page for name in DECISIONS + MASKS)
+    assert all(f"  {made.__name__}: {', '.join(made.__members__)}\n" in page for made in ENUMERATIONS)
 
 
 SEGMENTS = touchstone.draw("segment_segment", 300, seed=2)
@@ -95,7 +177,8 @@ SEGMENTS = touchstone.draw("segment_segment", 300, seed=2)
 def segment_pairs(questions):
     a = numpy.array([question.input["a"] for question in questions])
     b = numpy.array([question.input["b"] for question in questions])
-    return a, b, numpy.array([touchstone.SegmentRelation[question.answer["relation"]] for question in questions])
+    expected = numpy.array([touchstone.SegmentRelation[question.answer["relation"]] for question in questions], dtype=numpy.uint8)
+    return a, b, touchstone.Answers(touchstone.SegmentRelation, expected)
 
 
 @settings(max_examples=100, deadline=None, derandomize=True)
@@ -115,8 +198,8 @@ def test_where_the_numbers_stand_changes_nothing(questions, step, shift, backwar
     assert (touchstone.segment_segment(a, b) == expected).all()
     assert (touchstone.segment_segment((a[:, 0], a[:, 1]), {"a": b[:, 0], "b": b[:, 1]}) == expected).all()
     out = numpy.full(count, 255, dtype=numpy.uint8)
-    assert touchstone.segment_segment(a, b, out=out) is out
-    assert (out == expected).all()
+    assert touchstone.segment_segment(a, b, out=out).numbers is out
+    assert (out == expected.numbers).all()
 
 
 def test_one_operand_is_shared_by_all():
@@ -124,23 +207,23 @@ def test_one_operand_is_shared_by_all():
     expected = touchstone.segment_segment(numpy.repeat(a[:1], len(b), axis=0), b)
     for shared in (a[0], a[:1], a[0].tolist(), (a[0, 0], a[0, 1]), numpy.broadcast_to(a[0], b.shape), a[0].ravel()):
         assert (touchstone.segment_segment(shared, b) == expected).all()
-    assert touchstone.segment_segment(a[0], b[0]).tolist() == expected[:1].tolist()
+    assert list(touchstone.segment_segment(a[0], b[0])) == list(expected[:1])
     x, y = numpy.array([1.0, 0.0, -1.0]), 0.0
-    assert touchstone.orientation((0, -1), (0.0, 1.0), (x, y)).tolist() == [touchstone.Side.right, touchstone.Side.on, touchstone.Side.left]
+    assert list(touchstone.orientation((0, -1), (0.0, 1.0), (x, y))) == [touchstone.Side.right, touchstone.Side.on, touchstone.Side.left]
 
 
 def test_members_that_are_not_alike():
     centers, radii = numpy.array([[0.0, 0, 0], [4, 0, 0], [5, 0, 0]]), numpy.array([1.0, 2, 2])
     expected = [touchstone.Contact.overlapping, touchstone.Contact.touching, touchstone.Contact.disjoint]
     unit = numpy.array([0.0, 0, 0, 2])
-    assert touchstone.sphere_sphere((centers, radii), unit).tolist() == expected
-    assert touchstone.sphere_sphere(numpy.column_stack([centers, radii]), ((0, 0, 0), 2)).tolist() == expected
-    assert touchstone.sphere_sphere((centers[:, :2], radii), unit[1:]).tolist() == expected
+    assert list(touchstone.sphere_sphere((centers, radii), unit)) == expected
+    assert list(touchstone.sphere_sphere(numpy.column_stack([centers, radii]), ((0, 0, 0), 2))) == expected
+    assert list(touchstone.sphere_sphere((centers[:, :2], radii), unit[1:])) == expected
 
 
 def test_no_rows():
-    assert touchstone.orientation(numpy.zeros((0, 2)), numpy.zeros(2), numpy.zeros((0, 2))).shape == (0,)
-    assert touchstone.orientation(numpy.zeros((0, 2)), numpy.zeros((1, 2)), numpy.zeros(2)).shape == (0,)
+    assert touchstone.orientation(numpy.zeros((0, 2)), numpy.zeros(2), numpy.zeros((0, 2))).numbers.shape == (0,)
+    assert touchstone.orientation(numpy.zeros((0, 2)), numpy.zeros((1, 2)), numpy.zeros(2)).numbers.shape == (0,)
 
 
 def refusal(decide, *operands, **out):
@@ -205,7 +288,8 @@ def test_places_for_answers_that_are_refused(out):
 def test_threads():
     """Several threads at once, refusals among them."""
     a, b, expected = segment_pairs(SEGMENTS)
-    a, b, expected = (numpy.concatenate([array] * 40) for array in (a, b, expected))
+    a, b = numpy.concatenate([a] * 40), numpy.concatenate([b] * 40)
+    expected = touchstone.Answers(expected.enumeration, numpy.concatenate([expected.numbers] * 40))
     wrong = a.copy()
     wrong[-1, 0, 0] = numpy.nan
     complaints = []

@@ -3,7 +3,9 @@
 import copy
 import json
 import math
+import pathlib
 import pickle
+import re
 from fractions import Fraction
 
 import numpy
@@ -140,3 +142,8 @@ def test_drawing():
 def test_operations():
     assert OPERATIONS["segment_segment"]["fields"] == ["a", "b"]
     assert OPERATIONS["segment_segment"]["words"] == ["disjoint", "point", "overlap"]
+
+
+def test_the_version_is_that_of_the_project():
+    project = (pathlib.Path(__file__).resolve().parents[3] / "CMakeLists.txt").read_text(encoding="utf-8")
+    assert re.search(r"project\(touchstone VERSION (\S+)", project)[1] == touchstone.__version__
