@@ -67,10 +67,11 @@ void add_mesh(CLI::App& program, std::function<int()>& action) {
   auto* command =
       program.add_subcommand("mesh", "What a mesh is, what is wrong with it, where, and what would mend it");
   auto options = std::make_shared<MeshCommand>();
-  command->add_option("file", options->files, "OBJ, PLY, OFF or STL files; several make a table")->required();
+  command->add_option("file", options->files, "OBJ, PLY, OFF, STL, glTF or 3MF files; several make a table")
+      ->required();
   add_preparation(*command, options->preparation);
   command->add_option("--repair", options->repair,
-                      "Write the mesh with what is certain mended into this file (.obj, .off or .ply)");
+                      "Write the mesh with what is certain mended into this file (.obj, .off, .ply or .stl)");
   command->add_option("--page", options->page,
                       "Write an HTML page with a picture into this file; - is standard output");
   command->add_flag("--json", options->json, "A line of JSON for each file");

@@ -74,6 +74,8 @@ MeshFile read_obj(const std::string& name, std::string_view bytes) {
       for (const std::string_view word : words) faces.corners.push_back(corner(text, word, mesh.vertices.size()));
     } else if (passed_over(keyword)) {
       ++mesh.passed_over[std::string(keyword)];
+      if ((keyword == "o" || keyword == "g") && !words.empty())
+        mesh.parts.emplace_back(mesh.face_lines.size(), catalogue::excerpt(words[0], 40));
     } else {
       text.refuse(line, "v, f or another keyword of polygons in OBJ, got " + catalogue::excerpt(keyword, 20));
     }

@@ -87,7 +87,7 @@ MeshFile read_binary(const std::string& name, std::string_view all) {
   const Layout layout = layout_of(all);
   Merged merged;
   MeshFile& mesh = merged.mesh;
-  mesh.name = name, mesh.format = "STL (binary)";
+  mesh.name = name, mesh.format = "STL (binary)", mesh.has_vertex_numbers = false;
   bool any_attribute = false;
   for (std::uint64_t i = 0; i < layout.triangles; ++i) {
     bytes.skip(12);  // the normal
@@ -128,7 +128,7 @@ MeshFile read_text(const std::string& name, std::string_view all) {
   Text text(name, all);
   Merged merged;
   MeshFile& mesh = merged.mesh;
-  mesh.name = name, mesh.format = "STL (ascii)";
+  mesh.name = name, mesh.format = "STL (ascii)", mesh.has_vertex_numbers = false;
   std::vector<Index> loop;
   std::size_t facet = 0;      // the line on which the last one begins
   std::string open = "file";  // what stands open

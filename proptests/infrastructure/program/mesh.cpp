@@ -320,7 +320,8 @@ TEST_CASE("mesh: what cannot be done is refused in one line, and no mesh is over
   for (const char* option : {"--repair", "--page"})
     require_refused(called({"mesh", cube.path(), option, cube.path()}), bad_usage, "is the mesh that is read");
   CHECK(audit::read_mesh_file(cube.path()).faces[0] == std::vector<Index>{0, 1, 2, 3});
-  require_refused(called({"mesh", cube.path(), "--repair", "cube.stl"}), bad_usage, "ends with .obj, .off or .ply");
+  require_refused(called({"mesh", cube.path(), "--repair", "cube.step"}), bad_usage,
+                  "ends with .obj, .off, .ply or .stl");
   require_refused(called({"mesh", cube.path(), cube.path(), "--page", "x.html"}), bad_usage, "several files");
   require_refused(called({"mesh", "--merge", cube.path(), cube.path()}), bad_usage, "a number from 0 to 0.01");
   require_refused(called({"mesh", cube.path(), "--merge", "2"}), bad_usage, "a number from 0 to 0.01");
