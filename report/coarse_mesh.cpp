@@ -11,9 +11,9 @@ namespace touchstone::report {
 namespace {
 
 using Corners = std::vector<Index>;
-using Cell = std::array<int, 3>;
+using GridCell = std::array<int, 3>;
 constexpr std::array<double Point3d::*, 3> axes{&Point3d::x, &Point3d::y, &Point3d::z};
-constexpr std::size_t most_cells = 512;
+constexpr std::size_t most_grid_cells = 512;
 
 /// The first vertices of the faces that are least and greatest along each axis.
 std::array<std::array<Index, 2>, 3> extremes_of(const MeshFile& mesh) {
@@ -46,7 +46,7 @@ Corners from_least(Corners corners) {
 std::vector<Corners> faces_of_cells(const MeshFile& mesh, const std::array<std::array<Index, 2>, 3>& extremes,
                                     std::size_t cells) {
   const auto cell_of = [&](const Point3d& p) {
-    Cell cell{};
+    GridCell cell{};
     for (std::size_t k = 0; k < 3; ++k) {
       // Halves, so that a difference is finite.
       const double low = mesh.vertices[extremes[k][0]].*axes[k] / 2, high = mesh.vertices[extremes[k][1]].*axes[k] / 2;
@@ -55,7 +55,7 @@ std::vector<Corners> faces_of_cells(const MeshFile& mesh, const std::array<std::
     }
     return cell;
   };
-  std::map<Cell, Index> first;
+  std::map<GridCell, Index> first;
   std::vector<Corners> faces;
   std::set<Corners> known;
   for (const Corners& corners : mesh.faces) {
@@ -82,7 +82,7 @@ CoarseMesh coarse_mesh(const MeshFile& mesh, std::size_t most_corners) {
   if (corners_of(mesh.faces) <= most_corners) {
     faces = mesh.faces;
   } else {
-    coarse.cells = most_cells;
+    coarse.cells = most_grid_cells;
     while (corners_of(faces = faces_of_cells(mesh, extremes, coarse.cells)) > most_corners) coarse.cells /= 2;
   }
   std::map<Index, Index> place;
