@@ -57,7 +57,8 @@ std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how) {
 CLI::Option* add_file_meshes(CLI::App& command, std::vector<std::string>& named, Preparation& how) {
   auto* mesh = command.add_option(
       "--mesh", named,
-      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may lack it");
+      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may lack it. "
+      "Of two meshes: --mesh a=A.obj --mesh b=B.obj; the field may be left out where there is one");
   mesh->allow_extra_args(false)->default_str("");
   for (CLI::Option* option : add_preparation(command, how)) option->needs(mesh);
   return mesh;
