@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "audit/uses.h"
@@ -27,6 +28,10 @@ struct MeshFile {
   std::vector<std::size_t> vertex_lines, face_lines;
   /// The number that the format gives to the first vertex and the first face: 1 in OBJ, 0 elsewhere.
   std::size_t first_number = 0;
+  /// False of STL, glTF and 3MF: vertices are then told by their positions.
+  bool has_vertex_numbers = true;
+  /// What a text calls its parts (o and g of OBJ), each with the first face that is in it.
+  std::vector<std::pair<std::size_t, std::string>> parts;
   /// What a user should know of the reading, one clause each: corners that were merged, bytes behind the last triangle.
   std::vector<std::string> notes;
   /// What says nothing of the surface, by keyword or element, and how often it was there.

@@ -41,7 +41,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   EngineNotes notes;
   const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);
   const std::string& file = command.file;
-  const FileMeshes meshes(command.meshes, command.preparation);
+  const FileMeshes meshes(command.meshes, command.preparation, &operation);
   if (command.verbose) meshes.tell(err);
   bool refused_any = false, found_any = false;
   RegressionTests tests(command.as);
@@ -67,6 +67,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
         return;
       }
       Json line = command.truth ? truth_alone(*examination) : explained(*examination);
+      if (command.truth) meshes.name_in(line["input"]);
       meshes.add_to(line);
       if (engine) line["engine"] = said;
       if (command.as_typed) {
@@ -75,7 +76,10 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       }
       out << one_line(line) << '\n';
     } catch (const InvalidInput& refused) {
-      refuse(number, refused);
+      const std::string option = command.wkt || command.geojson ? "" : option_for(text);
+      refuse(number, option.empty()
+                         ? refused
+                         : InvalidInput(refused.field(), refused.rule() + " (did you mean " + option + "?)"));
     } catch (const std::bad_alloc&) {
       refuse(number, InvalidInput("line", "answered in the memory there is"));
     }

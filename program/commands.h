@@ -133,6 +133,8 @@ struct MeshCommand {
 };
 
 int ops_command(bool json, std::ostream& out);
+/// The operations nearest to these words, with their questions. Throws UsageError where no word fits.
+int ops_search_command(const std::vector<std::string>& words, std::ostream& out);
 /// docs/operations.md: each operation's C++ signature, JSON fields and words.
 int operations_page_command(std::ostream& out);
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);

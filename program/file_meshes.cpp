@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/file_meshes.h"
 
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -8,13 +9,46 @@
 #include "program/names.h"
 
 namespace touchstone::program {
-FileMeshes::FileMeshes(const std::vector<std::string>& named, const Preparation& how) : how_(how) {
+namespace {
+
+/// The fields that are meshes, whichever of its alternatives a question takes.
+std::vector<std::string> mesh_fields(const Shape& question) {
+  std::vector<std::string> fields;
+  for (const Shape::Part& part : question.parts) {
+    if (question.kind == Shape::Kind::choice) {
+      for (const std::string& field : mesh_fields(*part.shape))
+        if (std::find(fields.begin(), fields.end(), field) == fields.end()) fields.push_back(field);
+    } else if (part.shape->form == Form::mesh) {
+      fields.push_back(part.name);
+    }
+  }
+  return fields;
+}
+
+/// The field and the file that a word names.
+std::pair<std::string, std::string> field_and_file(const std::string& word, const Operation* operation) {
+  const std::vector<std::string> fields =
+      operation == nullptr ? std::vector<std::string>{} : mesh_fields(operation->question_shape());
+  const std::size_t equals = word.find('=');
+  if (equals != std::string::npos && equals != 0) return {word.substr(0, equals), word.substr(equals + 1)};
+  if (fields.size() == 1 && equals == std::string::npos) return {fields[0], word};
+  std::string rule = "expected field=FILE";
+  if (operation != nullptr) {
+    std::string all;
+    for (const std::string& field : fields) all += (all.empty() ? " with field " : " or ") + field;
+    rule = fields.empty() ? std::string(operation->name()) + " has no field that is a mesh" : rule + all;
+  }
+  throw UsageError("--mesh: " + rule + ", got " + word);
+}
+
+}  // namespace
+
+FileMeshes::FileMeshes(const std::vector<std::string>& named, const Preparation& how, const Operation* operation)
+    : how_(how) {
   for (const std::string& word : named) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos || equals == 0) throw UsageError("--mesh: expected field=FILE, got " + word);
-    const std::string field = word.substr(0, equals);
+    const auto [field, name] = field_and_file(word, operation);
     if (fields_.contains(field)) throw UsageError("--mesh: " + field + " is given twice");
-    MeshFile file = read_mesh_file(word.substr(equals + 1));
+    MeshFile file = read_mesh_file(name);
     PreparedMesh mesh = prepared(file, how, field);
     written_[field] = to_json(mesh.mesh);
     fields_[field] = parse_line(one_line(written_[field]));
@@ -47,6 +81,15 @@ void FileMeshes::add_to(Json& line) const {
     member["file"] = mesh.file.name;
     member.update(told);
   }
+}
+
+void FileMeshes::name_in(Json& input) const {
+  for (const Mesh& mesh : meshes_) input[mesh.field] = mesh.file.name;
+}
+
+std::string FileMeshes::file_of(const std::string& field) const {
+  const auto has = [&](const Mesh& mesh) { return mesh.field == field; };
+  return std::find_if(meshes_.begin(), meshes_.end(), has)->file.name;
 }
 
 std::optional<InvalidInput> FileMeshes::in_file(const InvalidInput& refused) const {

@@ -8,6 +8,7 @@
 
 #include "audit/meshes/prepared.h"
 #include "catalogue/codec/json.h"
+#include "catalogue/operation/operation.h"
 #include "geometry/invalid_input.h"
 #include "program/uses.h"
 
@@ -16,9 +17,9 @@ namespace touchstone::program {
 /// The meshes that a command line names for fields of every question.
 class FileMeshes {
  public:
-  /// named: "field=FILE". Throws UsageError for other words and a field named twice, InvalidInput as reading and
-  /// preparing do.
-  FileMeshes(const std::vector<std::string>& named, const Preparation& how);
+  /// named: "field=FILE", or FILE where the operation has one field that is a mesh. Throws UsageError for other words
+  /// and a field named twice, InvalidInput as reading and preparing do.
+  FileMeshes(const std::vector<std::string>& named, const Preparation& how, const Operation* operation = nullptr);
 
   /// The fields with their meshes, as a parsed line has them.
   const Json& fields() const { return fields_; }
@@ -28,6 +29,10 @@ class FileMeshes {
   void tell(std::ostream& err) const;
   /// The members `places`, of one mesh, and `meshes`, what was done and would help, where there are such.
   void add_to(Json& line) const;
+  /// Writes the names of the files for the meshes.
+  void name_in(Json& input) const;
+  /// The file of a field that one of them is for.
+  std::string file_of(const std::string& field) const;
   /// A refusal of one of the fields as one of its file, with what would help.
   std::optional<InvalidInput> in_file(const InvalidInput& refused) const;
 

@@ -64,22 +64,55 @@ void require_axes(const Json& coordinates, std::size_t axes, const std::string& 
   if (coordinates[0].is_array()) {
     for (const Json& inner : coordinates) require_axes(inner, axes, field);
   } else if (coordinates.size() > axes) {
-    throw InvalidInput(field, axes == 2 ? "x and y alone: its shape is in the plane" : "x, y and z alone");
+    throw InvalidInput(field, axes == 2 ? "x and y alone, for its shape is in the plane: drop the third coordinate"
+                                        : "x, y and z alone");
   } else if (coordinates.size() == 2 && axes == 3) {
     throw InvalidInput(field, "x, y and z: its shape is in space");
   }
+}
+
+/// Of a MultiPolygon.
+Json only_part(const Json& geometry, const std::string& field) {
+  const Json& parts = part(geometry, field, "coordinates");
+  if (!parts.is_array() || parts.size() != 1)
+    throw InvalidInput(field, "one Polygon, got a MultiPolygon of " + std::to_string(parts.size()) +
+                                  ": ask about each part on its own");
+  Json polygon = Json::object();
+  polygon["type"] = "Polygon", polygon["coordinates"] = parts[0];
+  return polygon;
 }
 
 Json value_of(const Json& geometry, const Shape& shape, const std::string& field) {
   const Wanted wanted = wanted_by(shape);
   if (wanted.type.empty()) throw InvalidInput(field, "no geometry of WKT or GeoJSON is of its shape");
   const std::string type = geometry["type"].get<std::string>();
+  if (type == "MultiPolygon" && wanted.type == "Polygon") return value_of(only_part(geometry, field), shape, field);
   if (type != wanted.type) throw InvalidInput(field, "expected a " + wanted.type + ", got " + shown(type));
   const Json& coordinates = part(geometry, field, "coordinates");
   require_axes(coordinates, wanted.axes, field);
+  if (wanted.type == "LineString" && coordinates.is_array() && coordinates.size() != 2 && !coordinates.empty())
+    throw InvalidInput(field, "two positions, got " + std::to_string(coordinates.size()));
   if (wanted.type != "Polygon" || !coordinates.is_array() || coordinates.empty()) return coordinates;
-  if (coordinates.size() > 1) throw InvalidInput(field, "a hole is not supported yet");
+  if (coordinates.size() > 1)
+    throw InvalidInput(
+        field, "a hole is not supported yet: ask about the outer ring and about each hole as polygons of their own");
   return coordinates[0];
+}
+
+/// In the order of the fields, where each field takes a kind that no other takes, and there is one geometry of each;
+/// else as they are.
+Json in_order_of(const std::vector<const Shape::Part*>& fields, const Json& geometries) {
+  Json ordered = Json::array();
+  for (const Shape::Part* field : fields) {
+    const std::string wanted = wanted_by(*field->shape).type;
+    const auto fits = [&](const Json& geometry) {
+      const auto& type = geometry["type"];
+      return type == wanted || (wanted == "Polygon" && type == "MultiPolygon");
+    };
+    if (std::count_if(geometries.begin(), geometries.end(), fits) != 1) return geometries;
+    ordered.push_back(*std::find_if(geometries.begin(), geometries.end(), fits));
+  }
+  return ordered;
 }
 
 Json input_of_fields(const Shape& question, const Json& geometries, const Json& given) {
@@ -95,7 +128,8 @@ Json input_of_fields(const Shape& question, const Json& geometries, const Json& 
   if (fields.size() != geometries.size()) {
     throw InvalidInput("line", "a geometry for each field (" + names + "), got " + std::to_string(geometries.size()));
   }
-  for (const Shape::Part* field : fields) input[field->name] = value_of(geometries[next++], *field->shape, field->name);
+  const Json ordered = in_order_of(fields, geometries);
+  for (const Shape::Part* field : fields) input[field->name] = value_of(ordered[next++], *field->shape, field->name);
   return input;
 }
 
@@ -118,6 +152,18 @@ Json input_of(const Operation& operation, const Json& geometries, const Json& gi
     }
   }
   return input_of_fields(*question.parts.back().shape, geometries, given);
+}
+
+std::string option_for(const std::string& text) {
+  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  std::string begin = text.substr(start, 20);
+  for (char& c : begin) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (const char* word : {"POINT", "LINESTRING", "POLYGON", "MULTI", "GEOMETRYCOLLECTION", "SRID="})
+    if (begin.starts_with(word)) return "--wkt";
+  if (text.find("\"type\"") == std::string::npos) return "";
+  for (const char* type : {"\"Point\"", "\"LineString\"", "\"Polygon\"", "\"MultiP", "\"Feature", "\"GeometryC"})
+    if (text.find(type) != std::string::npos) return "--geojson";
+  return "";
 }
 
 void OpenBrackets::read(const std::string& line) {

@@ -16,10 +16,14 @@ Json geometries_of_wkt(const std::string& line);
 /// and what else there may be are passed over. Throws InvalidInput naming the place.
 Json geometries_of_geojson(const std::string& text);
 
-/// The input with these geometries as its fields, but for those that are given already. A point takes a Point, a list
-/// of points a MultiPoint, a segment or line a LineString, a polygon a Polygon without holes, in space with Z. Throws
+/// The input with these geometries as its fields, but for those that are given already: in the order of the fields, or
+/// in any order where all fields take different kinds. A point takes a Point, a list of points a MultiPoint, a segment
+/// or line a LineString, a polygon a Polygon without holes or a MultiPolygon of one, in space with Z. Throws
 /// InvalidInput naming the field.
 Json input_of(const Operation& operation, const Json& geometries, const Json& given);
+
+/// The option for text that is WKT or GeoJSON by the look of it: "--wkt", "--geojson"; else empty.
+std::string option_for(const std::string& text);
 
 /// How deep a JSON text is within brackets after the lines so far.
 class OpenBrackets {

@@ -41,7 +41,7 @@ void print_words(const Row& row, std::ostream& out) {
   }
 }
 
-void print_repair(const MeshCommand& command, const Repaired& repair, std::ostream& out) {
+void print_repair(const MeshCommand& command, const MeshFile& file, const Repaired& repair, std::ostream& out) {
   const std::vector<std::string>& changes = repair.changes;
   if (command.repair.empty()) {
     if (changes.empty()) return;
@@ -50,6 +50,8 @@ void print_repair(const MeshCommand& command, const Repaired& repair, std::ostre
     out << command.repair << ": written, " << (changes.empty() ? "with no change\n" : "with these changes:\n");
   }
   for (const std::string& change : changes) out << "- " << change << '\n';
+  if (const std::string lost = not_kept(file); !lost.empty() && !command.repair.empty())
+    out << "Not kept: " << lost << '\n';
   out << "After that: " << defects_in_short(repair.left) << '\n';
 }
 
@@ -77,6 +79,16 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
+/// What is left is that of the file as it reads back: STL has triangles alone, and vertices of its own.
+void write_repaired(const std::string& name, Repaired& repair, const TellStep& tell) {
+  const std::string text = text_of_mesh(repair.mesh, name);
+  write_file("--repair", name, text);
+  if (repair.mesh.faces.empty()) return;
+  const MeshFile again = parse_mesh_file(name, text);
+  if (again.vertices != repair.mesh.vertices || again.faces != repair.mesh.faces)
+    repair.left = diagnosed(again, {}, tell);
+}
+
 Json json_of(const Row& row, const MeshCommand& command, const std::optional<Repaired>& repair) {
   Json json = json_of(row.file, *row.diagnosis);
   if (!repair) return json;
@@ -91,7 +103,7 @@ void require_usage(const MeshCommand& command) {
     if (command.files.size() > 1) throw UsageError(std::string(option) + ": of one mesh, and there are several files");
     require_other_file(option, *written, command.files[0]);
   }
-  if (!command.repair.empty()) text_of_mesh({}, command.repair);
+  if (!command.repair.empty()) text_of_mesh({}, command.repair);  // refuses a name that it does not know
   if (!command.repair.empty() && command.repair == command.page)
     throw UsageError("--page: " + command.page + ": is the file of --repair");
 }
@@ -122,7 +134,7 @@ int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& er
       refused = true;
       continue;
     }
-    if (!command.repair.empty()) write_file("--repair", command.repair, text_of_mesh(repair->mesh, command.repair));
+    if (!command.repair.empty()) write_repaired(command.repair, *repair, tell);
     if (!command.page.empty()) write_file("--page", command.page, report::mesh_page(row.file, *row.diagnosis));
     progress.end();
     found_any = found_any || !(command.repair.empty() ? *row.diagnosis : repair->left).solid();
@@ -130,7 +142,7 @@ int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& er
       words << one_line(json_of(row, command, repair)) << '\n';
     } else if (alone) {
       print_words(row, words);
-      if (repair) print_repair(command, *repair, words);
+      if (repair) print_repair(command, row.file, *repair, words);
     }
     MeshFile named;  // what the table needs
     named.name = row.file.name;

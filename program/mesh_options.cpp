@@ -57,7 +57,8 @@ std::vector<CLI::Option*> add_preparation(CLI::App& command, Preparation& how) {
 CLI::Option* add_file_meshes(CLI::App& command, std::vector<std::string>& named, Preparation& how) {
   auto* mesh = command.add_option(
       "--mesh", named,
-      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may lack it");
+      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF, STL, glTF or 3MF file; lines may lack it. "
+      "Of two meshes: --mesh a=A.obj --mesh b=B.obj; the field may be left out where there is one");
   mesh->allow_extra_args(false)->default_str("");
   for (CLI::Option* option : add_preparation(command, how)) option->needs(mesh);
   return mesh;
@@ -67,10 +68,11 @@ void add_mesh(CLI::App& program, std::function<int()>& action) {
   auto* command =
       program.add_subcommand("mesh", "What a mesh is, what is wrong with it, where, and what would mend it");
   auto options = std::make_shared<MeshCommand>();
-  command->add_option("file", options->files, "OBJ, PLY, OFF or STL files; several make a table")->required();
+  command->add_option("file", options->files, "OBJ, PLY, OFF, STL, glTF or 3MF files; several make a table")
+      ->required();
   add_preparation(*command, options->preparation);
   command->add_option("--repair", options->repair,
-                      "Write the mesh with what is certain mended into this file (.obj, .off or .ply)");
+                      "Write the mesh with what is certain mended into this file (.obj, .off, .ply or .stl)");
   command->add_option("--page", options->page,
                       "Write an HTML page with a picture into this file; - is standard output");
   command->add_flag("--json", options->json, "A line of JSON for each file");

@@ -36,9 +36,11 @@ const Operation& operation_named(const std::string& name) {
   for (const Operation* operation : all_operations()) known.push_back(operation->name());
   std::string hint = did_you_mean(name, known);
   if (hint.empty()) {
+    if (const std::string why = why_not_computed(name); !why.empty()) hint = "; " + why;
+    std::string nearest;
     for (const std::string& other : nearest_operations(name, 3))
-      hint += (hint.empty() ? "; nearest by words: " : ", ") + other;
-    hint += "; `touchstone ops` lists all";
+      nearest += (nearest.empty() ? "; nearest by words: " : ", ") + other;
+    hint += nearest + "; `touchstone ops` lists all";
   }
   throw UsageError("operation " + excerpt(name, most_of_a_key) + ": no operation of the catalogue" + hint);
 }

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "catalogue/codec/excerpt.h"
 #include "catalogue/operation/operation.h"
+#include "catalogue/operation/synonyms.h"
 #include "program/commands.h"
 #include "program/program.h"
 
@@ -88,6 +90,21 @@ void print_json(std::ostream& out) {
 
 int ops_command(bool json, std::ostream& out) {
   json ? print_json(out) : print_table(out);
+  return nothing_found;
+}
+
+int ops_search_command(const std::vector<std::string>& words, std::ostream& out) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  const std::vector<std::string> nearest = nearest_operations(text, most);
+  if (nearest.empty())
+    throw UsageError("ops " + excerpt(text, most_of_a_key) + ": no operation fits; `touchstone ops` lists all");
+  if (const std::string why = why_not_computed(text); !why.empty()) out << why << "; the nearest:\n";
+  std::size_t width = 0;
+  for (const std::string& name : nearest) width = std::max(width, name.size());
+  for (const std::string& name : nearest)
+    out << fmt::format("{:<{}}  {}\n", name, width, find_operation(name)->metadata().question);
   return nothing_found;
 }
 

@@ -101,11 +101,17 @@ void add_shard(CLI::App& command, std::string& shard, std::string& json_file) {
 void add_ops(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("ops", "The catalogue of operations");
   auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
-  auto* as_json = command->add_flag("--json", *json, "Machine-readable");
+  auto words = std::make_shared<std::vector<std::string>>();
+  auto* search = command->add_option("word", *words, "Only the operations nearest to these words, the best first");
+  auto* as_json = command->add_flag("--json", *json, "Machine-readable")->excludes(search);
   command->add_flag("--markdown", *markdown, "The page docs/operations.md: C++ signatures, JSON fields, words")
-      ->excludes(as_json);
+      ->excludes(as_json)
+      ->excludes(search);
   command->callback([=, &action] {
-    action = [=] { return *markdown ? operations_page_command(std::cout) : ops_command(*json, std::cout); };
+    action = [=] {
+      if (!words->empty()) return ops_search_command(*words, std::cout);
+      return *markdown ? operations_page_command(std::cout) : ops_command(*json, std::cout);
+    };
   });
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "catalogue/codec/excerpt.h"
 #include "program/geometries.h"
 
 namespace touchstone::program {
@@ -24,6 +25,12 @@ class Wkt {
  private:
   [[noreturn]] void refuse(const std::string& wanted) const {
     throw InvalidInput("line", "WKT: expected " + wanted + " at column " + std::to_string(at_ + 1));
+  }
+
+  [[noreturn]] void refuse_srid(std::size_t first) const {
+    const std::size_t end = std::min(text_.find(';', first), text_.size() - 1);
+    throw InvalidInput("line", "WKT: drop " + excerpt(text_.substr(first, end + 1 - first), most_of_a_key) +
+                                   " at column " + std::to_string(first + 1) + ": coordinates are taken as they are");
   }
 
   /// The next character that is no space; 0 at the end.
@@ -49,6 +56,7 @@ class Wkt {
     const std::size_t first = (peek(), at_);
     std::string keyword = word(), tag;
     if (keyword.empty()) refuse("the name of a geometry");
+    if (keyword == "SRID" && peek() == '=') refuse_srid(first);
     for (const char* suffix : {"ZM", "Z", "M"}) {
       if (tag.empty() && keyword.ends_with(suffix)) tag = suffix, keyword.resize(keyword.size() - tag.size());
     }
@@ -69,6 +77,8 @@ class Wkt {
     if (keyword == "POINT") return written("Point", empty ? "[]" : bracketed([this] { return position(); }));
     if (keyword == "LINESTRING") return written("LineString", empty ? "[]" : positions());
     if (keyword == "POLYGON") return written("Polygon", empty ? "[]" : list([this] { return positions(); }));
+    if (keyword == "MULTIPOLYGON")
+      return written("MultiPolygon", empty ? "[]" : list([this] { return list([this] { return positions(); }); }));
     if (keyword == "MULTIPOINT")
       return written("MultiPoint", empty ? "[]" : list([this] {
                        return peek() == '(' ? bracketed([this] { return position(); }) : position();

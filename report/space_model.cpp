@@ -15,7 +15,6 @@ namespace touchstone::report {
 namespace {
 
 constexpr const char* figure_opening = "<div class=\"space-figure\" data-space=\"";
-constexpr std::size_t most_corners = 3000;
 constexpr int normal_length = 2 * steps_of_box / 5, longest_bar = 9 * steps_of_box / 10;
 
 const char* name_of(SpaceFigure::Kind kind) {
@@ -104,6 +103,7 @@ std::string space_style() {
          ".fig.space .q0.stroke{stroke-width:2.2}.fig.space .q1.stroke{stroke-width:1.7}"
          ".fig.space .truth.stroke{stroke-width:3.4}"
          ".fig.space .many .stroke{stroke-width:.8}"
+         ".space .facet{stroke-width:.5;stroke-linejoin:round}"
          ".fig.space .node.stroke{stroke-width:1.1;stroke-opacity:.6}.fig.space .deep.stroke{stroke-width:.8}"
          ".fig.space .deepest.stroke{stroke-width:.5}.fig.space .node.face{fill-opacity:.045}"
          ".fig.space .stroke.thin{stroke-width:.8;stroke-opacity:.7}"
@@ -113,7 +113,8 @@ std::string space_style() {
          ".turns:active{cursor:grabbing}.turns:focus:not(:focus-visible){outline:none}";
 }
 
-Json space_model(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap) {
+Json space_model(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap,
+                 std::size_t most_corners) {
   std::vector<SpaceFigure> figures;
   std::copy_if(scene.space.begin(), scene.space.end(), std::back_inserter(figures), drawable);
   if (figures.empty()) return nullptr;
@@ -146,8 +147,9 @@ Json space_model(const Drawing& scene, const std::string& title, const std::opti
   return model;
 }
 
-std::string space_figure(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap) {
-  const Json model = space_model(scene, title, least_gap);
+std::string space_figure(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap,
+                         std::size_t most_corners) {
+  const Json model = space_model(scene, title, least_gap, most_corners);
   if (model.is_null()) return "";
   return figure_opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene)) +
          "</p></noscript></div>";

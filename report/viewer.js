@@ -23,9 +23,11 @@
 const viewer = (() => {
 const width = 400, height = 300, room = 134;  // pixels; room: from the middle to what is farthest from it
 const small = 2500;  // steps: about three pixels
-const mostLabels = 40, mostPlaces = 12, longestNumbered = 20, manyStrokes = 400;
+const mostLabels = 40, mostPlaces = 12, longestNumbered = 20, manyStrokes = 400, manyFaces = 450;
 const farther = [0, 14, 28];  // pixels from its place that a text may stand, where there is no room near to it
 const pointDot = 4.2, endDot = 3.2, centreDot = 1.8, ringRadius = 9, nearer = 0.5;
+// Of facets, edge-on and facing the reader.
+const outside = [[70, 96, 128], [205, 219, 235]], inside = [[130, 62, 10], [232, 160, 98]];
 const diagonals = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(way => way.map(x => x * 0.7071067811865476));
 // Fractions and not angles, so that every browser begins with the same picture.
 const firstTurn = {cosYaw: 15 / 17, sinYaw: 8 / 17, cosPitch: 12 / 13, sinPitch: 5 / 13};
@@ -43,8 +45,7 @@ const text = (x, y, anchor, words) => words &&
 // Strokes of the pen for figures, in steps: they stay the same however the reader turns them.
 class Strokes {
   constructor(model) {
-    this.strokes = [];
-    this.labels = [];
+    this.strokes = [], this.labels = [];
     const listOf = figure => figure.label.split('[')[0], size = {};
     for (const figure of model.figures) size[listOf(figure)] = 1 + (size[listOf(figure)] ?? 0);
     let part = -1, before;
@@ -52,8 +53,7 @@ class Strokes {
       const list = listOf(figure);
       // Each part of the question has a colour; a list is one part.
       if (figure.whose === 'question' && figure.label && list !== before) ++part, before = list;
-      this.node = figure.node !== undefined;
-      this.empty = this.node && !figure.entered;
+      this.node = figure.node !== undefined, this.empty = this.node && !figure.entered;
       this.style = this.node ? 'node' + ['', ' deep', ' deepest'][Math.min(2, figure.node >> 1)]
           : {truth: 'truth', answer: 'said'}[figure.whose] ?? (figure.label ? 'q' + part % 4 : 'aid');
       if (!figure.points.length) continue;  // a lens holds nothing of it
@@ -143,9 +143,15 @@ class Strokes {
     this.add('arrow', [foot, tip]);
     return [...corners, ...middles];
   }
+  // What edges would hide: opaque faces, lit from the reader's side, another colour inside.
+  facets(faces) {
+    for (const corners of faces) this.add('facet', corners);
+    return [...Array(mostPlaces).keys()].map(i => faces[Math.floor(i * faces.length / mostPlaces)][0]);
+  }
   mesh({faces}, points) {
     // A face may name a vertex that is not there: the input is refused, and drawn without it.
     const whole = faces.filter(face => face.every(i => i < points.length)), used = new Set(whole.flat());
+    if (whole.length > manyFaces) return this.facets(whole.map(face => face.map(i => points[i])));
     const middles = this.solid(whole.map(face => face.map(i => points[i])), true);
     points.forEach((p, i) => { if (!used.has(i)) this.dot(p, endDot); });
     this.dotIfSmall(points);
@@ -165,8 +171,7 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
     const way = direction(p);
     return {x: width / 2 + way.x * scale, y: height / 2 - way.y * scale, depth: way.depth * scale};
   };
-  const parts = [], drawn = [], facing = new Map();
-  const add = (depth, svg) => parts.push({depth, svg});
+  const parts = [], drawn = [], facing = new Map(), add = (depth, svg) => parts.push({depth, svg});
   const path = (style, d) => `<path class="${style}" d="${d}"/>`;
   const line = (a, b, depth, style) => {
     const dx = b.x - a.x, dy = b.y - a.y, steps = Math.floor(Math.sqrt(dx * dx + dy * dy) / 5) + 1;
@@ -183,6 +188,14 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
   const draw = {
     face({style, empty}, corners, stroke) {
       if (!empty) add(facing.get(stroke).depth, path(style + ' face', 'M' + corners.map(p => pair(p.x, p.y)).join('L') + 'Z'));
+    },
+    facet(stroke, corners) {
+      const spokes = corners.slice(1).map(p => [p.x - corners[0].x, p.y - corners[0].y, p.depth - corners[0].depth]);
+      const normal = spokes.slice(1).reduce((sum, v, i) => plus(sum, cross(spokes[i], v)), [0, 0, 0]);
+      const [dark, light] = normal[2] > 0 ? inside : outside;  // pixels go downwards
+      const colour = `rgb(${between(dark, light, Math.abs(normal[2]) / (length(normal) || 1)).map(Math.round)})`;
+      parts.push({depth: corners.reduce((sum, p) => sum + p.depth, 0) / corners.length, facet: true, svg: `<path ` +
+          `class="facet" fill="${colour}" stroke="${colour}" d="M${corners.map(p => pair(p.x, p.y)).join('L')}Z"/>`});
     },
     edge({style, faces}, [a, b]) {
       const own = faces.map(face => facing.get(face)), hidden = own.length > 0 && own.every(face => face.away);
@@ -207,14 +220,12 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
         if (long < 1e-6) continue;
         const ux = r * axis.y / long, uy = r * axis.x / long;
         const fx = -r * axis.depth * axis.x / long, fy = r * axis.depth * axis.y / long;
-        behind += half(c, ux, uy, -fx, -fy);
-        before += half(c, ux, uy, fx, fy);
+        behind += half(c, ux, uy, -fx, -fy), before += half(c, ux, uy, fx, fy);
       }
       const round = `cx="${tenths(c.x)}" cy="${tenths(c.y)}" r="${tenths(r)}"/>`;
       add(c.depth - r, path(style + ' stroke hid thin', behind));
       if (!empty) add(c.depth, `<circle class="${style} face" ${round}`);
-      add(c.depth, `<circle class="${style} stroke" ${round}`);
-      add(c.depth + nearer, path(style + ' stroke thin', before));
+      add(c.depth, `<circle class="${style} stroke" ${round}`), add(c.depth + nearer, path(style + ' stroke thin', before));
       for (const [x, y] of diagonals)
         for (const part of [0.92, 1, 1.08]) drawn.push([c.x + part * r * x, c.y + part * r * y]);
     },
@@ -233,9 +244,10 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
     facing.set(stroke, {away: area > 0, depth: corners.reduce((sum, p) => sum + p.depth, 0) / corners.length});
   }
   for (const [stroke, corners] of points) draw[stroke.kind](stroke, corners, stroke);
-  parts.sort((a, b) => a.depth - b.depth);
+  // What else is drawn is seen through facets.
+  parts.sort((a, b) => (b.facet ?? false) - (a.facet ?? false) || a.depth - b.depth);
   const tripod = axes.map((axis, i) => {
-    const x = 30, y = height - 30, dx = 20 * axis.x, dy = -20 * axis.y;
+    const [x, y, dx, dy] = [30, height - 30, 20 * axis.x, -20 * axis.y];
     return path('tick', `M${pair(x, y)}L${pair(x + dx, y + dy)}`) +
            text(x + 1.4 * dx, y + 1.4 * dy + 4, 'middle', 'xyz'[i]);
   });
@@ -257,8 +269,7 @@ function placed(wishes, drawn) {
   for (const wish of wishes) {
     const wide = 6.9 * [...wish.text].length;
     let best = null, least = 1000, preference = 0;
-    const spots = wish.places.flatMap(place => farther.map(far => [place, far]));
-    for (const [[x, y], far] of spots) {
+    for (const [[x, y], far] of wish.places.flatMap(place => farther.map(far => [place, far]))) {
       for (const [wx, wy] of [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]]) {
         const gap = (wx !== 0 && wy !== 0 ? 8 * 0.7 : 8) + far;
         const left = wx > 0 ? x + gap : wx < 0 ? x - gap - wide : x - wide / 2;
@@ -273,8 +284,8 @@ function placed(wishes, drawn) {
     }
     if (!best) continue;
     texts.push({left: best.left - 4, top: best.top - 1, right: best.right + 4, bottom: best.bottom + 1});
-    svg += `<text class="${wish.style}" x="${tenths(best.left)}" y="${tenths(best.bottom - 3.5)}">` +
-           `${escaped(wish.text)}</text>`;
+    const place = `x="${tenths(best.left)}" y="${tenths(best.bottom - 3.5)}"`;
+    svg += `<text class="${wish.style}" ${place}>${escaped(wish.text)}</text>`;
   }
   return svg;
 }
@@ -295,7 +306,7 @@ function clock({figures}) {
 
 // The frame with the first view, and below it what does not turn.
 function framed(model, drawing, name = 'whole') {
-  const own = drawing.strokes.filter(stroke => !stroke.style.startsWith('node'));
+  const own = drawing.strokes.filter(({kind, style}) => kind !== 'facet' && !style.startsWith('node'));
   const many = own.length > manyStrokes ? ' many' : '', wide = width + 16, high = height + 59;
   const line = i => height + 14 + 15 * i;
   const bar = ([steps, words]) => {
@@ -347,12 +358,10 @@ function turning(svg, group, drawing, first) {
   let yaw, pitch, held = null, waiting = false, last = first;
   const draw = turn => { group.innerHTML = picture(drawing, last = turn); };
   const start = () => {
-    yaw = Math.atan2(first.sinYaw, first.cosYaw);
-    pitch = Math.atan2(first.sinPitch, first.cosPitch);
+    yaw = Math.atan2(first.sinYaw, first.cosYaw), pitch = Math.atan2(first.sinPitch, first.cosPitch);
   };
   const turn = (byYaw, byPitch) => {
-    yaw += byYaw;
-    pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, pitch + byPitch));
+    yaw += byYaw, pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, pitch + byPitch));
     if (waiting) return;
     waiting = true;
     requestAnimationFrame(() => {
@@ -369,8 +378,7 @@ function turning(svg, group, drawing, first) {
   svg.addEventListener('pointermove', event => {
     if (!held || held.id !== event.pointerId) return;
     turn((held.x - event.clientX) / 120, (event.clientY - held.y) / 120);
-    held.x = event.clientX;
-    held.y = event.clientY;
+    held.x = event.clientX, held.y = event.clientY;
   });
   for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
     svg.addEventListener(end, () => { held = null; });

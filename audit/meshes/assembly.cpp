@@ -15,7 +15,7 @@ constexpr std::size_t most_in_small_files = std::size_t{1} << 22;
 
 Assembly::Assembly(const std::string& name, const std::string& format, std::size_t bytes)
     : most_(std::max(bytes, most_in_small_files)) {
-  mesh.name = name, mesh.format = format;
+  mesh.name = name, mesh.format = format, mesh.has_vertex_numbers = false;
 }
 
 void Assembly::require_room(std::size_t more) {

@@ -102,7 +102,10 @@ Diagnosis diagnosed(const MeshFile& file, const Preparation& how, const TellStep
                            std::make_move_iterator(more.end()));
   };
   add(meshes::defects_of_surface(mesh));
-  if (complexity) add(meshes::defects_of_shape(mesh, *cut, *complexity));
+  const bool merging_closes = std::any_of(diagnosis.found.begin(), diagnosis.found.end(), [](const FoundDefect& found) {
+    return found.mend.starts_with(meshes::merge_them);
+  });
+  if (complexity) add(meshes::defects_of_shape(mesh, *cut, *complexity, merging_closes));
   say("turning faces");
   const bool sheets_are_components = mesh.surface.one_sided.size() == mesh.surface.components;
   const meshes::Turning turning =

@@ -58,6 +58,14 @@ bool same_corners(const Examined& examined, const PreparedMesh& cut, const Index
   return one == other;
 }
 
+/// Where an edge is open, faces may meet for the same reason.
+std::string mend_of_meeting(const Examined& examined, bool merging_closes) {
+  if (merging_closes) return "merge first, as at the open edges; whether faces meet is decided again after that";
+  return std::string("cut the faces where they cross") +
+         (examined.surface.components > 1 ? ", or move the parts apart" : "") +
+         (examined.surface.open.empty() ? "" : "; mend the open edges first, where that is why they meet");
+}
+
 }  // namespace
 
 std::string faces_listed(const MeshFile& file, const std::vector<std::size_t>& faces) {
@@ -116,7 +124,7 @@ std::vector<FoundDefect> defects_of_faces(const Examined& examined, const Prepar
 }
 
 std::vector<FoundDefect> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
-                                          const PolyhedronComplexity<double>& complexity) {
+                                          const PolyhedronComplexity<double>& complexity, bool merging_closes) {
   std::vector<FoundDefect> found;
   const auto face = [&](Index named) { return examined.face_in_file[cut.face_in_file[named]]; };
   if (complexity.flat_face) {
@@ -131,15 +139,12 @@ std::vector<FoundDefect> defects_of_shape(const Examined& examined, const Prepar
   // Faces of the same corners are told as such.
   if (complexity.meeting_faces && !same_corners(examined, cut, *complexity.meeting_faces)) {
     const std::size_t one = face(complexity.meeting_faces->i), other = face(complexity.meeting_faces->j);
-    const std::size_t equal = merging_of(examined.mesh.vertices, 0).merged;
     found.push_back({MeshDefect::meeting_faces,
                      1,
                      {{{one, other}, {}}},
                      "faces meet beyond the vertices that both name",
                      "the first pair: " + faces_in_words(examined.file, one, other),
-                     equal > 0 ? "merge vertices in equal positions (--merge), where that is why they meet; else cut "
-                                 "the faces where they cross"
-                               : "cut the faces where they cross, or move the parts apart"});
+                     mend_of_meeting(examined, merging_closes)});
   }
   return found;
 }

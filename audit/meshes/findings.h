@@ -24,12 +24,14 @@ struct Examined {
 std::vector<FoundDefect> defects_of_faces(const Examined& examined, const Preparation& how);
 /// repeated_face to pinched_vertex.
 std::vector<FoundDefect> defects_of_surface(const Examined& examined);
-/// flat_face and meeting_faces.
+/// flat_face and meeting_faces; `merging_closes` tells whether merging vertices would mend open edges.
 std::vector<FoundDefect> defects_of_shape(const Examined& examined, const PreparedMesh& cut,
-                                          const PolyhedronComplexity<double>& complexity);
+                                          const PolyhedronComplexity<double>& complexity, bool merging_closes);
 /// one_sided to filled_cavity.
 std::vector<FoundDefect> defects_of_turning(const Examined& examined, const Turning& turning);
 
+/// How the mending of open edges begins that merging closes.
+inline constexpr const char* merge_them = "merge: ";
 /// "face 3 (line 12)", "faces 3 (line 12), 5 (line 14), 6 (line 15) and 4 more"
 std::string faces_listed(const MeshFile& file, const std::vector<std::size_t>& faces);
 /// "16 of 24 vertices merged into others in equal positions"

@@ -2,12 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 #include "audit/counted.h"
 #include "audit/meshes/findings.h"
 #include "audit/meshes/repeated_faces.h"
+#include "audit/meshes/rims.h"
 
 namespace touchstone::audit::meshes {
 namespace {
@@ -38,61 +37,79 @@ FoundDefect found_pairs(const Examined& examined, MeshDefect defect,
   return found;
 }
 
-/// How many holes there are, a rim being edges that are connected.
-std::size_t rims_of(const std::vector<EdgeOfFile>& open) {
-  std::map<Index, Index> up;
-  const auto root = [&up](Index v) {
-    while (up[v] != v) v = up[v] = up[up[v]];
-    return v;
-  };
-  std::size_t rims = 0;
-  for (const EdgeOfFile& edge : open) {
-    for (const Index v : {edge.low, edge.high}) {
-      if (up.emplace(v, v).second) ++rims;
-    }
-    const Index p = root(edge.low), q = root(edge.high);
-    if (p != q) up[std::max(p, q)] = std::min(p, q), --rims;
-  }
-  return rims;
-}
-
 std::string after_merging(std::size_t open) {
   return open == 0 ? "no edge is open" : open == 1 ? "1 edge is open" : fmt::format("{} edges are open", open);
+}
+
+/// The T-junction that is told, and how many rims are such.
+struct TJunctions {
+  std::optional<TJunction> first;
+  std::size_t count = 0;
+};
+
+TJunctions t_junctions(const Examined& examined, const std::vector<Rim>& rims) {
+  TJunctions found;
+  for (const Rim& rim : rims) {
+    const auto junction = t_junction(rim, examined.surface.open, examined.mesh.vertices);
+    if (!junction) continue;
+    ++found.count;
+    if (!found.first) found.first = junction;
+  }
+  return found;
+}
+
+/// "in 3 rims", and of how many the rest is told.
+std::string in_rims(std::size_t rims, std::size_t junctions) {
+  std::string text = "in " + counted(rims, "rim");
+  if (junctions == 0) return text;
+  if (rims == 1) return text + ": a T-junction";
+  if (junctions == rims) return text + ", all of them T-junctions";
+  return text + fmt::format(", {} of them ", junctions) + (junctions == 1 ? "a T-junction" : "T-junctions");
+}
+
+/// "vertex 9 (line 9) at (0.5, 0, 0) lies on the edge from vertex 1 to vertex 2 (lines 1 and 2), of face 3 (line 12)"
+std::string in_words(const Examined& examined, const TJunction& junction) {
+  const MeshFile& file = examined.file;
+  return vertex_in_words(file, junction.vertex) +
+         (file.has_vertex_numbers ? " at " + position_in_words(file.vertices[junction.vertex]) : "") + " lies on the " +
+         edge_in_words(file, junction.edge.low, junction.edge.high) + ", of " +
+         face_in_words(file, examined.face_in_file[junction.edge.face]);
 }
 
 /// What merging would do to open edges; empty where it would do nothing.
 std::string merging_mends(const Examined& examined) {
   const std::vector<Point3d>& vertices = examined.mesh.vertices;
-  const auto open_after = [&](const Merging& merging) {
-    return Surface(shorter_faces(examined.mesh.faces, merging.into).faces, vertices.size()).open.size();
-  };
-  const Merging equal = merging_of(vertices, 0);
-  const std::size_t as_one = equal.merged > 0 ? open_after(equal) : examined.surface.open.size();
-  if (as_one < examined.surface.open.size())
-    return fmt::format("merge: {} have {} positions; with --merge {}", counted(vertices.size(), "vertex"),
-                       vertices.size() - equal.merged, after_merging(as_one));
-  const Merging nearly = merging_of(vertices, nearly_one);
-  if (nearly.merged == equal.merged) return "";
-  const std::size_t as_near = open_after(nearly);
-  if (as_near >= examined.surface.open.size()) return "";
-  for (Index v = 0; v < vertices.size(); ++v) {
-    const Index w = nearly.into[v];
-    if (vertices[v] == vertices[w]) continue;
-    const Point3d &p = vertices[v], &q = vertices[w];
-    return fmt::format("merge: {} are {:.2g} apart; with --merge {:g} {}", vertices_in_words(examined.file, w, v),
-                       std::hypot(p.x - q.x, p.y - q.y, p.z - q.z), nearly_one, after_merging(as_near));
-  }
-  return "";
+  const auto closes = merging_that_closes(vertices, examined.mesh.faces, examined.surface.open.size());
+  if (!closes) return "";
+  if (closes->tolerance == 0)
+    return merge_them + fmt::format("{} have {} positions; with --merge {}", counted(vertices.size(), "vertex"),
+                                    vertices.size() - closes->merging.merged, after_merging(closes->open));
+  return merge_them +
+         fmt::format("{} are {}; with --merge {:g} {}", vertices_in_words(examined.file, closes->one, closes->other),
+                     apart_in_words(closes->apart, size_of(vertices)), closes->tolerance, after_merging(closes->open));
 }
 
 FoundDefect open_edges(const Examined& examined, bool repeated) {
-  const std::size_t rims = rims_of(examined.surface.open);
+  const std::vector<EdgeOfFile>& open = examined.surface.open;
+  const std::vector<Rim> rims = rims_of(open, examined.mesh.vertices);
+  const TJunctions junctions = t_junctions(examined, rims);
   std::string mend = merging_mends(examined);
   if (mend.empty() && repeated) mend = drop_repeated;
-  if (mend.empty()) mend = rims == 1 ? "fill the hole, or close the rim" : "fill the holes, or close the rims";
-  return found_edges(examined, MeshDefect::open_edge, examined.surface.open,
-                     fmt::format("{}, in {}", counted(examined.surface.open.size(), "open edge"), counted(rims, "rim")),
-                     mend);
+  if (mend.empty() && junctions.first) {
+    mend = junctions.count == 1 ? "split that face there" : "split the faces there";
+    if (junctions.count < rims.size()) mend += "; fill the other holes, or close their rims";
+  }
+  if (mend.empty()) mend = rims.size() == 1 ? "fill the hole, or close the rim" : "fill the holes, or close the rims";
+  FoundDefect found = found_edges(
+      examined, MeshDefect::open_edge, open,
+      fmt::format("{}, {}", counted(open.size(), "open edge"), in_rims(rims.size(), junctions.count)), mend);
+  if (junctions.first) {
+    found.where = (junctions.count > 1 ? "the first: " : "") + in_words(examined, *junctions.first);
+  } else if (rims.size() > 1 || !examined.file.has_vertex_numbers) {
+    found.where +=
+        fmt::format(", in a rim of {} that is {:.6g} long", counted(rims[0].edges.size(), "edge"), rims[0].length);
+  }
+  return found;
 }
 
 FoundDefect pinched_vertices(const Examined& examined, const std::vector<Index>& pinched) {

@@ -3,12 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <regex>
-#include <tuple>
-#include <utility>
 
 #include "audit/counted.h"
 #include "audit/meshes/merged.h"
@@ -16,8 +13,6 @@
 
 namespace touchstone::audit {
 namespace {
-
-using Edge = std::pair<Index, Index>;
 
 std::size_t whole(const std::string& digits) { return std::strtoull(digits.c_str(), nullptr, 10); }
 
@@ -34,29 +29,12 @@ std::string rule_in_file(const MeshFile& file, const PreparedMesh& mesh, const s
     if ((*match)[1].matched) {
       result += edge_in_words(file, vertex(1), vertex(2));
     } else if ((*match)[3].matched) {
-      result += "from vertex " + std::to_string(vertex(3) + file.first_number) + " to vertex " +
-                std::to_string(vertex(4) + file.first_number);
+      result += "from " + vertex_named(file, vertex(3)) + " to " + vertex_named(file, vertex(4));
     } else {
       result += vertex_in_words(file, vertex(5));
     }
   }
   return result + rule.substr(behind);
-}
-
-/// Edges in an odd number of faces.
-std::vector<Edge> open_edges(const std::vector<std::vector<Index>>& faces) {
-  std::vector<Edge> edges, open;
-  for (const std::vector<Index>& corners : faces) {
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      edges.push_back(std::minmax({corners[k], corners[(k + 1) % corners.size()]}));
-  }
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();) {
-    const auto last = std::upper_bound(first, edges.end(), *first);
-    if ((last - first) % 2 != 0) open.push_back(*first);
-    first = last;
-  }
-  return open;
 }
 
 std::string what_is_left(const std::string& option, std::size_t open) {
@@ -117,21 +95,15 @@ std::vector<std::string> hints_of_merging(const MeshFile& file, const Preparatio
   std::vector<std::string> hints;
   if (how.merge && *how.merge > 0) return hints;
   const Merging equal = merging_of(file.vertices, 0);
-  const std::vector<Edge> open = open_edges(faces_after(file.faces, equal));
-  if (!how.merge && equal.merged > 0 && open.size() < open_edges(file.faces).size())
-    hints.push_back(equal_positions(equal) + what_is_left("--merge", open.size()));
-  std::vector<bool> at_rim(file.vertices.size());
-  for (const auto& [v, w] : open) at_rim[v] = at_rim[w] = true;
-  Index one = 0, other = 0;
-  double least = 0;
-  each_near_pair(file.vertices, nearly_one, [&](Index v, Index w, double apart) {
-    if (!at_rim[v] || !at_rim[w] || (one != other && std::tie(least, one, other) <= std::tie(apart, v, w))) return;
-    one = v, other = w, least = apart;
-  });
-  if (one == other) return hints;
-  const std::size_t left = open_edges(faces_after(file.faces, merging_of(file.vertices, nearly_one))).size();
-  hints.push_back(vertices_in_words(file, one, other) + " are " + decimal(least) + " apart" +
-                  what_is_left(fmt::format("--merge {:g}", nearly_one), left));
+  const std::size_t open = count_open_edges(faces_after(file.faces, equal));
+  if (!how.merge && equal.merged > 0 && open < count_open_edges(file.faces))
+    hints.push_back(equal_positions(equal) + what_is_left("--merge", open));
+  if (open == 0) return hints;
+  const auto closes = merging_that_closes(file.vertices, file.faces, open);
+  if (!closes) return hints;
+  hints.push_back(vertices_in_words(file, closes->one, closes->other) + " are " +
+                  apart_in_words(closes->apart, size_of(file.vertices)) +
+                  what_is_left(fmt::format("--merge {:g}", closes->tolerance), closes->open));
   return hints;
 }
 

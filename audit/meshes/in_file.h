@@ -21,8 +21,8 @@ std::optional<InvalidInput> in_file(const MeshFile& file, const PreparedMesh& me
 /// words. An empty object where it has none.
 Json places_in_file(const MeshFile& file, const PreparedMesh& mesh, const Json& truth);
 
-/// Whether merging vertices would close a mesh that is open, a sentence each: those in equal positions, and those
-/// nearer than 1e-9 of the size where an edge is open. `how` is the preparation of the open mesh.
+/// Whether merging vertices would close a mesh that is open, a sentence each: those in equal positions, and those that
+/// merging_that_closes names. `how` is the preparation of the open mesh.
 std::vector<std::string> hints_of_merging(const MeshFile& file, const Preparation& how);
 
 }  // namespace touchstone::audit

@@ -29,7 +29,8 @@ struct Faces {
 long long corner(const Text& text, std::string_view word, std::size_t vertices) {
   const long long i = text.whole(word.substr(0, word.find('/')));
   const auto defined = static_cast<long long>(vertices);
-  if (i == 0 || i < -defined) text.refuse("index of a vertex");
+  if (i == 0) text.refuse("index of a vertex: got 0, and OBJ counts from 1");
+  if (i < -defined) text.refuse(index_of_a_vertex(i, vertices, 1) + ", or backwards from -1");
   return i > 0 ? i - 1 : defined + i;
 }
 
@@ -74,6 +75,8 @@ MeshFile read_obj(const std::string& name, std::string_view bytes) {
       for (const std::string_view word : words) faces.corners.push_back(corner(text, word, mesh.vertices.size()));
     } else if (passed_over(keyword)) {
       ++mesh.passed_over[std::string(keyword)];
+      if ((keyword == "o" || keyword == "g") && !words.empty())
+        mesh.parts.emplace_back(mesh.face_lines.size(), catalogue::excerpt(words[0], 40));
     } else {
       text.refuse(line, "v, f or another keyword of polygons in OBJ, got " + catalogue::excerpt(keyword, 20));
     }
@@ -83,7 +86,7 @@ MeshFile read_obj(const std::string& name, std::string_view bytes) {
     std::vector<Index> corners;
     for (std::size_t k = faces.first[i]; k < faces.first[i + 1]; ++k) {
       if (faces.corners[k] >= static_cast<long long>(mesh.vertices.size()))
-        text.refuse(mesh.face_lines[i], "index of a vertex");
+        text.refuse(mesh.face_lines[i], index_of_a_vertex(faces.corners[k] + 1, mesh.vertices.size(), 1));
       corners.push_back(static_cast<Index>(faces.corners[k]));
     }
     mesh.faces.push_back(std::move(corners));

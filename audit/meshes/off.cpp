@@ -23,7 +23,7 @@ std::vector<Index> corners_of(const Text& text, std::size_t vertices) {
   std::vector<Index> corners;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k) {
     const long long i = text.whole(words[k]);
-    if (i < 0 || i >= static_cast<long long>(vertices)) text.refuse("index of a vertex");
+    if (i < 0 || i >= static_cast<long long>(vertices)) text.refuse(index_of_a_vertex(i, vertices));
     corners.push_back(static_cast<Index>(i));
   }
   return corners;

@@ -155,7 +155,8 @@ void each_list(const Text& text, Values& values, const Element& element, TakeInd
 }
 
 Index index_of(Values& values, long long index, const MeshFile& mesh) {
-  if (index < 0 || index >= static_cast<long long>(mesh.vertices.size())) values.refuse("index of a vertex");
+  if (index < 0 || index >= static_cast<long long>(mesh.vertices.size()))
+    values.refuse(index_of_a_vertex(index, mesh.vertices.size()));
   return static_cast<Index>(index);
 }
 

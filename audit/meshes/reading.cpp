@@ -7,10 +7,16 @@
 #include <system_error>
 
 #include "audit/counted.h"
+#include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/nearest_double.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::audit::meshes {
+namespace {
+
+std::string got(std::string_view word) { return '"' + catalogue::excerpt(word, 20) + '"'; }
+
+}  // namespace
 
 std::string_view without_mark(std::string_view bytes) {
   constexpr std::string_view mark = "\xef\xbb\xbf";
@@ -65,18 +71,20 @@ double Text::number(std::string_view word) const {
     std::string spelled;
     for (const char c : word.substr(word.starts_with('-') || word.starts_with('+'), 3))
       spelled += static_cast<char>(c | 0x20);
-    refuse(spelled == "nan" || spelled == "inf" ? "finite number" : "number");
+    if (spelled == "nan" || spelled == "inf") refuse("finite number");
+    refuse("number: got " + got(word));
   }
   if (std::isinf(*value)) refuse("finite number");
   return *value;
 }
 
 long long Text::whole(std::string_view word) const {
+  const std::string_view written = word;
   if (word.starts_with('+')) word.remove_prefix(1);
   long long value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) refuse("whole number of less than 64 bits");
-  if (error != std::errc() || stop != word.data() + word.size()) refuse("whole number");
+  if (error != std::errc() || stop != word.data() + word.size()) refuse("whole number: got " + got(written));
   return value;
 }
 
@@ -95,6 +103,11 @@ std::string lower(std::string_view word) {
 }
 
 std::string vertices(std::size_t count) { return grouped(count) + (count == 1 ? " vertex" : " vertices"); }
+
+std::string index_of_a_vertex(long long got, std::size_t count, std::size_t first_number) {
+  return "index of a vertex: got " + std::to_string(got) + " of " + vertices(count) + ", counted from " +
+         std::to_string(first_number);
+}
 
 std::size_t append_strip(const std::vector<Index>& strip, std::vector<std::vector<Index>>& faces) {
   std::size_t left_out = 0;

@@ -62,6 +62,9 @@ std::string lower(std::string_view word);
 /// "1 vertex", "1,234 vertices"
 std::string vertices(std::size_t count);
 
+/// The rule of an index that names no vertex: "index of a vertex: got 5 of 4 vertices, counted from 0".
+std::string index_of_a_vertex(long long got, std::size_t count, std::size_t first_number = 0);
+
 /// Appends the triangles of a strip, whose directions alternate, so that all face the same side. A strip names a vertex
 /// twice where it turns or jumps: what is no triangle is left out. Returns how many that are.
 std::size_t append_strip(const std::vector<Index>& strip, std::vector<std::vector<Index>>& faces);

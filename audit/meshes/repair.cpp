@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "audit/counted.h"
 #include "audit/meshes/findings.h"
 #include "audit/meshes/repeated_faces.h"
+#include "geometry/invalid_input.h"
 
 namespace touchstone::audit {
 namespace {
@@ -45,16 +49,55 @@ void drop_merged(MeshFile& mesh, const std::vector<Index>& into) {
     for (Index& v : corners) v = place[v];
 }
 
-}  // namespace
+/// Cuts faces that are not planar. Nothing is cut where another face is no polygon.
+void cut(MeshFile& mesh, Places& face_in_file, const Preparation& how) {
+  if (how.cut == Preparation::Cut::exact && !how.planar) return;
+  try {
+    const PreparedMesh cut = prepared(mesh, how);
+    std::vector<Corners> faces;
+    for (std::size_t i = 0; i < cut.face_in_file.size(); ++i) faces.push_back(corners_of_named(cut.mesh, i));
+    mesh.faces = std::move(faces), face_in_file = in_file(cut.face_in_file, face_in_file);
+  } catch (const InvalidInput&) {
+  }
+}
 
-Repaired repaired(const MeshFile& file, const Preparation& how, const Diagnosis& diagnosis, const TellStep& tell) {
+/// Those that come twice.
+Places repeated(const Places& ascending) {
+  Places twice;
+  for (std::size_t i = 1; i < ascending.size(); ++i)
+    if (ascending[i] == ascending[i - 1] && (twice.empty() || twice.back() != ascending[i]))
+      twice.push_back(ascending[i]);
+  return twice;
+}
+
+/// Of vertices that are one only those of one closed part, or those of no closed part.
+Merging within_parts(const MeshFile& file, const Merging& merging) {
+  const meshes::Surface surface(file.faces, file.vertices.size());
+  std::vector<bool> open(surface.components);
+  for (const meshes::EdgeOfFile& edge : surface.open) open[surface.component[edge.face]] = true;
+  std::vector<std::size_t> closed_part(file.vertices.size());  // from 1; 0: of none
+  for (std::size_t i = 0; i < file.faces.size(); ++i) {
+    if (open[surface.component[i]]) continue;
+    for (const Index v : file.faces[i]) closed_part[v] = surface.component[i] + 1;
+  }
+  std::map<std::pair<Index, std::size_t>, Index> first;
+  Merging result{merging.into};
+  for (Index v = 0; v < merging.into.size(); ++v) {
+    result.into[v] = first.try_emplace({merging.into[v], closed_part[v]}, v).first->second;
+    if (result.into[v] != v) ++result.merged;
+  }
+  return result;
+}
+
+Repaired repaired_with(const Merging& merging, const MeshFile& file, const Preparation& how, const Diagnosis& diagnosis,
+                       const TellStep& tell) {
   Repaired result;
-  const auto change = [&](const Places& faces, const char* what) {
+  const auto change = [&](Places faces, const char* what) {
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());  // several triangles of one that was cut
     if (!faces.empty())
       result.changes.push_back(
           fmt::format("{} {}: {}", counted(faces.size(), "face"), what, meshes::faces_listed(file, faces)));
   };
-  const Merging merging = merging_of(file.vertices, how.merge.value_or(0));
   if (merging.merged > 0) result.changes.push_back(meshes::merging_in_words(merging));
   meshes::ShorterFaces shorter = meshes::shorter_faces(file.faces, merging.into);
   change(shorter.dropped, "dropped with fewer than three corners left");
@@ -71,15 +114,42 @@ Repaired repaired(const MeshFile& file, const Preparation& how, const Diagnosis&
   change(in_file(again, face_in_file), "dropped as repeating an earlier one");
   drop(mesh.faces, face_in_file, dropped);
   drop_merged(mesh, merging.into);
+  cut(mesh, face_in_file, {how.cut, how.planar, std::nullopt});
+  change(repeated(face_in_file), "cut");
 
-  const Preparation as_merged{how.cut, how.planar, std::nullopt};
-  result.left = result.changes.empty() && !how.merge ? diagnosis : diagnosed(mesh, as_merged, tell);
+  const bool prepared = how.merge || how.planar || how.cut != Preparation::Cut::exact;
+  result.left = result.changes.empty() && !prepared ? diagnosis : diagnosed(mesh, {}, tell);
   const Places reversed = result.left.reversed;
   if (reversed.empty()) return result;
   for (const std::size_t i : reversed) std::reverse(mesh.faces[i].begin(), mesh.faces[i].end());
   change(in_file(reversed, face_in_file), "reversed");
-  result.left = diagnosed(mesh, as_merged, tell);
+  result.left = diagnosed(mesh, {}, tell);
   return result;
+}
+
+}  // namespace
+
+Repaired repaired(const MeshFile& file, const Preparation& how, const Diagnosis& diagnosis, const TellStep& tell) {
+  const Merging merging = merging_of(file.vertices, how.merge.value_or(0));
+  const Merging apart = how.merge ? merging : within_parts(file, merging);
+  Repaired together = repaired_with(merging, file, how, diagnosis, tell);
+  if (apart.merged == merging.merged || together.left.solid()) return together;
+  return repaired_with(apart, file, how, diagnosis, tell);
+}
+
+std::string not_kept(const MeshFile& file) {
+  const std::map<std::string, std::string> words{
+      {"vt", "texture coordinates"}, {"vn", "normals"}, {"usemtl", "materials"},
+      {"mtllib", "materials"},       {"o", "names"},    {"g", "groups"},
+      {"s", "smoothing groups"}};
+  std::set<std::string> kinds;
+  for (const auto& [keyword, count] : file.passed_over) {
+    const auto known = words.find(keyword);
+    kinds.insert(known == words.end() ? keyword : known->second);
+  }
+  std::string text;
+  for (const std::string& kind : kinds) text += (text.empty() ? "" : ", ") + kind;
+  return text;
 }
 
 }  // namespace touchstone::audit

@@ -85,9 +85,13 @@ MeshFile read_binary(const std::string& name, std::string_view all) {
   Bytes bytes(name, all, std::endian::little);
   bytes.skip(header - 4), bytes.skip(4);
   const Layout layout = layout_of(all);
+  const std::size_t room = (all.size() - header) / triangle;
+  if (!layout.attributes && layout.triangles > room)
+    bytes.refuse(grouped(layout.triangles) + " triangles, as the header says: the file holds " + grouped(room) +
+                 " and ends too early");
   Merged merged;
   MeshFile& mesh = merged.mesh;
-  mesh.name = name, mesh.format = "STL (binary)";
+  mesh.name = name, mesh.format = "STL (binary)", mesh.has_vertex_numbers = false;
   bool any_attribute = false;
   for (std::uint64_t i = 0; i < layout.triangles; ++i) {
     bytes.skip(12);  // the normal
@@ -106,7 +110,7 @@ MeshFile read_binary(const std::string& name, std::string_view all) {
   if (layout.attributes) mesh.notes.push_back("bytes behind each triangle passed over");
   if (bytes.left() >= triangle)
     bytes.refuse("as many triangles as the header counts, " + grouped(layout.counted) + ": there is room for " +
-                 grouped((all.size() - header) / triangle));
+                 grouped(room));
   if (bytes.left() > 0 && any_attribute && !layout.attributes)
     bytes.refuse("nothing behind the last triangle, or behind each as many bytes as its attribute counts");
   if (bytes.left() > 0) mesh.notes.push_back(counted(bytes.left(), "byte") + " behind the last triangle passed over");
@@ -128,7 +132,7 @@ MeshFile read_text(const std::string& name, std::string_view all) {
   Text text(name, all);
   Merged merged;
   MeshFile& mesh = merged.mesh;
-  mesh.name = name, mesh.format = "STL (ascii)";
+  mesh.name = name, mesh.format = "STL (ascii)", mesh.has_vertex_numbers = false;
   std::vector<Index> loop;
   std::size_t facet = 0;      // the line on which the last one begins
   std::string open = "file";  // what stands open

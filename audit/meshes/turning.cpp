@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "robust/structures/solid_mesh.h"
 #include "robust/structures/sort_and_sweep.h"
@@ -96,6 +97,41 @@ Sheets sheets_of(const Surface& surface, const Meshd* mesh, const std::vector<st
   return sheets;
 }
 
+/// Of each component the one around it and the others that it holds: the one that lies in none.
+std::vector<std::size_t> outermost(std::size_t components, const std::vector<IndexPair>& nesting) {
+  std::vector<bool> held(components);
+  for (const IndexPair& pair : nesting) held[pair.j] = true;
+  std::vector<std::size_t> result(components);
+  for (std::size_t i = 0; i < components; ++i) result[i] = i;
+  for (const IndexPair& pair : nesting)
+    if (!held[pair.i]) result[pair.j] = pair.i;
+  return result;
+}
+
+/// Cavities that look outwards while the sheet around them and all else in it look the wrong way as well: the inverse
+/// of a hollow solid.
+void turn_inverses(const Surface& surface, const Sheets& sheets, const std::vector<IndexPair>& nesting,
+                   Turning& turning) {
+  const std::vector<std::size_t> around = outermost(surface.components, nesting);
+  const auto around_face = [&](std::size_t i) { return around[surface.component[i]]; };
+  std::vector<std::size_t> wrong(surface.components), all(surface.components);
+  for (const auto& faces : sheets.faces) ++all[around_face(faces[0])];
+  for (const auto* firsts : {&turning.inside_out, &turning.filled_cavity})
+    for (const std::size_t i : *firsts) ++wrong[around_face(i)];
+  std::vector<std::size_t> meant;
+  for (const std::size_t i : turning.filled_cavity) {
+    if (wrong[around_face(i)] < all[around_face(i)]) {
+      meant.push_back(i);
+      continue;
+    }
+    turning.inside_out.push_back(i);
+    const auto& faces = sheets.faces[surface.sheet[i]];
+    turning.outwards.insert(turning.outwards.end(), faces.begin(), faces.end());
+  }
+  turning.filled_cavity = std::move(meant);
+  std::sort(turning.inside_out.begin(), turning.inside_out.end());
+}
+
 }  // namespace
 
 Turning turning_of(const Surface& surface, const Meshd* mesh, const std::vector<std::size_t>& face_of,
@@ -122,6 +158,7 @@ Turning turning_of(const Surface& surface, const Meshd* mesh, const std::vector<
       turning.filled_cavity.push_back(faces[0]);
     }
   }
+  if (nesting != nullptr) turn_inverses(surface, sheets, *nesting, turning);
   std::sort(turning.turned.begin(), turning.turned.end()), std::sort(turning.outwards.begin(), turning.outwards.end());
   return turning;
 }

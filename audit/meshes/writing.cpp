@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 
+#include "audit/meshes/prepared.h"
 #include "audit/meshes/repair.h"
 #include "catalogue/codec/json.h"
 #include "geometry/invalid_input.h"
@@ -50,6 +55,39 @@ std::string ply(const MeshFile& mesh) {
          lists(mesh);
 }
 
+void append(std::string& bytes, std::uint32_t number, int count = 4) {
+  for (int k = 0; k < count; ++k) bytes += static_cast<char>(number >> 8 * k & 0xff);
+}
+
+std::string stl(const MeshFile& mesh, const std::string& name) {
+  std::vector<std::array<float, 3>> positions;
+  for (const Point3d& p : mesh.vertices) {
+    for (const double x : {p.x, p.y, p.z})
+      if (!(std::fabs(x) <= std::numeric_limits<float>::max()) || static_cast<double>(static_cast<float>(x)) != x)
+        throw InvalidInput(name, "STL holds numbers of binary32, and " + decimal(x) +
+                                     " is none, a coordinate of vertex " + std::to_string(positions.size()) +
+                                     " from 0; a name that ends with .obj, .off or .ply keeps all");
+    positions.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  }
+  std::vector<Face> triangles;
+  try {
+    if (!mesh.faces.empty()) triangles = prepared(mesh, {}).mesh.faces;
+  } catch (const InvalidInput& refused) {
+    throw InvalidInput(name, "STL holds triangles, and a polygon cannot be cut: " + refused.rule() +
+                                 "; or a name that ends with .obj, .off or .ply");
+  }
+  std::string bytes = "binary STL";
+  bytes.resize(80, ' ');
+  append(bytes, static_cast<std::uint32_t>(triangles.size()));
+  for (const Face& f : triangles) {
+    bytes.append(12, '\0');  // the normal is left to the corners
+    for (const Index v : {f.a, f.b, f.c})
+      for (const float x : positions[v]) append(bytes, std::bit_cast<std::uint32_t>(x));
+    append(bytes, 0, 2);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 std::string text_of_mesh(const MeshFile& mesh, const std::string& name) {
@@ -58,7 +96,8 @@ std::string text_of_mesh(const MeshFile& mesh, const std::string& name) {
   if (ending == ".obj") return obj(mesh);
   if (ending == ".off") return off(mesh);
   if (ending == ".ply") return ply(mesh);
-  throw InvalidInput(name, "a name that ends with .obj, .off or .ply");
+  if (ending == ".stl") return stl(mesh, name);
+  throw InvalidInput(name, "a name that ends with .obj, .off, .ply or .stl");
 }
 
 }  // namespace touchstone::audit

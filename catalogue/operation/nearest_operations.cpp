@@ -57,6 +57,14 @@ bool has_word(const WordList& words, const std::string& word) {
 
 }  // namespace
 
+std::string why_not_computed(std::string_view name) {
+  if (name.size() > longest_question) return "";
+  const WordList words = words_of(name);
+  for (const auto& [phrase, what] : not_computed())
+    if (has_phrase(words, words_of(phrase))) return std::string("no operation computes ") + what;
+  return "";
+}
+
 std::vector<std::string> nearest_operations(std::string_view name, std::size_t most) {
   if (name.size() > longest_question) return {};
   const WordList words = words_of(name);

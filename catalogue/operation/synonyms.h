@@ -14,6 +14,16 @@ struct Synonym {
 };
 const std::vector<Synonym>& synonyms();
 
+/// What people ask for and no operation computes: "no operation computes " what.
+struct NotComputed {
+  const char* phrase;
+  const char* what;
+};
+const std::vector<NotComputed>& not_computed();
+
+/// "no operation computes an area" where one of these phrases is in the name; else empty.
+std::string why_not_computed(std::string_view name);
+
 /// The operations nearest to a name that is none of the catalogue's, the best first, at most `most` of them; none
 /// where no word fits. A phrase of the table counts most, the more words the more; then a word of an operation's name,
 /// then one of its question. "RayCast", "ray-cast" and "raycasts" are the same; `did_you_mean` finds misspellings.

@@ -52,6 +52,17 @@ TEST_CASE("synonyms: a phrase of the table leads to its own operations first, in
   }
 }
 
+TEST_CASE("synonyms: what no operation computes is said so, and has neighbours") {
+  for (const auto& [phrase, what] : catalogue::not_computed()) {
+    INFO(phrase);
+    CHECK(catalogue::why_not_computed(phrase) == std::string("no operation computes ") + what);
+    CHECK_FALSE(nearest_operations(phrase, 3).empty());
+  }
+  CHECK(catalogue::why_not_computed("PenetrationDepth").ends_with("a least translation that separates"));
+  CHECK(catalogue::why_not_computed("segment_segment").empty());
+  CHECK(catalogue::why_not_computed("areal").empty());
+}
+
 TEST_CASE("synonyms: the words are the same however they are joined") {
   const Names rays{"ray_triangle", "ray_aabb", "ray_sphere"};
   for (const char* spelt : {"raycast", "ray_cast", "ray-cast", "RayCast", "Ray casts", "rayCast"}) {

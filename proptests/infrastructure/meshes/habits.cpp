@@ -85,8 +85,10 @@ TEST_CASE("habits: bytes behind the last triangle of binary STL are noted, fewer
   }
   CHECK(refusal("a.stl", stl("", 3, 1)) ==
         "a.stl: byte 132: as many triangles as the header counts, 1: there is room for 3");
-  CHECK(refusal("a.stl", stl("", 3, 4)) == "a.stl: byte 234: more bytes: the file ends too early");
-  CHECK(refusal("a.stl", stl("", 3, 0xfffffffe)) == "a.stl: byte 234: more bytes: the file ends too early");
+  CHECK(refusal("a.stl", stl("", 3, 4)) ==
+        "a.stl: byte 80: 4 triangles, as the header says: the file holds 3 and ends too early");
+  CHECK(refusal("a.stl", stl("", 3, 0xfffffffe)) ==
+        "a.stl: byte 80: 4,294,967,294 triangles, as the header says: the file holds 3 and ends too early");
 }
 
 TEST_CASE("habits: triangles of binary STL that its header does not count are read and noted") {
@@ -136,7 +138,7 @@ TEST_CASE("habits: strips of PLY become triangles that all face the same side") 
   CHECK(read.notes == Notes{"strips of triangles are read as faces, without 2 triangles with a vertex named twice"});
   CHECK(refusal("a.ply", "ply\nformat ascii 1.0\n" + ply_vertices +
                              "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + four_rows +
-                             "3 0 1 -2\n") == "a.ply:14: index of a vertex");
+                             "3 0 1 -2\n") == "a.ply:14: index of a vertex: got -2 of 4 vertices, counted from 0");
 }
 
 TEST_CASE("habits: PLY has integers of 64 bits, too") {
@@ -152,7 +154,7 @@ TEST_CASE("habits: PLY has integers of 64 bits, too") {
     const MeshFile read = parse_mesh_file("a.ply", bytes);
     CHECK(read.vertices == std::vector<Point3d>{{-5, 3, 0.5}, {1, 3, 0.5}, {0x1p53, 3, 0.5}});
     CHECK(read.faces == Faces{{0, 1, 2}});
-    CHECK(refusal("a.ply", negative).ends_with("index of a vertex"));
+    CHECK(refusal("a.ply", negative).ends_with("index of a vertex: got -1 of 3 vertices, counted from 0"));
     CHECK(refusal("a.ply", bytes.substr(0, bytes.size() - 1)).ends_with("the file ends too early"));
     CHECK(parse_mesh_file("a.ply", bytes + "\r\n").faces.size() == 1);
   }

@@ -68,6 +68,30 @@ TEST_CASE("geometries: GeoJSON of every kind, on one line or many") {
                             ContainsSubstring(R"("input":{"polygon":[[0,0],[4,0],[4,4],[0,0]]})"));
 }
 
+TEST_CASE("geometries: kinds that differ come in any order, and a MultiPolygon of one is that polygon") {
+  const std::string both = R"({"polygon":[[0,0],[4,0],[4,4],[0,0]],"point":[1,3]})";
+  CHECK(input_of_wkt("point_in_polygon", "POINT (1 3); MULTIPOLYGON (((0 0, 4 0, 4 4, 0 0)))") == both);
+  const std::string feature = R"({"type":"Feature","geometry":{"type":)";
+  CHECK(input_of_geojson("point_in_polygon",
+                         R"({"type":"FeatureCollection","features":[)" + feature + R"("Point","coordinates":[1,3]}},)" +
+                             feature + R"("MultiPolygon","coordinates":[[[[0,0],[4,0],[4,4],[0,0]]]]}}]})") == both);
+}
+
+TEST_CASE("geometries: text without its option is refused with the option that was probably meant") {
+  const std::pair<const char*, const char*> texts[] = {
+      {"POLYGON ((0 0,9 0,9 9,0 0))", "--wkt"},
+      {"srid=4326;POLYGON ((0 0,9 0,9 9,0 0))", "--wkt"},
+      {R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9]]]})", "--geojson"},
+      {R"({"type":"Feature","geometry":null})", "--geojson"}};
+  for (const auto& [text, option] : texts) {
+    const TextFile file("without", text);
+    require_refused(called({"ask", "polygon_convexity", file.path()}), bad_usage,
+                    std::string("(did you mean ") + option + "?)");
+  }
+  const TextFile file("without", "{\"polygon\":1}");
+  CHECK_THAT(called({"ask", "polygon_convexity", file.path()}).err, !ContainsSubstring("did you mean"));
+}
+
 TEST_CASE("geometries: decimals as typed, and a mesh beside a point") {
   const TextFile line("typed.wkt", "POINT (0.3 0.1); LINESTRING (0 0, 0.9 0.3)\n");
   const Called typed = called({"ask", "point_on_segment", "--wkt", "--as-typed", line.path()});
@@ -83,11 +107,17 @@ TEST_CASE("geometries: decimals as typed, and a mesh beside a point") {
 
 TEST_CASE("geometries: what no field takes is refused in one line that names it") {
   CHECK(refusal("polygon_convexity", "--wkt", "POLYGON ((0 0,9 0,9 9,0 0),(2 1,3 1,3 2,2 1))") ==
-        "polygon: a hole is not supported yet");
-  CHECK(refusal("polygon_convexity", "--wkt", "MULTIPOLYGON (((0 0,9 0,9 9,0 0)))") ==
-        "polygon: expected a Polygon, got MULTIPOLYGON");
+        "polygon: a hole is not supported yet: ask about the outer ring and about each hole as polygons of their own");
+  CHECK(refusal("polygon_convexity", "--wkt", "MULTIPOLYGON (((0 0,9 0,9 9,0 0)),((2 0,3 0,3 1,2 0)))") ==
+        "polygon: one Polygon, got a MultiPolygon of 2: ask about each part on its own");
+  CHECK(refusal("polygon_convexity", "--wkt", "MULTIPOLYGON (((0 0,9 0,9 9,0 0),(2 1,3 1,3 2,2 1)))")
+            .starts_with("polygon: a hole is not supported yet: "));
+  CHECK(refusal("polygon_convexity", "--wkt", "MULTILINESTRING ((0 0,9 0))") ==
+        "polygon: expected a Polygon, got MULTILINESTRING");
+  CHECK(refusal("polygon_convexity", "--wkt", "SRID=4326;POLYGON ((0 0,9 0,9 9,0 0))") ==
+        "line: WKT: drop SRID=4326; at column 1: coordinates are taken as they are");
   CHECK(refusal("polygon_convexity", "--wkt", "POLYGON Z ((0 0 1,9 0 1,9 9 1,0 0 1))") ==
-        "polygon: x and y alone: its shape is in the plane");
+        "polygon: x and y alone, for its shape is in the plane: drop the third coordinate");
   CHECK(refusal("polygon_normal", "--wkt", "POLYGON ((0 0,9 0,9 9,0 0))") ==
         "polygon: x, y and z: its shape is in space");
   CHECK(refusal("polygon_normal", "--wkt", "POLYGON ZM ((0 0 1 1,9 0 1 1,9 9 1 1))") ==
@@ -98,7 +128,8 @@ TEST_CASE("geometries: what no field takes is refused in one line that names it"
   CHECK(refusal("point_in_polygon", "--wkt", "POINT (0 0); POINT (0 0)") == "polygon: expected a Polygon, got Point");
   CHECK(refusal("sphere_sphere", "--wkt", "POINT (0 0); POINT (0 0)") ==
         "a: no geometry of WKT or GeoJSON is of its shape");
-  CHECK(refusal("segment_segment", "--wkt", "LINESTRING (0 0,1 1,2 2); LINESTRING (0 0,1 1)").starts_with("a: "));
+  CHECK(refusal("segment_segment", "--wkt", "LINESTRING (0 0,1 1,2 2); LINESTRING (0 0,1 1)") ==
+        "a: two positions, got 3");
   CHECK(refusal("polygon_convexity", "--wkt", "POLYGON ((0 0,9 x,9 9,0 0))") ==
         "line: WKT: expected a number at column 17");
   CHECK(refusal("polygon_convexity", "--wkt", "POLYGON ((0 0,9 1-2,9 9,0 0))").starts_with("polygon[1][1]: "));
@@ -111,11 +142,11 @@ TEST_CASE("geometries: what no field takes is refused in one line that names it"
         "line: WKT: expected a semicolon or the end of the line at column 29");
   CHECK(refusal("polygon_convexity", "--geojson",
                 R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9]],[[2,1],[3,1],[3,2]]]})") ==
-        "polygon: a hole is not supported yet");
+        "polygon: a hole is not supported yet: ask about the outer ring and about each hole as polygons of their own");
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"Polygon","coordinates":[[[0,0,1],[9,0,1],[9,9,1]]]})") ==
-        "polygon: x and y alone: its shape is in the plane");
+        "polygon: x and y alone, for its shape is in the plane: drop the third coordinate");
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"MultiPolygon","coordinates":[]})") ==
-        "polygon: expected a Polygon, got MultiPolygon");
+        "polygon: one Polygon, got a MultiPolygon of 0: ask about each part on its own");
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"Feature","geometry":null})").starts_with("geometry: "));
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"Polygon"})") ==
         "polygon: an object of GeoJSON with \"coordinates\"");

@@ -134,10 +134,73 @@ TEST_CASE("mesh: vertices that are nearly one are named, and the tolerance that 
   nearly.replace(nearly.find("v 0 1 0"), 7, "v 1e-15 1 0");  // vertex 1, in which the first face begins
   check_found(
       examined(nearly, {"--merge"}),
-      {"open edges", "merge: vertices 1 and 18 (lines 1 and 18) are 1e-15 apart; with --merge 1e-09 no edge is open"});
+      {"open edges",
+       "merge: vertices 1 and 18 (lines 1 and 18) are 1e-15 apart, 1e-15 of the size; with --merge 1e-12 no edge is "
+       "open"});
   // The left side takes over the corner, and is then off its plane.
   check_found(examined(nearly, {"--merge", "1e-9"}), {"1 face is not planar", "face 6 (line 30)\n"});
   check_solid(examined(nearly, {"--merge", "1e-9", "--planar", "1e-9"}));
+}
+
+TEST_CASE("mesh: a rim on one line is a T-junction, and the face to split is told") {
+  // The front is two triangles and a quadrilateral that know vertex 9 in the middle of the edge 1-2; the floor does not.
+  Faces all = cube_faces;
+  all[2] = {1, 9, 2, 6, 5};
+  const std::string text = corners(0, 1) + "v 0.5 0 0\n" + faces(all);
+  const Called call = examined(text);
+  check_found(call,
+              {"3 open edges, in 1 rim: a T-junction\n",
+               "  vertex 9 (line 9) at (0.5, 0, 0) lies on the edge from vertex 1 to vertex 2 (lines 1 and 2), of "
+               "face 1 (line 10)\n",
+               "to mend: split that face there\n"});
+  CHECK_THAT(call.out, !ContainsSubstring("move the parts apart"));
+  // The floor taken away is a hole beside no T-junction.
+  Faces hole = all;
+  hole.erase(hole.begin());
+  check_found(examined(corners(0, 1) + "v 0.5 0 0\n" + faces(hole)), {"5 open edges, in 1 rim\n", "fill the hole"});
+  // Off the line by one ulp it is a hole.
+  check_found(examined(corners(0, 1) + "v 0.5 0 5e-324\n" + faces(all), {"--planar", "1"}),
+              {"3 open edges, in 1 rim\n", "fill the hole"});
+}
+
+TEST_CASE("mesh: of two rims each is told, and which of them is a T-junction") {
+  Faces all = cube_faces;
+  all[2] = {1, 9, 2, 6, 5}, all.erase(all.begin() + 1);
+  check_found(examined(corners(0, 1) + "v 0.5 0 0\n" + faces(all)),
+              {"7 open edges, in 2 rims, 1 of them a T-junction\n", "vertex 9 (line 9) at (0.5, 0, 0)",
+               "split that face there; fill the other holes"});
+}
+
+TEST_CASE("mesh: the least tolerance of --merge that closes the mesh is named, and in units of its size") {
+  for (const auto& [apart, tolerance] : {std::pair{3e-13, "1e-12"}, {3e-11, "1e-10"}, {3e-6, "1e-05"}}) {
+    std::string nearly = split_cube(cube_faces);
+    nearly.replace(nearly.find("v 0 1 0"), 7, fmt::format("v {} 1 0", apart));
+    check_found(examined(nearly, {"--merge"}),
+                {fmt::format("are {0} apart, {0} of the size; with --merge {1} no edge is open", apart, tolerance)});
+  }
+  std::string far = split_cube(cube_faces);
+  far.replace(far.find("v 0 1 0"), 7, "v 0.001 1 0");
+  check_found(examined(far, {"--merge"}), {"open edges", "to mend: fill the hole"});
+  check_found(examined(split_cube(cube_faces)), {"faces meet beyond", "to mend: merge first, as at the open edges"});
+}
+
+TEST_CASE("mesh: parts that a file names are named, where there are two or more") {
+  const std::string two =
+      "o Cube\n" + corners(0, 1) + faces(cube_faces) + "o Ball\n" + corners(0.5, 1.5) + faces(cube_faces, 8);
+  check_found(examined(two), {"faces 2 and 9 (lines 11 and 27, of Cube and Ball)\n", "or move the parts apart"});
+  const std::string one = "o Cube\n" + corners(0, 1) + faces(inside_out());
+  CHECK_THAT(examined(one).out, !ContainsSubstring("of Cube"));
+}
+
+TEST_CASE("mesh: places in STL are positions") {
+  const std::string tetrahedron =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0.5\n" + faces({{1, 3, 2}, {1, 2, 4}, {1, 4, 3}});  // open at 2-3-4
+  const TextFile file("open.obj", tetrahedron), stl("open.stl", "");
+  called({"mesh", file.path(), "--repair", stl.path()});
+  check_found(called({"mesh", stl.path()}),
+              {"3 open edges, in 1 rim\n",
+               "the first: edge (0, 1, 0) - (1, 0, 0), of face 0 near (0.333, 0.333, 0), in a rim of 3 edges that is "
+               "3.65028 long\n"});
 }
 
 TEST_CASE("mesh: a cube inside out is found, and turned") {
@@ -320,7 +383,8 @@ TEST_CASE("mesh: what cannot be done is refused in one line, and no mesh is over
   for (const char* option : {"--repair", "--page"})
     require_refused(called({"mesh", cube.path(), option, cube.path()}), bad_usage, "is the mesh that is read");
   CHECK(audit::read_mesh_file(cube.path()).faces[0] == std::vector<Index>{0, 1, 2, 3});
-  require_refused(called({"mesh", cube.path(), "--repair", "cube.stl"}), bad_usage, "ends with .obj, .off or .ply");
+  require_refused(called({"mesh", cube.path(), "--repair", "cube.step"}), bad_usage,
+                  "ends with .obj, .off, .ply or .stl");
   require_refused(called({"mesh", cube.path(), cube.path(), "--page", "x.html"}), bad_usage, "several files");
   require_refused(called({"mesh", "--merge", cube.path(), cube.path()}), bad_usage, "a number from 0 to 0.01");
   require_refused(called({"mesh", cube.path(), "--merge", "2"}), bad_usage, "a number from 0 to 0.01");

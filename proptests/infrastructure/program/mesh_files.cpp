@@ -64,9 +64,9 @@ TEST_CASE("ask: witnesses are told with the places of the file, and what would c
   CHECK_THAT(equal.out,
              ContainsSubstring(R"("hints":["1 pair of vertices has equal positions; with --merge it is closed"])"));
   const Called near = asked("polyhedron_complexity", torn("1e-10 0 0"));
-  CHECK_THAT(near.out, ContainsSubstring("\"hints\":[\"vertices 1 and 5 (lines 1 and 5) are 1e-10 apart; with --merge "
-                                         "1e-09 it is closed\"]"));
-  const Called far = asked("polyhedron_complexity", torn("1e-8 0 0"));
+  CHECK_THAT(near.out, ContainsSubstring("\"hints\":[\"vertices 1 and 5 (lines 1 and 5) are 1e-10 apart, 1e-10 of the "
+                                         "size; with --merge 1e-09 it is closed\"]"));
+  const Called far = asked("polyhedron_complexity", torn("1e-3 0 0"));
   CHECK_THAT(far.out, ContainsSubstring("\"places\"") && !ContainsSubstring("\"hints\""));
 }
 
@@ -115,6 +115,24 @@ TEST_CASE("ask: faces that are not planar are cut as told, and the answer says s
   }
 }
 
+TEST_CASE("ask: --mesh needs no field where an operation has one mesh, and says the fields where it has two") {
+  const std::string with_field = asked("polyhedron_complexity", torn("0 0 0"), {"--merge"}).out;
+  const TextFile file("a.obj", torn("0 0 0")), line("line.jsonl", "{}\n");
+  CHECK(called({"ask", "polyhedron_complexity", line.path(), "--mesh", file.path(), "--merge"}).out == with_field);
+  require_refused(called({"ask", "polyhedron_polyhedron", line.path(), "--mesh", file.path()}), bad_usage,
+                  "--mesh: expected field=FILE with field a or b, got ");
+  require_refused(called({"ask", "segment_segment", line.path(), "--mesh", file.path()}), bad_usage,
+                  "--mesh: segment_segment has no field that is a mesh, got ");
+  require_refused(called({"certify", line.path(), "--mesh", file.path()}), bad_usage,
+                  "--mesh: expected field=FILE, got");
+}
+
+TEST_CASE("ask: --truth names the file of a mesh instead of repeating the mesh") {
+  const Called call = asked("polyhedron_complexity", torn("0 0 0"), {"--merge", "--truth"});
+  CHECK_THAT(call.out, ContainsSubstring(R"("input":{"mesh":")" + name_of_file() + "\"}") &&
+                           ContainsSubstring("\"closed\":true"));
+}
+
 TEST_CASE("ask: --verbose tells what was read and made of a mesh") {
   const Called call = asked("polyhedron_complexity", torn("0 0 0") + "vn 0 0 1\n", {"--merge", "--verbose"});
   CHECK_THAT(call.err, ContainsSubstring("OBJ: 5 vertices, 4 faces of 3 corners\n") &&
@@ -136,7 +154,7 @@ TEST_CASE("certify: the line of a merged mesh is certified, as a claim about its
   CHECK(about(line, file, {"--merge"}).out == "1 certificates, 0 refused\n");
   for (const Called& call : {about(line, file, {}), about(line, other, {"--merge"})}) {
     CHECK(call.code == findings);
-    CHECK_THAT(call.err, ContainsSubstring("line 1: input.mesh: the mesh of the file that --mesh names\n"));
+    CHECK_THAT(call.err, ContainsSubstring("line 1: input.mesh is not the mesh of "));
   }
   const std::size_t from = said.find("\"mesh\":"), to = said.find("},\"truth\"");
   const TextFile without("without.jsonl", std::string(said).erase(from, to - from));

@@ -132,14 +132,32 @@ TEST_CASE("options: a folder where a file is asked for is told as a folder") {
   CHECK(called({"merge", "proptests"}).err == "touchstone: proptests" + is_folder);
 }
 
+TEST_CASE("options: ops with words lists the operations nearest to them, each with its question") {
+  const Called rays = called({"ops", "ray", "mesh"});
+  CHECK(rays.code == nothing_found);
+  CHECK_THAT(rays.out, StartsWith("ray_triangle  ") && ContainsSubstring("?\n"));
+  CHECK(std::count(rays.out.begin(), rays.out.end(), '\n') <= 8);
+  CHECK_THAT(called({"ops", "signed distance"}).out,
+             StartsWith("no operation computes a signed distance but from a plane; the nearest:\npoint_plane "));
+  require_refused(called({"ops", "juggle"}), bad_usage, "ops juggle: no operation fits; `touchstone ops` lists all");
+  require_refused(called({"ops", "ray", "--json"}), bad_usage, "--json");
+}
+
+TEST_CASE("options: certify says once that a file holds no claims") {
+  const TextFile mesh("cube.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  require_refused(called({"certify", mesh.path()}), bad_usage, "line 1: not JSON; certify reads lines as ask and");
+}
+
 TEST_CASE("options: a name misspelt is told with the one that was probably meant") {
   require_refused(called({"ask", "orientaton"}), bad_usage,
                   "operation orientaton: no operation of the catalogue (did you mean \"orientation\"?)");
   require_refused(called({"ask", "juggle"}), bad_usage,
                   "operation juggle: no operation of the catalogue; `touchstone ops` lists all");
-  require_refused(called({"ask", "penetration_depth"}), bad_usage,
-                  "operation penetration_depth: no operation of the catalogue; nearest by words: convex_distance, "
-                  "polyhedron_polyhedron, penalty_force; `touchstone ops` lists all");
+  require_refused(
+      called({"ask", "penetration_depth"}), bad_usage,
+      "operation penetration_depth: no operation of the catalogue; no operation computes a penetration depth or "
+      "a least translation that separates; nearest by words: convex_distance, polyhedron_polyhedron, "
+      "penalty_force; `touchstone ops` lists all");
   require_refused(called({"audit", "--ops", "orientation,line_lin"}), bad_usage, "(did you mean \"line_line\"?)");
   require_refused(called({"audit", "--sed", "1"}), bad_usage,
                   "--sed: no option of touchstone audit (did you mean \"--seed\"?)");

@@ -336,3 +336,19 @@ test('viewer: below the frame stand the spans, then a bar as long as it says, th
   assert.match(place.innerHTML, /<path class="tick" d="M333 307v6m0 -3h67m0 -3v6"\/>/);
   assert.match(place.innerHTML, /<title>a title<\/title>/);
 });
+
+test('viewer: a mesh of many faces is opaque, its inside of another colour, and places are seen through it', () => {
+  // A fan of triangles across the x-y plane, which turns to the reader, and one that turns away behind it.
+  const rays = 500, fan = [...Array(rays).keys()].map(i => [0, 1 + i, 1 + (i + 1) % rays]);
+  const ring = depth => [[0, 0, depth], ...[...Array(rays).keys()].map(i =>
+      [end * Math.cos(2 * Math.PI * i / rays), end * Math.sin(2 * Math.PI * i / rays), depth].map(Math.round))];
+  const front = figure('mesh', ring(end / 2), {faces: fan});
+  const svg = drawn([front, figure('segment', [[0, 0, -end], [end, 0, -end]])], fromBefore);
+  assert.deepEqual([count(svg, 'class="facet" fill="rgb\\(205,219,235\\)"'), count(svg, ' face"')], [rays, 0]);
+  assert.ok(svg.lastIndexOf('facet') < svg.indexOf(' stroke"'));  // although it is behind the mesh
+  assert.deepEqual(texts(svg), [['q0', 'mesh'], ['q1', 'segment']]);
+  const back = drawn([{...front, faces: fan.map(face => [...face].reverse())}], fromBefore);
+  assert.equal(count(back, 'class="facet" fill="rgb\\(232,160,98\\)"'), rays);
+  const few = drawn([{...front, faces: fan.slice(0, 450)}], fromBefore);
+  assert.deepEqual([count(few, 'facet'), count(few, ' face"')], [0, 450]);
+});
