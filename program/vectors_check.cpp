@@ -71,7 +71,7 @@ class EngineResult {
     for (const OperationTally& operation : tally_.operations) {
       const Cell total = operation.total();
       if (operation.inconsistent_convention())
-        out_ << operation.operation << ": inconsistent convention: a touch is answered as closed sets do in "
+        out_ << operation.operation << ": inconsistent convention: a clear touch is answered as closed sets do in "
              << counted(total.touches_closed, "vector") << ", as open sets do in " << total.touches_open << '\n';
       if (operation.too_much_surplus(tally_.max_surplus))
         out_ << operation.operation << ": " << surplus_in_words(total, tally_.max_surplus) << '\n';

@@ -173,7 +173,7 @@ std::string conventions(const std::vector<OperationTally>& tallies, const std::s
   for (const OperationTally& tally : tallies) {
     if (!tally.inconsistent_convention()) continue;
     const Cell sum = tally.total();
-    text += fmt::format("{}: {} answers a touch as closed sets do in {}, as open sets do in {}\n", tally.operation,
+    text += fmt::format("{}: {} answers a clear touch as closed sets do in {}, as open sets do in {}\n", tally.operation,
                         name, counted(sum.touches_closed, "case"), counted(sum.touches_open, "case"));
   }
   return text.empty() ? "" : "\ninconsistent convention\n" + text;

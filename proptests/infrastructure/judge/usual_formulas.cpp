@@ -15,6 +15,7 @@
 #include "catalogue/rows/volumes/obb_obb.h"
 #include "catalogue/rows/volumes/point_in_obb.h"
 #include "proptests/catch.h"
+#include "proptests/infrastructure/judge/by_hand.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
 
 /// Engines of usual formulas: the gate that docs/gate.md recommends lets the right ones pass, and none with a bug.
@@ -98,6 +99,28 @@ TEST_CASE("usual formulas: boxes in any orientation, and a triangle in a box, by
   passes<rows::triangle_aabb>([](const Triangle3d& t, const Aabb3d& b) { return usual::triangle_aabb(t, b); });
   is_caught<rows::triangle_aabb>(
       [](const Triangle3d& t, const Aabb3d& b) { return usual::triangle_aabb(t, b, false); });
+}
+
+TEST_CASE("usual formulas: a touch on which one of them is in doubt says nothing of the convention") {
+  // Down on an edge of a triangle with the determinant 3, whose reciprocal is rounded: u + v = 1 is in doubt, v = 0 not.
+  const auto ray_from = [](const char* origin) {
+    const std::string question = std::string(R"({"ray":{"origin":)") + origin +
+                                 R"(,"direction":[0,0,-1]},"triangle":[[0,0,0],[3,0,0],[0,1,0]]})";
+    return Case{"ray_triangle", question.c_str()}.judge(R"({"relation":"none"})");
+  };
+  const Judgement in_doubt = ray_from("[1.5,0.5,1]"), clear = ray_from("[1.5,0,1]");
+  for (const Judgement& touch : {in_doubt, clear}) {
+    CHECK(touch.verdict == Verdict::convention);
+    CHECK(touch.touch_reading == -1);
+  }
+  CHECK_FALSE(in_doubt.clear);
+  CHECK(clear.clear);
+  const Operation& operation = operation_of_row<rows::ray_triangle>();
+  Cell cell;
+  count(cell, {operation, operation.zeros(), "point"}, in_doubt);
+  CHECK(cell.touches_open == 0);
+  count(cell, {operation, operation.zeros(), "point"}, clear);
+  CHECK(cell.touches_open == 1);
 }
 
 TEST_CASE("usual formulas: without the judge's knowledge of them right ones are accused") {
