@@ -22,32 +22,34 @@ class CoplanarDraws {
 
   Triangle3d triangle() { return in_some_order({plane_.at(0, 0), plane_.at(12, 0), plane_.at(0, 12)}, draws_); }
 
+  /// A corner, or an end, on an edge or one unit beside it, inside or outside; the rest is outside of that edge.
+  Triangle3d triangle_at_edge() { return triangle_of({at_edge(), {any(), -out()}, {any(), -out()}}); }
+  Segment3d segment_at_edge() { return segment_of({at_edge(), {any(), -out()}}); }
+
+  /// No point outside; seldom one on the boundary.
+  Triangle3d triangle_within() { return triangle_of({within(), within(), within()}); }
+  Segment3d segment_within() { return segment_of({within(), within()}); }
+
   Triangle3d other_triangle() {
     const double i = on_edge(), j = small_integer(draws_, 1);
-    switch (draws_.below(7)) {
-      case 0: return triangle_of({{i, j}, {any(), -out()}, {any(), -out()}});  // a corner at an edge
-      case 1: return triangle_of({{8 + j, 8}, {8, -4}, {-4, 8 + j}});          // edges cross, no corner is inside
-      case 2: return triangle_of({within(), within(), within()});              // all inside, perhaps at edges
-      case 3: return triangle_of({{any(), 0}, {any(), 0}, {any(), any()}});    // an edge along an edge
-      case 4: return triangle_of({{0, 0}, {-out(), any()}, {any(), -out()}});  // a common corner
-      case 5:
-        return triangle_of({{-out(), on_edge()}, {-out(), i}, {12 + out(), on_edge()}});  // from one side to another
+    switch (draws_.below(5)) {
+      case 0: return triangle_of({{8 + j, 8}, {8, -4}, {-4, 8 + j}});                   // no corner is inside the other
+      case 1: return triangle_of({{any(), 0}, {any(), 0}, {any(), any()}});             // an edge along an edge
+      case 2: return triangle_of({{0, 0}, {-out(), any()}, {any(), -out()}});           // a common corner
+      case 3: return triangle_of({{-out(), on_edge()}, {-out(), i}, {12 + out(), i}});  // from one side to another
       default: return triangle_of({{any(), any()}, {any(), any()}, {any(), any()}});
     }
   }
-
   Segment3d segment() {
     const double i = on_edge(), j = small_integer(draws_, 1);
-    switch (draws_.below(7)) {
-      case 0: return segment_of({{i, j}, {any(), -out()}});           // an end at an edge
-      case 1: return segment_of({{on_edge(), -out()}, {-out(), i}});  // across two edges, or past their corner
-      case 2: return segment_of({within(), within()});                // all inside, perhaps at edges
-      case 3: return segment_of({{any(), j}, {any(), j}});            // along an edge, or one unit beside it
-      case 4: {                                                       // at a corner, the rest on one side of its line
+    switch (draws_.below(5)) {
+      case 0: return segment_of({{i, -out()}, {-out(), on_edge()}});  // across two edges, or past their corner
+      case 1: return segment_of({{any(), j}, {any(), j}});            // along an edge, or one unit beside it
+      case 2: {                                                       // at a corner, or one unit beside it
         const double x = out(), y = out(), more = 1 + static_cast<double>(draws_.below(3));
         return segment_of({{x + j, -y}, {-more * x + j, more * y}});
       }
-      case 5: return segment_of({{0, 0}, {any(), any()}});  // from a corner
+      case 3: return segment_of({{0, 0}, {any(), any()}});  // from a corner
       default: return segment_of({{any(), any()}, {any(), any()}});
     }
   }
@@ -66,9 +68,14 @@ class CoplanarDraws {
   double on_edge() { return 1 + static_cast<double>(draws_.below(11)); }
   double out() { return 1 + static_cast<double>(draws_.below(12)); }
   double any() { return small_integer(draws_, 20); }
+  Place at_edge() {
+    const double i = on_edge();
+    return {i, std::array{0.0, 0.0, -1.0, 1.0}[draws_.below(4)]};
+  }
   Place within() {
-    const std::uint64_t i = draws_.below(13);
-    return {static_cast<double>(i), static_cast<double>(draws_.below(13 - i))};
+    const std::uint64_t boundary = draws_.below(8) == 7 ? 1 : 0;
+    const std::uint64_t i = 1 - boundary + draws_.below(10 + 3 * boundary);
+    return {static_cast<double>(i), static_cast<double>(1 - boundary + draws_.below(11 + 2 * boundary - i))};
   }
   Point3d at(const Place& place) const { return plane_.at(place.i, place.j); }
   Segment3d segment_of(const Ends& p) {

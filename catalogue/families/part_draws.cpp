@@ -74,9 +74,9 @@ Meshd crossing_boxes(DrawStream& draws) {
   for (std::uint64_t left = 2 + draws.below(2); left > 0; --left) {
     const auto from = [&draws] { return 12 * static_cast<double>(draws.below(3)); };
     const double x = from(), y = from(), z = from();
-    const auto size = [&draws] { return 12 * static_cast<double>(1 + draws.below(3)); };
-    const double dx = size(), dy = size(), dz = size();
-    boxes.push_back(box_mesh({x, y, z}, {x + dx, y + dy, z + dz}));
+    const auto to = [&draws] { return 36 + 12 * static_cast<double>(draws.below(3)); };
+    const double u = to(), v = to(), w = to();
+    boxes.push_back(box_mesh({x, y, z}, {u, v, w}));
   }
   return in_one_mesh(boxes);
 }

@@ -21,8 +21,8 @@ struct BodyInRecess {
 };
 BodyInRecess body_in_recess(DrawStream& draws);
 
-/// Two or three boxes, from 0 to 60 in multiples of 12, that cross, cover or contain each other, or do not meet. What two
-/// of them have in common is outside.
+/// Two or three boxes, from 0 to 60 in multiples of 12, that cross, cover or contain each other around (30, 30, 30): what
+/// two of them have in common is outside.
 Meshd crossing_boxes(DrawStream& draws);
 
 /// The box between two corners.

@@ -216,7 +216,7 @@ struct point_in_polyhedron {
            // On one of the shells, or between two of them.
            const Meshd shape = around_the_mean(lattice_polyhedron(c)), mesh = shells(shape, c);
            const Point3d p = on_a_face_plane(shape, c);
-           const auto size = static_cast<double>(c.below(12));
+           const auto size = static_cast<double>(c.below(8));
            return {mesh, {size * p.x, size * p.y, size * p.z}};
          },
          /*unscaled=*/true},
@@ -233,21 +233,25 @@ struct point_in_polyhedron {
         {"crossing_boxes",
          [](DrawStream& c) -> Question {
            const Meshd mesh = crossing_boxes(c);
-           const auto coordinate = [&c] { return 6 * static_cast<double>(1 + c.below(8)); };
+           const auto coordinate = [&c] { return 6 * static_cast<double>(2 + c.below(7)); };
            const double x = coordinate(), y = coordinate(), z = coordinate();
            return {mesh, {x, y, z}};
          },
          /*unscaled=*/true},
-        {"on_face_listed_twice",
+        {"face_listed_twice",
          [](DrawStream& c) -> Question {
            const Meshd mesh = with_face_listed_twice(lattice_solid(c), c);
-           return {mesh, on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c)};
+           const Point3d p = on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c);
+           const double way = c.below(3) == 2 ? 4 * small_integer(c, 4) : 0;
+           return {mesh, {p.x + way, p.y, p.z}};
          },
          /*unscaled=*/true},
         {"unnamed_vertices",
          [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_solid(c);
-           const Point3d p = between_vertices(mesh, c), q = c.below(2) == 1 ? between_vertices(mesh, c) : p;
+           Point3d p = between_vertices(mesh, c);
+           p.x += 4 * small_integer(c, 2);
+           const Point3d q = c.below(4) == 3 ? between_vertices(mesh, c) : p;
            return {with_unnamed_vertices(mesh, q, c), p};
          },
          /*unscaled=*/true},

@@ -161,6 +161,18 @@ struct segment_triangle {
            return {{at(from), at(-from)}, {cube.vertices[half.a], cube.vertices[half.b], cube.vertices[half.c]}};
          },
          /*unscaled=*/true},
+        {"coplanar_at_edge",
+         [](DrawStream& c) -> Question {
+           CoplanarDraws coplanar(c);
+           const Segment3d s = coplanar.segment_at_edge();
+           return {s, coplanar.triangle()};
+         }},
+        {"coplanar_within",
+         [](DrawStream& c) -> Question {
+           CoplanarDraws coplanar(c);
+           const Segment3d s = coplanar.segment_within();
+           return {s, coplanar.triangle()};
+         }},
         {"coplanar_in_any_order",
          [](DrawStream& c) -> Question {
            CoplanarDraws coplanar(c);

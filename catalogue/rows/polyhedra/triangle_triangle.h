@@ -144,11 +144,23 @@ struct triangle_triangle {
            const auto [a, b] = reported_triangles(c);
            return {a, b};
          }},
+        {"coplanar_at_edge",
+         [](DrawStream& c) -> Question {
+           CoplanarDraws coplanar(c);
+           const Triangle3d t = coplanar.triangle();
+           return either_first(c, t, coplanar.triangle_at_edge());
+         }},
+        {"coplanar_within",
+         [](DrawStream& c) -> Question {
+           CoplanarDraws coplanar(c);
+           const Triangle3d t = coplanar.triangle();
+           return either_first(c, t, coplanar.triangle_within());
+         }},
         {"coplanar_in_any_order",
          [](DrawStream& c) -> Question {
            CoplanarDraws coplanar(c);
-           const Triangle3d t = coplanar.triangle(), other = coplanar.other_triangle();
-           return c.below(2) == 1 ? Question{other, t} : Question{t, other};
+           const Triangle3d t = coplanar.triangle();
+           return either_first(c, t, coplanar.other_triangle());
          }},
     };
   }
@@ -197,6 +209,10 @@ struct triangle_triangle {
   static Triangle3d of(DrawStream& c, const Draw& point) {
     const Point3d a = point(c), b = point(c);
     return {a, b, point(c)};
+  }
+
+  static Question either_first(DrawStream& c, const Triangle3d& t, const Triangle3d& other) {
+    return c.below(2) == 1 ? Question{other, t} : Question{t, other};
   }
 
   /// Triangles around one point, or near it, in two planes.
