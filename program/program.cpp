@@ -348,6 +348,16 @@ void add_simulate(CLI::App& program, Action& action) {
   command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
 }
 
+void add_deck(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("deck", "The lecture deck as one page that lives");
+  auto options = std::make_shared<DeckCommand>();
+  command->add_option("--page", options->page, "Write it into this file; - is standard output")->required();
+  command->add_option("--scenes", options->scenes, "Directory of the scenes that it plays")->default_str("");
+  command->add_option("--cases", options->cases, "Asked of each operation")->check(whole(1, 1'000'000));
+  command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
+  command->callback([=, &action] { action = [=] { return deck_command(*options, std::cerr); }; });
+}
+
 /// In one line, whatever names of files and fields it quotes.
 int complained(const std::exception& wrong, int code) {
   std::cerr << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
@@ -368,7 +378,7 @@ int run_program(int argc, const char* const* argv) {
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
   for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge,
-                    add_vectors, add_certify, add_map, add_simulate, add_mesh})
+                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh})
     add(program, action);
   try {
     require_known_names(program, argc, argv);
