@@ -327,24 +327,21 @@ void add_simulate(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
   auto options = std::make_shared<SimulateCommand>();
   command->add_option("scene", options->file, "Its JSON file (docs/simulate.md)")->required();
-  command->add_option("--steps", options->steps, "How many, instead of the scene's")
+  command->add_option("--steps", options->steps, "Instead of the scene's")
       ->check(whole(0, 1'000'000'000))
       ->default_str("");
   command->add_option("--runs", options->runs, "Of float, double, robust, with commas");
   command->add_option("--trajectory", options->trajectory,
-                      "Write each step into this file, as CSV if its name ends in .csv, else as JSON lines; - is "
-                      "standard output");
+                      "Write each step into this file, CSV if named .csv, else JSON lines; - is standard output");
   command
       ->add_option("--engine", options->engines,
-                   "Command of an engine that makes the steps over pipes (docs/simulate.md); as often as there are "
-                   "engines")
+                   "Command of an engine that makes the steps over pipes (docs/simulate.md); once for each engine")
       ->allow_extra_args(false)
       ->check(a_command)
       ->default_str("");
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_flag("--resume", options->resume, "Go on from the last whole line of that file");
-  command->add_option("--page", options->page,
-                      "Write an HTML page that plays the runs into this file; - is standard output");
+  command->add_option("--page", options->page, "Write a page that plays the runs into this file; - is standard output");
   command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
 }
 

@@ -25,7 +25,6 @@ const width = 400, height = 300, room = 134;  // pixels; room: from the middle t
 const small = 2500;  // steps: about three pixels
 const mostLabels = 40, mostPlaces = 12, longestNumbered = 20, manyStrokes = 400, manyFaces = 450;
 const mostNames = 7;  // of more, arrows bear numbers, and a legend has their names
-const farther = [0, 14, 28];  // pixels from its place that a text may stand, where there is no room near to it
 const pointDot = 4.2, endDot = 3.2, centreDot = 1.8, ringRadius = 9, nearer = 0.5;
 // Of facets, edge-on and facing the reader.
 const outside = [[70, 96, 128], [205, 219, 235]], inside = [[130, 62, 10], [232, 160, 98]];
@@ -33,7 +32,6 @@ const diagonals = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(way => way.map(x => x
 // Fractions and not angles, so that every browser begins with the same picture.
 const firstTurn = {cosYaw: 15 / 17, sinYaw: 8 / 17, cosPitch: 12 / 13, sinPitch: 5 / 13};
 
-const tenths = v => Math.floor(10 * v + 0.5) / 10;
 const pair = (x, y) => tenths(x) + ' ' + tenths(y);
 const plus = (p, v, times = 1) => p.map((x, i) => x + times * v[i]);
 const minus = (p, q) => p.map((x, i) => x - q[i]);
@@ -264,35 +262,7 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
   });
   const mark = drawing.mark && seen(drawing.mark);
   const lens = mark ? `<path class="lens" d="M${pair(mark.x - 6, mark.y - 6)}h12v12h-12z"/>` : '';
-  return tripod.join('') + parts.map(part => part.svg).join('') + lens + placed(wishes, drawn);
-}
-
-// Each text where it covers least of what is drawn, and none of the other texts; left out where there is no room.
-function placed(wishes, drawn) {
-  const texts = [];
-  let svg = '';
-  for (const wish of wishes) {
-    const wide = 6.9 * [...wish.text].length;
-    let best = null, least = 1000, preference = 0;
-    for (const [[x, y], far] of wish.places.flatMap(place => farther.map(far => [place, far]))) {
-      for (const [wx, wy] of [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]]) {
-        const gap = (wx !== 0 && wy !== 0 ? 8 * 0.7 : 8) + far;
-        const left = wx > 0 ? x + gap : wx < 0 ? x - gap - wide : x - wide / 2;
-        const top = wy > 0 ? y + gap : wy < 0 ? y - gap - 15 : y - 15 / 2;
-        const right = left + wide, bottom = top + 15;
-        let price = (preference += 0.1) + 2 * far;
-        if (!(left >= 2 && top >= 2 && right <= width - 2 && bottom <= height - 2)) continue;
-        for (const t of texts) if (left < t.right && t.left < right && top < t.bottom && t.top < bottom) price += 1000;
-        for (const [px, py] of drawn) if (px >= left && px <= right && py >= top && py <= bottom) price += 4;
-        if (price < least) least = price, best = {left, top, right, bottom};
-      }
-    }
-    if (!best) continue;
-    texts.push({left: best.left - 4, top: best.top - 1, right: best.right + 4, bottom: best.bottom + 1});
-    const place = `x="${tenths(best.left)}" y="${tenths(best.bottom - 3.5)}"`;
-    svg += `<text class="${wish.style}" ${place}>${escaped(wish.text)}</text>`;
-  }
-  return svg;
+  return tripod.join('') + parts.map(part => part.svg).join('') + lens + placedLabels(wishes, drawn, {width, height});
 }
 
 // Strokes at a time: straight from where a figure is at t = -1 to its points, and on to where it is at t = 1.
