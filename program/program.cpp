@@ -327,9 +327,7 @@ void add_simulate(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
   auto options = std::make_shared<SimulateCommand>();
   command->add_option("scene", options->file, "Its JSON file (docs/simulate.md)")->required();
-  command->add_option("--steps", options->steps, "Instead of the scene's")
-      ->check(whole(0, 1'000'000'000))
-      ->default_str("");
+  command->add_option("--steps", options->steps, "How many")->check(whole(0, 1'000'000'000))->default_str("");
   command->add_option("--runs", options->runs, "Of float, double, robust, with commas");
   command->add_option("--trajectory", options->trajectory,
                       "Write each step into this file, CSV if named .csv, else JSON lines; - is standard output");
