@@ -125,6 +125,13 @@ struct SimulateCommand {
   double timeout = usual_timeout;
 };
 
+struct DeckCommand {
+  std::string page;          ///< file of the HTML page
+  std::string scenes;        ///< directory of the scenes that it plays; empty: none
+  std::uint64_t cases = 40;  ///< of each operation, among which one that breaks it is looked for
+  int jobs = 0;              ///< 0: as many as the machine has
+};
+
 struct MeshCommand {
   std::vector<std::string> files;
   Preparation preparation;
@@ -157,6 +164,9 @@ int certify_command(const CertifyCommand& command, std::ostream& out, std::ostre
 
 /// What meshes are, what is wrong with them and what would mend it: one in words, several as a table.
 int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& err);
+
+/// The lecture deck as one page: ideas, formulas, figures to drag, what breaks the formulas, scenes.
+int deck_command(const DeckCommand& command, std::ostream& err);
 
 int simulate_command(const SimulateCommand& command, std::ostream& out, std::ostream& err);
 

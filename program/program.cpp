@@ -327,25 +327,30 @@ void add_simulate(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
   auto options = std::make_shared<SimulateCommand>();
   command->add_option("scene", options->file, "Its JSON file (docs/simulate.md)")->required();
-  command->add_option("--steps", options->steps, "How many, instead of the scene's")
-      ->check(whole(0, 1'000'000'000))
-      ->default_str("");
+  command->add_option("--steps", options->steps, "How many")->check(whole(0, 1'000'000'000))->default_str("");
   command->add_option("--runs", options->runs, "Of float, double, robust, with commas");
   command->add_option("--trajectory", options->trajectory,
-                      "Write each step into this file, as CSV if its name ends in .csv, else as JSON lines; - is "
-                      "standard output");
+                      "Write each step into this file, CSV if named .csv, else JSON lines; - is standard output");
   command
       ->add_option("--engine", options->engines,
-                   "Command of an engine that makes the steps over pipes (docs/simulate.md); as often as there are "
-                   "engines")
+                   "Command of an engine that makes the steps over pipes (docs/simulate.md); once for each engine")
       ->allow_extra_args(false)
       ->check(a_command)
       ->default_str("");
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_flag("--resume", options->resume, "Go on from the last whole line of that file");
-  command->add_option("--page", options->page,
-                      "Write an HTML page that plays the runs into this file; - is standard output");
+  command->add_option("--page", options->page, "Write a page that plays the runs into this file; - is standard output");
   command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
+}
+
+void add_deck(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("deck", "The lecture deck as one page that lives");
+  auto options = std::make_shared<DeckCommand>();
+  command->add_option("--page", options->page, "Write it into this file; - is standard output")->required();
+  command->add_option("--scenes", options->scenes, "Directory of the scenes that it plays")->default_str("");
+  command->add_option("--cases", options->cases, "Asked of each operation")->check(whole(1, 1'000'000));
+  command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
+  command->callback([=, &action] { action = [=] { return deck_command(*options, std::cerr); }; });
 }
 
 /// In one line, whatever names of files and fields it quotes.
@@ -368,7 +373,7 @@ int run_program(int argc, const char* const* argv) {
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
   for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge,
-                    add_vectors, add_certify, add_map, add_simulate, add_mesh})
+                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

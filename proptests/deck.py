@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""docs/deck.md, the map of the deck: each page with its operations, from the catalogue, and its scenes, from their files.
+"""docs/deck.md, the map of the deck: each page with its title, its operations, from the catalogue, and its scenes.
 
   deck.py --program PATH --write    writes the page
   deck.py --program PATH            whether the page is what would be written
@@ -13,18 +13,28 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FIRST, LAST = 3, 74
 INTRODUCTION = """# The deck, page by page
 
 What of the lecture deck *Collision handling: detection and response* is here: for each page the operations whose formulas it has
-([operations.md](operations.md)), and scenes that show it at work (`touchstone simulate`, [simulate.md](simulate.md)). Pages that follow one
-another with the same entries share a line; a line without entries is a page that asks no question of its own, or one that nothing answers yet.
-Pictures: the report of `./dev audit` lists operations in the deck's order too, each with a right case and its failures drawn. A scene plays after
-`touchstone simulate FILE --page runs.html` in any browser.
-This page is written by `proptests/deck.py --program build/release/touchstone --write`; do not edit it.
+([operations.md](operations.md)), and scenes that show it at work (`touchstone simulate`, [simulate.md](simulate.md)). The titles are
+touchstone's; a page that is not listed asks no question of its own.
 
-| p. | operations | scenes |
-|---|---|---|
+`./dev deck` writes the same as one living page, build/deck.html: the idea of each page, its formula, a figure to drag or to turn, the
+case that breaks the formula, and a scene that plays. It stands alone: nothing is fetched.
+
+This page is written by `proptests/deck.py --program build/release/touchstone --write` from the catalogue, the scenes and
+[report/deck.json](../report/deck.json); do not edit it.
+
+| p. | title | operations | scenes |
+|---|---|---|---|
+"""
+BESIDE = """
+## Beside the deck
+
+No page asks these; what their formulas are made of is taught on the pages named.
+
+| operation | p. |
+|---|---|
 """
 
 
@@ -37,40 +47,69 @@ def numbers(pages):
     return found
 
 
-def entries(page, operations, scenes):
-    linked = [f"[`{o['name']}`](../reference/{o['chapter']}/{o['name']}.h)" for o in operations if page in numbers(o["pages"])]
-    shown = [f"[{name}](../simulate/scenes/{name}.json)" for name, pages in sorted(scenes.items()) if page in pages]
-    return ", ".join(linked), ", ".join(shown)
+def header(operation):
+    return f"reference/{operation['chapter']}/{operation['name']}.h"
 
 
-def page_of(operations, scenes):
-    lines = []
-    for page in range(FIRST, LAST + 1):
-        here = entries(page, operations, scenes)
-        if lines and lines[-1][2] == here:
-            lines[-1] = (lines[-1][0], page, here)
-        else:
-            lines.append((page, page, here))
-    rows = [f"| {first}{'' if first == last else f'-{last}'} | {found[0]} | {found[1]} |\n" for first, last, found in lines]
-    return INTRODUCTION + "".join(rows)
+def link(operation):
+    return f"[`{operation['name']}`](../{header(operation)})"
 
 
-def with_formula(operations, root):
-    """An implementation without a formula of its own has no header to lead to."""
-    return [o for o in operations if (root / f"reference/{o['chapter']}/{o['name']}.h").is_file()]
+def page_of(sections, asked, beside, scenes):
+    rows = []
+    for section in sections:
+        pages = numbers(section["pages"])
+        linked = ", ".join(link(o) for o in asked if pages & numbers(o["pages"]))
+        shown = ", ".join(f"[{name}](../simulate/scenes/{name}.json)" for name, of in sorted(scenes.items()) if pages & set(of))
+        rows.append(f"| {section['pages']} | {section['title']} | {linked} | {shown} |\n")
+    return INTRODUCTION + "".join(rows) + BESIDE + "".join(f"| {link(o)} | {o['pages']} |\n" for o in beside)
+
+
+def defects_of(sections, asked, scenes):
+    """Of deck.json: each operation that the deck asks stands in a section of one of its pages, each scene on its own."""
+    known = {o["name"]: numbers(o["pages"]) for o in asked}
+    for section in sections:
+        pages = numbers(section["pages"])
+        for name in section["operations"]:
+            if not pages & known.get(name, set()):
+                yield f"report/deck.json: p. {section['pages']}: {name} is not asked there"
+        scene = section.get("scene")
+        if scene is not None and not pages & set(scenes.get(scene, ())):
+            yield f"report/deck.json: p. {section['pages']}: {scene} is no scene of these pages"
+    named = {name for section in sections for name in section["operations"]}
+    yield from (f"report/deck.json: {name} is in no section" for name in sorted(known.keys() - named))
+    pages = [page for section in sections for page in sorted(numbers(section["pages"]))]
+    if pages != sorted(set(pages)):
+        yield "report/deck.json: pages are not in order, or named twice"
+
+
+def asked_and_beside(operations, root):
+    """An implementation without a formula of its own has no header to lead to. What the deck asks, its contract says."""
+    there = [o for o in operations if (root / header(o)).is_file()]
+    asked = [o for o in there if "Deck p. " in (root / header(o)).read_text(encoding="utf-8")]
+    return asked, [o for o in there if o not in asked]
 
 
 def self_check():
-    operations = [{"name": "meet", "chapter": "lines", "pages": "3-4, 74"}, {"name": "touch", "chapter": "planes", "pages": "4"}]
-    made = page_of(operations, {"box": [74, 5], "ball": [5]})
-    meet, touch = "[`meet`](../reference/lines/meet.h)", "[`touch`](../reference/planes/touch.h)"
+    meet, touch = ({"name": "meet", "chapter": "lines", "pages": "3-4, 74"}, {"name": "touch", "chapter": "planes", "pages": "4"})
+    sections = [{"pages": "3", "title": "One", "operations": ["meet"]}, {"pages": "4-5", "title": "Two", "operations": [], "scene": "box"}]
+    scenes = {"box": [74, 5], "ball": [5]}
+    made = page_of(sections, [meet], [touch], scenes)
     ball, box = "[ball](../simulate/scenes/ball.json)", "[box](../simulate/scenes/box.json)"
-    wanted = [f"| 3 | {meet} |  |", f"| 4 | {meet}, {touch} |  |", f"| 5 |  | {ball}, {box} |", "| 6-73 |  |  |",
-              f"| 74 | {meet} | {box} |"]
+    wanted = ["| 3 | One | [`meet`](../reference/lines/meet.h) |  |",
+              f"| 4-5 | Two | [`meet`](../reference/lines/meet.h) | {ball}, {box} |", "| [`touch`](../reference/planes/touch.h) | 4 |"]
     wrong = [f"expected {line}" for line in wanted if line not in made.splitlines()]
     if numbers("2, 14-16") != {2, 14, 15, 16}:
         wrong.append("ranges of pages are not read")
-    print(f"self-check: {len(wanted) + 1 - len(wrong)} of {len(wanted) + 1} as expected")
+    if found := list(defects_of(sections, [meet], scenes)):
+        wrong.append(f"right sections: {found}")
+    for planted, word in [([{**sections[0], "operations": []}, sections[1]], "meet is in no section"),
+                          ([{**sections[0], "scene": "ball"}, sections[1]], "ball is no scene"),
+                          ([sections[0], {**sections[1], "operations": ["touch"]}], "touch is not asked"),
+                          (sections[::-1], "not in order")]:
+        if not any(word in one for one in defects_of(planted, [meet], scenes)):
+            wrong.append(f"not found: {word}")
+    print(f"self-check: {len(wanted) + 6 - len(wrong)} of {len(wanted) + 6} as expected")
     return wrong
 
 
@@ -86,11 +125,14 @@ def main():
         listing = subprocess.run([options.program, "ops", "--json"], check=True, capture_output=True, text=True).stdout
         scenes = {file.stem: json.loads(file.read_text(encoding="utf-8")).get("deck_pages", [])
                   for file in (ROOT / "simulate/scenes").glob("*.json")}
-        made, page = page_of(with_formula(json.loads(listing), ROOT), scenes), ROOT / "docs/deck.md"
+        sections = json.loads((ROOT / "report/deck.json").read_text(encoding="utf-8"))
+        asked, beside = asked_and_beside(json.loads(listing), ROOT)
+        made, page = page_of(sections, asked, beside, scenes), ROOT / "docs/deck.md"
         if options.write:
             page.write_text(made, encoding="utf-8")
         held = page.read_text(encoding="utf-8") if page.is_file() else ""
-        found = [] if held == made else ["docs/deck.md: not what proptests/deck.py --write makes of catalogue and scenes"]
+        found = list(defects_of(sections, asked, scenes))
+        found += [] if held == made else ["docs/deck.md: not what proptests/deck.py --write makes of catalogue and scenes"]
     for defect in found:
         print(defect)
     return 1 if found else 0

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Opens every page in Chromium: nothing may be written to the console, and as many figures must be drawn as the page has.
+"""Opens every page in Chromium: nothing may be written to the console, as many figures must be drawn as the page has, each
+can be saved, and nothing is wider than the window.
 
-  opened_pages.py --program PATH   a report of all operations, and the player of each scene
+  opened_pages.py --program PATH   a report of all operations, the deck, and the player of each scene
   opened_pages.py PAGE...          these pages
+  opened_pages.py --program PATH --pictures FOLDER   the pictures of README.md: a finding of a report, and a player
   opened_pages.py --self-check     pages with one defect each: every defect must be found
 
 Exits with 77 where there is no Chromium.
 """
 import argparse
+import base64
 import collections
 import contextlib
 import fcntl
@@ -26,6 +29,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 SKIPPED = 77
 SECONDS = 60  # for one answer
 CASES = 40
+PHONE = 390, 844  # pixels: the narrowest window that pages have to fit into
 FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-extensions", "--remote-debugging-pipe")
 
 # What is drawn, once all maps are there, and once everything that moves has been moved to both ends.
@@ -38,10 +42,17 @@ COUNT = """(async () => {
     for (const end of [slider.min, slider.max, slider.min]) slider.value = end, slider.dispatchEvent(new Event('input'));
   const seen = one => { const {width, height} = one.getBBox(); return width > 0 || height > 0; };
   const drawn = one => all('path:not(.tick), circle', one).some(seen);
+  const saved = svg => {
+    const text = typeof figureAsSvg === 'function' ? figureAsSvg(svg) : '';
+    return text.includes('.frame') && !new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror');
+  };
   return {
     'figures in space': all('[data-space] .turning').filter(drawn).length,
     'runs of a player': all('[data-player] .turning').filter(drawn).length,
     'plots of a player': all('[data-player] .plot').filter(drawn).length,
+    'figures to drag': all('[data-drag] .moving').filter(drawn).length,
+    'figures to save': all('.view > svg').filter(saved).length,
+    'wider than the window': document.documentElement.scrollWidth > innerWidth ? 1 : 0,
     'failure maps': all('[data-map] .map img').filter(image => image.naturalWidth > 0).length,
     'views of a map': all('[data-map] .lens-view image').length,
     'other figures': all('svg.fig[role=img]:not(.plot)').filter(drawn).length,
@@ -61,7 +72,10 @@ class Page(html.parser.HTMLParser):
     def handle_starttag(self, tag, attributes):
         fields = dict(attributes)
         if "data-space" in fields:
-            self.counts["figures in space"] += 2 if "lens" in json.loads(fields["data-space"]) else 1
+            views = 2 if "lens" in json.loads(fields["data-space"]) else 1
+            self.counts.update({"figures in space": views, "figures to save": views})
+        if "data-drag" in fields:
+            self.counts.update({"figures to drag": 1, "figures to save": 1})
         if "data-player" in fields:
             data = json.loads(fields["data-player"])
             self.counts["runs of a player"] += len(data["runs"])
@@ -70,7 +84,7 @@ class Page(html.parser.HTMLParser):
             self.counts["failure maps"] += len(json.loads(fields["data-map"])["maps"])
             self.counts["views of a map"] += len(json.loads(fields["data-map"])["maps"])
         if tag == "svg" and "fig" in fields.get("class", "").split() and fields.get("role") == "img":
-            self.counts["other figures"] += 1
+            self.counts.update({"other figures": 1, "figures to save": 1})
 
 
 class Browser:
@@ -115,7 +129,9 @@ class Browser:
 
     def ask(self, method, **parameters):
         self.sent += 1
-        order = {"id": self.sent, "method": method, "params": parameters, **({"sessionId": self.session} if self.session else {})}
+        order = {"id": self.sent, "method": method, "params": parameters}
+        if self.session:
+            order["sessionId"] = self.session
         os.write(self.orders, json.dumps(order).encode() + b"\0")
         while (event := self.next()).get("id") != self.sent:
             pass
@@ -123,14 +139,29 @@ class Browser:
             raise SystemExit(f"{method}: {event['error']['message']}")
         return event["result"]
 
+    def load(self, page, fragment=""):
+        self.ask("Page.navigate", url=page.resolve().as_uri() + fragment)
+        while self.next().get("method") != "Page.loadEventFired":
+            pass
+
     def open(self, page):
         """What a page writes to the console, and what is drawn on it."""
         self.messages = []
-        self.ask("Page.navigate", url=page.resolve().as_uri())
-        while self.next().get("method") != "Page.loadEventFired":
-            pass
+        self.load(page)
         result = self.ask("Runtime.evaluate", expression=COUNT, awaitPromise=True, returnByValue=True)
         return self.messages, result["result"].get("value", {})
+
+    def resize(self, wide, high):
+        self.ask("Emulation.setDeviceMetricsOverride", width=wide, height=high, deviceScaleFactor=1, mobile=False)
+
+    def picture(self, page, fragment, place, wide, high):
+        """The part of a page around an element, as a PNG."""
+        self.resize(wide, high)
+        self.load(page, fragment)
+        box = f"document.querySelector('{place}').getBoundingClientRect().toJSON()"
+        x, y = map(self.ask("Runtime.evaluate", expression=box, returnByValue=True)["result"]["value"].get, "xy")
+        clip = {"x": x, "y": y, "width": wide - 2 * x, "height": high, "scale": 1}
+        return base64.b64decode(self.ask("Page.captureScreenshot", captureBeyondViewport=True, clip=clip)["data"])
 
     def close(self):
         with contextlib.suppress(OSError):
@@ -149,18 +180,20 @@ def complaints(browser, page):
     return found, wanted
 
 
+def run(program, *arguments):
+    done = subprocess.run([program, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode not in (0, 1):
+        raise SystemExit(f"touchstone {' '.join(arguments)}: {done.stderr}")
+
+
 def made(program, directory):
     """The pages that the program writes."""
-
-    def run(*arguments):
-        done = subprocess.run([program, *arguments], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        if done.returncode not in (0, 1):
-            raise SystemExit(f"touchstone {' '.join(arguments)}: {done.stderr}")
-
-    run("audit", "--cases", str(CASES), "--jobs", "1", "--summary", "--report", str(directory))
-    for scene in sorted((ROOT / "simulate/scenes").glob("*.json")):
+    run(program, "audit", "--cases", str(CASES), "--jobs", "1", "--summary", "--report", str(directory))
+    scenes = ROOT / "simulate/scenes"
+    run(program, "deck", "--cases", "4", "--jobs", "1", "--scenes", str(scenes), "--page", str(directory / "deck.html"))
+    for scene in sorted(scenes.glob("*.json")):
         if "gas" not in json.loads(scene.read_text(encoding="utf-8")):  # an exact gas has no steps to play
-            run("simulate", str(scene), "--page", str(directory / f"scene_{scene.stem}.html"))
+            run(program, "simulate", str(scene), "--page", str(directory / f"scene_{scene.stem}.html"))
     operations = json.loads(subprocess.run([program, "ops", "--json"], check=True, stdout=subprocess.PIPE).stdout)
     pages = {page.stem for page in directory.glob("*.html")}
     missing = [o["name"] for o in operations if o["name"] not in pages]
@@ -169,7 +202,17 @@ def made(program, directory):
     return sorted(directory.glob("*.html"))
 
 
+def write_pictures(browser, program, directory, folder):
+    run(program, "audit", "--ops", "segment_segment", "--cases", "2000", "--summary", "--report", str(directory))
+    run(program, "simulate", str(ROOT / "simulate/scenes/two_balls_in_a_box.json"), "--page", str(directory / "player.html"))
+    for name, page, fragment, place in (("report_page", "segment_segment.html", "", ".finding"),
+                                        ("player", "player.html", "#step=420", "main")):
+        (folder / f"{name}.png").write_bytes(browser.picture(directory / page, fragment, place, 1120, 480))
+    return []
+
+
 def check(browser, pages):
+    browser.resize(*PHONE)
     total, found = collections.Counter(), []
     for page in pages:
         of_page, counts = complaints(browser, page)
@@ -179,7 +222,9 @@ def check(browser, pages):
     return found
 
 
-PLAIN = '<!DOCTYPE html><title>a page</title><link rel="icon" href="data:,">'
+PLAIN = ('<!DOCTYPE html><title>a page</title><link rel="icon" href="data:,"><script>const figureAsSvg = svg => '
+         'new XMLSerializer().serializeToString(svg) + "<!-- .frame -->"</script>')
+RIGHT = '<div class="view"><svg class="fig" role="img"><path d="M0 0h9"/></svg></div>'
 DEFECTS = {
     "<script>console.log('a word')</script>": "the console says: a word",
     "<script>nobody()</script>": "the console says: ReferenceError: nobody is not defined",
@@ -193,14 +238,17 @@ DEFECTS = {
     '<svg class="fig" role="img"><path d="M1 1"/></svg>': "other figures: 0, the page has 1",
     '<div data-map="{&quot;maps&quot;:[{}]}" data-walk="ready"><div class="map"><img src="data:image/png,"></div></div>':
         "failure maps: 0, the page has 1",
+    '<svg class="fig" role="img"><path d="M0 0h9"/></svg>': "figures to save: 0, the page has 1",
+    '<div data-drag="{}"><svg><g class="moving"></g></svg></div>': "figures to drag: 0, the page has 1",
+    '<p style="width:9000px">wide</p>': "wider than the window: 1, the page has 0",
     '<p class="failed"></p>': "said to have failed: 1, the page has 0",
 }
 
 
 def self_check(browser, directory):
     page = directory / "planted.html"
-    page.write_text(PLAIN + '<svg class="fig" role="img"><path d="M0 0h9"/></svg>', encoding="utf-8")
-    assert complaints(browser, page) == ([], {"other figures": 1}), complaints(browser, page)
+    page.write_text(PLAIN + RIGHT, encoding="utf-8")
+    assert complaints(browser, page) == ([], {"other figures": 1, "figures to save": 1}), complaints(browser, page)
     for body, wanted in DEFECTS.items():
         page.write_text(PLAIN + body, encoding="utf-8")
         found, _ = complaints(browser, page)
@@ -213,6 +261,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--program")
     parser.add_argument("--self-check", action="store_true")
+    parser.add_argument("--pictures", type=pathlib.Path)
     parser.add_argument("pages", nargs="*", type=pathlib.Path)
     arguments = parser.parse_args()
     chromium = shutil.which("chromium") or shutil.which("chromium-browser")
@@ -226,6 +275,8 @@ def main():
         try:
             if arguments.self_check:
                 found = self_check(browser, directory)
+            elif arguments.pictures:
+                found = write_pictures(browser, arguments.program, directory / "pages", arguments.pictures)
             else:
                 found = check(browser, arguments.pages or made(arguments.program, directory / "pages"))
         finally:

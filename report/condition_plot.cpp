@@ -67,7 +67,7 @@ std::string condition_section(const Operation& operation) {
       "style=\"color:var(--q0)\">blue</span>), {1} elsewhere (<span style=\"color:var(--q1)\">brown</span>). Errors of "
       "a "
       "sixteenth of a unit and less, 0 among them, lie on the lower edge, what is beyond 2<sup>64</sup> on the "
-      "others.</p><figure class=\"scroll\"><svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig wide\" role=\"img\" "
+      "others.</p><figure><div class=\"view\"><svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" role=\"img\" "
       "viewBox=\"-64 -10 640 418\" width=\"640\" height=\"418\"><title>Error of the formula against the condition of "
       "the "
       "question</title><rect class=\"frame\" width=\"{2}\" height=\"{3}\"/><path class=\"tick\" d=\"M0 {3}L{2} "
@@ -75,7 +75,7 @@ std::string condition_section(const Operation& operation) {
       "style=\"fill:var(--q0);fill-opacity:.5\" d=\"{6}\"/>"
       "<text class=\"caption\" x=\"280\" y=\"398\" text-anchor=\"middle\">condition of the question</text><text "
       "class=\"caption\" transform=\"translate(-44 180) rotate(-90)\" text-anchor=\"middle\">error, ulps</text></svg>"
-      "</figure></div>",
+      "</div></figure></div>",
       grouped(above[0]) + " of " + grouped(all[0]), grouped(above[1]) + " of " + grouped(all[1]), width, height, scales,
       dots[1], dots[0]);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "report/formula.h"
 #include "report/labels.h"
 
 namespace touchstone::report {
@@ -39,21 +40,53 @@ static std::string words_in_html(const std::string& line) {
 std::string paragraph(const std::string& text) {
   std::istringstream lines(text);
   std::string html;
-  enum class In { nothing, words, formula } in = In::nothing;
-  const auto end = [&] { html += in == In::words ? "</p>" : in == In::formula ? "</pre>" : ""; };
+  enum class In { nothing, words, formula, both } in = In::nothing;
+  const auto end = [&] {
+    html += in == In::words ? "</p>" : in == In::formula ? "</div>" : in == In::both ? "</pre>" : "";
+  };
   for (std::string line; std::getline(lines, line);) {
-    const In now = line.compare(0, 4, "    ") == 0 ? In::formula : In::words;
+    const bool indented = line.compare(0, 4, "    ") == 0;
+    const auto formula = indented ? formula_in_mathml(line.substr(4)) : std::nullopt;
+    // A line with words beside its formula stays as it is; one of words alone goes on with a list's entry.
+    const bool both = indented && !formula && line.find(" = ") != std::string::npos;
+    const In now = formula ? In::formula : both ? In::both : In::words;
     if (now == in) {
       html += "\n";
     } else {
       end();
-      html += now == In::words ? "<p>" : "<pre>";
+      html += now == In::words ? "<p>" : now == In::formula ? "<div class=\"formula\">" : "<pre>";
       in = now;
     }
-    html += now == In::formula ? escaped(line.substr(4)) : words_in_html(line);
+    html += formula ? *formula : both ? escaped(line.substr(4)) : words_in_html(line);
   }
   end();
   return html;
+}
+
+/// Where a sentence ends that goes on at `from`: behind its full stop, which none of "p. 5" is.
+static std::size_t end_of_sentence(const std::string& text, std::size_t from) {
+  for (std::size_t at = from; (at = text.find('.', at)) != std::string::npos; ++at) {
+    const bool of_page = at > 0 && text[at - 1] == 'p' && (at < 2 || text[at - 2] == ' ' || text[at - 2] == '\n');
+    const std::size_t next = text.find_first_not_of(" \n", at + 1);
+    if (next == std::string::npos) return text.size();
+    if (next > at + 1 && !of_page && text.compare(at + 1, 5, "\n    ") != 0) return at + 1;
+  }
+  return text.size();
+}
+
+std::pair<std::string, std::string> formula_and_rest(const std::string& text) {
+  std::size_t from = 0;  // of what is shown, its last formula's end
+  for (std::size_t at = 0; (at = text.find("\n    ", at)) != std::string::npos;) {
+    const std::size_t end = std::min(text.find('\n', at + 1), text.size());
+    if (formula_in_mathml(text.substr(at + 5, end - at - 5))) from = end;
+    at = end;
+  }
+  const std::string not_asked = "No page of the deck asks this.";
+  if (from == 0 && text.rfind(not_asked, 0) == 0) from = not_asked.size();
+  const bool ended = from > 0 && text[from - 1] == '.' && from != not_asked.size();
+  const std::size_t end = ended ? from : end_of_sentence(text, from);
+  const std::size_t rest = text.find_first_not_of(" \n", end);
+  return {text.substr(0, end), rest == std::string::npos ? "" : text.substr(rest)};
 }
 
 std::string pages_in_words(const Operation& operation) {
@@ -66,12 +99,16 @@ std::string pages_in_words(const Operation& operation) {
 
 std::string contract_section(const Operation& operation) {
   const std::vector<std::string> paragraphs = contract_of(operation.name());
-  constexpr std::size_t open = 2;  // the question, then the formula
-  std::string text, folded;
-  for (std::size_t i = 0; i < paragraphs.size(); ++i) (i < open ? text : folded) += paragraph(paragraphs[i]);
-  if (text.empty()) return "";
+  if (paragraphs.empty()) return "";
+  std::string text = paragraph(paragraphs[0]), folded;
+  if (paragraphs.size() > 1) {
+    const auto [formula, rest] = formula_and_rest(paragraphs[1]);
+    text += paragraph(formula), folded += paragraph(rest);
+  }
+  for (std::size_t i = 2; i < paragraphs.size(); ++i) folded += paragraph(paragraphs[i]);
   if (!folded.empty())
-    folded = "<details><summary>Degenerate input, what is refused, rounding</summary>" + folded + "</details>";
+    folded = "<details><summary>Units, touching, degenerate input, what is refused, rounding</summary>" + folded +
+             "</details>";
   return "<h2>Contract</h2><div class=\"card contract\">" + text + folded + "</div>";
 }
 

@@ -67,7 +67,7 @@ std::optional<mpq_class> least_gap_that_decides(const Operation& operation, cons
 std::string drawn(const Drawing& drawing, const std::string& title, const std::string& caption,
                   const std::optional<mpq_class>& least_gap) {
   const std::string svg =
-      drawing.figures.empty() ? space_figure(drawing, title, least_gap) : drawing_svg(drawing, title, false, least_gap);
+      drawing.figures.empty() ? space_figure(drawing, title, least_gap) : drawing_svg(drawing, title, least_gap);
   return "<figure>" + svg + "<figcaption>" + caption + search_caption(drawing) + "</figcaption></figure>";
 }
 
@@ -111,10 +111,10 @@ std::string figures(const Operation& operation, const Finding& finding, const Dr
          drawn(answered_alone(both), title + ", and what was answered", wrong, least_gap) + "</div>";
 }
 
-std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement, Speaker speaker,
-                     const char* style = "") {
+std::string said_row(const Operation& operation, const std::string& who, const Json& answer, const Judgement* judgement,
+                     Speaker speaker, const char* style = "") {
   std::string text = "<tr class=\"" + std::string(style) + "\"><th scope=\"row\">" + escaped(who) + "</th><td>" +
-                     code(answer) + "</td><td>";
+                     escaped(answer.is_null() ? "no answer" : sentence(operation, answer)) + "</td><td>";
   if (judgement) {
     text += badge(judgement->verdict, speaker);
     if (judgement->number || (judgement->ulps > 0 && std::isfinite(judgement->ulps)))
@@ -123,21 +123,27 @@ std::string said_row(const std::string& who, const std::string& answer, const Ju
   return text + "</td></tr>";
 }
 
-std::string what_was_said(const Examination& question, const Finding& finding, const Declaration& declaration,
-                          Speaker speaker, bool exact_in_float) {
-  std::string text = "<table class=\"said\"><tbody>";
-  text += said_row("truth, exact", one_line(readable(question.truth())), nullptr, speaker, "truth");
-  if (speaker == Speaker::foreign) {
-    text += said_row(declaration.engine, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)),
-                     &finding.judgement, speaker);
-  }
-  const Judgement &in_double = question.judge_reference(false), &in_float = question.judge_reference(true),
-                  &exact = question.judge_robust();
-  text += said_row("the formula in double", one_line(question.reference(false)), &in_double, Speaker::reference);
-  text += said_row(exact_in_float ? "the formula in float" : "the formula in float, the input rounded to float first",
-                   one_line(question.reference(true)), &in_float, Speaker::reference);
-  text += said_row("robust", one_line(question.robust()), &exact, Speaker::robust);
-  return text + "</tbody></table>";
+/// Who answered what: in words, and folded as JSON.
+struct Said {
+  std::string table, json;
+};
+
+Said what_was_said(const Operation& operation, const Examination& question, const Finding& finding,
+                   const Declaration& declaration, Speaker speaker, bool exact_in_float) {
+  Said said{"<table class=\"said\"><tbody>", ""};
+  const auto add = [&](const std::string& who, const Json& answer, const Judgement* judgement, Speaker of,
+                       const char* style = "") {
+    said.table += said_row(operation, who, plain(answer), judgement, of, style);
+    said.json += "<dt>" + escaped(who) + "</dt><dd>" + code(one_line(readable(answer))) + "</dd>";
+  };
+  add("truth, exact", question.truth(), nullptr, speaker, "truth");
+  if (speaker == Speaker::foreign) add(declaration.engine, finding.answer, &finding.judgement, speaker);
+  add("the formula in double", question.reference(false), &question.judge_reference(false), Speaker::reference);
+  add(exact_in_float ? "the formula in float" : "the formula in float, the input rounded to float first",
+      question.reference(true), &question.judge_reference(true), Speaker::reference);
+  add("robust", question.robust(), &question.judge_robust(), Speaker::robust);
+  said.table += "</tbody></table>";
+  return said;
 }
 
 std::string certificate(const Examination& question) {
@@ -155,11 +161,11 @@ std::string name_of(Speaker speaker, const Declaration& declaration) {
 }
 
 std::string sentence(const Operation& operation, const Json& answer) {
-  constexpr std::size_t longest = 120;
+  constexpr std::size_t longest = 240;
   const Json in_short = readable(answer, 12, 6);
   std::string text = phrase(operation, in_short);
   if (text.empty()) text = one_line(in_short);
-  return text.size() > longest ? text.substr(0, longest) + " \u2026" : text;
+  return text.size() > longest ? text.substr(0, text.rfind(',', longest)) + ", \u2026" : text;
 }
 
 std::string right_case(const Operation& operation) {
@@ -189,10 +195,10 @@ std::string right_case(const Operation& operation) {
   const std::string input = one_line(operation.print(best->question()));
   return "<section class=\"card right-case\"><h3>For comparison: a case where the formula is right</h3>" +
          drawn(best->drawing(), operation.name() + ": the input " + input,
-               "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, readable(best->truth()))) +
+               "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, plain(best->truth()))) +
                    ". The formula answers the same.",
                least_gap_that_decides(operation, *best)) +
-         "<dl class=\"facts\"><dt>input</dt><dd>" + code(input) + "</dd></dl></section>";
+         "<details class=\"exactly\"><summary>The input as JSON</summary>" + code(input) + "</details></section>";
 }
 
 std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
@@ -210,15 +216,16 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
       fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
                   badge(verdict, speaker), escaped(words), escaped(how_often),
                   escaped(why(finding, &operation, speaker, declaration.binary32)));
-  std::string margin, proof, said;
+  std::string margin, proof;
+  Said said;
   Json truth;
   Drawing drawing;
   std::optional<mpq_class> least_gap = mpq_class(0);
   try {
     const Examination& question = finding.examination(operation);
     const bool narrow = operation.in_binary32(finding.question) == finding.question;
-    truth = readable(question.truth());
-    said = what_was_said(question, finding, declaration, speaker, narrow);
+    truth = plain(question.truth());
+    said = what_was_said(operation, question, finding, declaration, speaker, narrow);
     if (question.margin()) margin = readable(*question.margin());
     least_gap = least_gap_that_decides(operation, question);
     proof = certificate(question);
@@ -226,23 +233,26 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
   } catch (const InvalidInput& refused) {
     truth = std::string("refused, ") + refused.what();
     drawing = drawing_of_refused(operation, finding.question, refused);
-    said = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
+    said.table = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
   }
   text += "<div class=\"seen\">" +
-          figures(operation, finding, drawing, truth, name_of(speaker, declaration), margin, least_gap) + said +
+          figures(operation, finding, drawing, truth, name_of(speaker, declaration), margin, least_gap) + said.table +
           "</div>";
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
   };
   text += "<dl class=\"facts\">";
   if (!margin.empty()) fact("margin", code(margin));
-  fact("input", code(one_line(operation.print(finding.question))));
-  fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
   fact("found in", escaped(fmt::format("family {}, case {}", shown.family, finding.index)));
   text +=
-      "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone "
-      "where it is not installed):</p>" +
-      shell_line(repeat_command(operation, finding.question, speaker, repeat));
+      "</dl><details class=\"exactly\"><summary>The input and the answers as JSON, and in hexadecimal</summary><dl "
+      "class=\"facts\">";
+  fact("input", code(one_line(operation.print(finding.question))));
+  fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
+  text += said.json +
+          "</dl></details><details><summary>Ask again</summary><p class=\"small quiet\">touchstone is "
+          "build/release/touchstone where it is not installed:</p>" +
+          shell_line(repeat_command(operation, finding.question, speaker, repeat)) + "</details>";
   return text + proof + "</section>";
 }
 

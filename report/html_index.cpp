@@ -106,10 +106,11 @@ std::string tile(const std::string& style, std::uint64_t n, const std::string& w
 
 /// Causes add up to what is wrong; that and the rest to what was judged.
 std::string tiles(const Cell& sum) {
-  std::string text = "<div class=\"tiles\">" + tile("", sum.answered(), "answers judged") +
-                     tile("agree", sum.count(Verdict::agree), "right") + tile("", sum.wrong(), "wrong");
+  std::string text = tile("", sum.answered(), "answers judged") + tile("agree", sum.count(Verdict::agree), "right") +
+                     tile("", sum.wrong(), "wrong");
+  std::size_t count = 3;
   const auto add = [&](const char* style, std::uint64_t n, const char* words) {
-    if (n > 0) text += tile(style, n, words);
+    if (n > 0) text += tile(style, n, words), ++count;
   };
   add("rounding", both(sum.cancellation()), "wrong by cancellation");
   add("range", both(sum.out_of_range()), "wrong by over- or underflow");
@@ -120,7 +121,12 @@ std::string tiles(const Cell& sum) {
   add("tolerance", sum.count(Verdict::tolerance), "within the tolerance");
   add("unsupported", sum.count(Verdict::unsupported), "not supported");
   add("", sum.not_asked, "not asked");
-  return text + "</div>";
+  // As many in each row, but for the last.
+  const auto columns = [&](std::size_t most) {
+    const std::size_t rows = (count + most - 1) / most;
+    return (count + rows - 1) / rows;
+  };
+  return fmt::format("<div class=\"tiles\" style=\"--columns:{};--fewer:{}\">{}</div>", columns(6), columns(4), text);
 }
 
 std::string wrong_in_words(std::uint64_t wrong, std::uint64_t answered) {

@@ -6,6 +6,7 @@
 
 #include "report/html_style.h"
 #include "report/space_model.h"
+#include "report/svg.h"
 
 namespace touchstone::report {
 namespace {
@@ -58,8 +59,12 @@ std::string with_breaks(const std::string& text, const std::string& after) {
 std::string page(const std::string& title, const std::string& body) {
   const bool played = body.find(player_opening) != std::string::npos;
   const bool mapped = body.find(map_opening) != std::string::npos, viewed = played || has_space_figure(body);
-  const std::string parts = std::string(viewed || mapped ? drawn_alone_script : "") + (viewed ? viewer_script : "") +
+  const bool drawn = has_space_figure(body) || body.find(view_opening) != std::string::npos;
+  const bool dragged = body.find(" data-drag=\"") != std::string::npos;
+  const std::string parts = std::string(viewed || mapped || dragged ? drawn_alone_script : "") + (viewed ? viewer_script : "") +
                             (played ? player_script : "") + (mapped ? map_script : "") +
+                            (dragged ? std::string(drag_script) + drag_trees_script + drag_figures_script : "") +
+                            (drawn || dragged ? save_figure_script : "") +
                             (body.find(" sortable\"") != std::string::npos ? sort_script : "");
   const std::string script = parts.empty() ? "" : "\n<script>" + parts + "</script>";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "

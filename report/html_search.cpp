@@ -117,7 +117,7 @@ std::string search_section(const Operation& operation) {
     const Drawing& drawing = of_sort.drawing;
     text +=
         "<figure>" +
-        (drawing.figures.empty() ? space_figure(drawing, title) : drawing_svg(drawing, title, false, std::nullopt)) +
+        (drawing.figures.empty() ? space_figure(drawing, title) : drawing_svg(drawing, title, std::nullopt)) +
         "<figcaption>" + search_caption(drawing).substr(std::string("<br>").size()) +
         "<details><summary>Its input</summary>" + code(of_sort.input) + "</details></figcaption></figure>";
   }

@@ -31,7 +31,7 @@ h1{font-size:30px;line-height:1.2;margin:2px 0 8px;letter-spacing:-.01em}
 h2{font-size:20px;margin:36px 0 10px}h3{font-size:16px;margin:0 0 6px}h4{font-size:14px;margin:0 0 6px;font-weight:600}
 p{margin:0 0 12px;max-width:78ch}.lead{font-size:17px}.quiet{color:var(--quiet)}.small{font-size:13.5px}
 .card{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:18px 20px;margin:0 0 18px}
-.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(176px,1fr));gap:10px;margin:20px 0 8px}
+.tiles{display:grid;grid-template-columns:repeat(var(--columns),minmax(0,1fr));gap:10px;margin:20px 0 8px}
 .tile{background:var(--paper);border:1px solid var(--line);border-left:5px solid var(--c,var(--faint));border-radius:8px;padding:9px 12px}
 .tile b{display:block;font-size:20px;white-space:nowrap;line-height:1.25;font-variant-numeric:tabular-nums;font-weight:650}
 .tile span{color:var(--quiet);font-size:13px}
@@ -55,7 +55,7 @@ tbody tr.total>*{font-weight:650;border-top:2px solid var(--faint);padding-top:8
 td.none{color:var(--quiet)}td.wide{width:34%;min-width:160px}td.text,th.text{text-align:left;white-space:normal}
 td.found{font-weight:600}
 code,pre{font:13px/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
-code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:break-word}
+code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:anywhere}
 pre{background:var(--code);border-radius:6px;padding:9px 12px;margin:4px 0 12px;white-space:pre-wrap;overflow-wrap:break-word}
 pre.repeat{user-select:all}
 .facts{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
@@ -63,7 +63,13 @@ pre.repeat{user-select:all}
 .facts dd code{display:inline-block}
 figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{font-size:14.5px;max-width:60ch;overflow-wrap:break-word}
 .searches{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(400px,100%),1fr));gap:0 28px}.searches figure{min-width:0;max-width:100%;overflow-x:auto}.key .fig.space .node.face{fill-opacity:.3}
-.beside{display:flex;flex-wrap:wrap;gap:0 28px}.truth-said{color:var(--truth)}.who-said{color:var(--said)}
+.beside{flex:1 1 100%;display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:0 28px}.beside .to-lens{display:none}.views{display:flex;flex-wrap:wrap;gap:0 28px}.view{position:relative;min-width:0;width:fit-content;max-width:100%}
+.save{position:absolute;top:10px;right:14px;font:inherit;font-size:11px;color:var(--quiet);background:none;border:1px solid transparent;border-radius:4px;padding:1px 5px;cursor:pointer}.save:hover,.save:focus-visible{border-color:var(--faint);background:var(--paper)}
+.drag-figure{display:flex;flex-wrap:wrap;gap:4px 28px;margin:12px 0}.dragged{flex:1 1 340px}.drag{touch-action:none}.drag .area{fill:var(--c);fill-opacity:.1}.drag .grip{fill:transparent}.handle{cursor:grab}.handle:focus-visible .grip{stroke:var(--link);stroke-width:2}.handle:focus{outline:none}.drag .stroke{stroke-linejoin:round}.drag .truth.stroke{stroke-width:3}
+.dragged button{font:inherit;font-size:14px;color:inherit;background:var(--paper);border:1px solid var(--faint);border-radius:6px;min-height:36px;padding:0 12px;cursor:pointer}
+.deck-contents ol{list-style:none;columns:3 260px;padding:0;margin:0 0 24px;font-size:14.5px}.deck-contents small{display:inline-block;min-width:58px;color:var(--quiet)}.deck-page h2{margin-top:0}.deck-page .card{border:0;padding:0}.breaks>summary{font-size:16px;font-weight:600}
+.formula{border:1px solid var(--line);border-left:4px solid var(--link);border-radius:6px;padding:8px 14px;margin:4px 0 12px;overflow-x:auto;font-size:17px;background:var(--code)}.formula math{text-align:left;margin:3px 0}
+.truth-said{color:var(--truth)}.who-said{color:var(--said)}
 .finding h3{display:flex;flex-wrap:wrap;gap:4px 10px;align-items:baseline}.how-often{font-weight:400;color:var(--quiet);font-size:14px}
 thead button{all:unset;cursor:pointer;text-decoration:underline dotted}thead button:focus-visible{outline:3px solid var(--link);outline-offset:2px}[aria-sort=ascending] button::after{content:" \2191"}[aria-sort=descending] button::after{content:" \2193"}
 .by-deck h3{margin:14px 0 2px}.by-deck ul{margin:0;columns:2 380px;font-size:14.5px}.contract p{max-width:90ch}.contract :last-child{margin-bottom:0}.contract details p{font-size:14.5px}
@@ -95,10 +101,11 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(320px,1fr));gap:0 18px}.plots section{min-width:0}.plots h2{margin:22px 0 4px}.plots p{margin:0 0 6px}.player .aid.face{fill-opacity:.03}
 .player .plot{width:100%;height:auto;display:block;cursor:crosshair;background:var(--paper);border:1px solid var(--line);border-radius:8px}.plot path{fill:none}.plot .grid{stroke:var(--line)}.plot .tick,.plot .axis{stroke:var(--quiet)}.plot .mark{stroke:var(--truth);stroke-dasharray:3 3}.plot .now{stroke:var(--ink)}.plot .stroke{stroke-width:1.6;stroke-linejoin:round}.key .stroke,.plot .stroke{stroke:var(--c);fill:none;stroke-width:1.8}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
+@media screen and (max-width:900px){.to-lens{display:none}.with-lens .view{flex-basis:100%}.beside{grid-template-columns:minmax(0,1fr)}.tiles{grid-template-columns:repeat(var(--fewer),minmax(0,1fr))}}
 @media screen and (max-width:640px){
 main,header,nav,footer{padding-left:14px;padding-right:14px}.card{padding:14px}
 h1{font-size:25px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}
-.seen figure{overflow-x:auto}.seen figure .fig{max-width:none}.seen figure .fig.space{max-width:100%}.beside{min-width:0;max-width:100%}.seen .said{flex-basis:100%}.tiles{grid-template-columns:repeat(auto-fit,minmax(130px,1fr))}
+.beside{min-width:0;max-width:100%}.seen .said{flex-basis:100%}.tiles{grid-template-columns:1fr 1fr}.tile:last-child:nth-child(odd){grid-column:span 2}
 table.stack thead{display:none}table.stack,table.stack tbody{display:block}
 table.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}
 table.stack th,table.stack td{display:block;border:0;padding:1px 0;text-align:left;white-space:normal;background:none;box-shadow:none}
@@ -111,15 +118,15 @@ table.stack td.none{display:none}table.stack td.bar-cell{padding:4px 0;width:aut
 }
 @page{margin:13mm}
 @media print{
-body{background:#fff;font-size:10pt}nav,.screen,.walk,.cross{display:none}
+body{background:#fff;font-size:10pt}nav,.screen,.save,.walk,.cross{display:none}
 main,header,footer{max-width:none;padding:0}header{padding-top:0}h2{margin-top:24px}h2,h3,h4{break-after:avoid}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}
 .card{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
 p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a,.gallery img{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
 .card>h3,.card>h3+p,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
-.tiles{grid-template-columns:repeat(auto-fit,minmax(88px,1fr))}.tile b{font-size:15pt}
+.tile b{font-size:15pt}
 .scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}td.wide{min-width:90px}.bar.thin{min-width:40px}
-.seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.wide){flex-basis:100%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
+.seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.with-lens,.magnified){flex-basis:100%}.with-lens .view{flex:0 1 45%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
 .maps{grid-template-columns:repeat(3,1fr);gap:16px}.maps li{break-inside:avoid}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
 .gallery{grid-template-columns:repeat(3,1fr)}
 details::details-content{content-visibility:visible;block-size:auto}

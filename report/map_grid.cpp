@@ -63,15 +63,18 @@ struct Stride {
 
 /// What an implementation gets right and wrong on some pixels of a grid.
 struct Probe {
-  std::uint64_t right = 0, wrong = 0, inexact = 0;
+  std::uint64_t right = 0, wrong = 0, inexact = 0, refused = 0;
   void add(Verdict verdict) { ++(verdict == Verdict::inexact ? inexact : is_finding(verdict) ? wrong : right); }
+  /// Whether the grid lies on a border of the contract, beyond which nothing is asked.
+  bool is_cut() const { return 8 * refused > right + wrong + inexact; }
   /// More where the border of what fails is to be seen, and for a wrong decision than for a number; 0 where nothing
-  /// fails.
+  /// fails, or much is outside the contract.
   std::uint64_t worth() const {
     constexpr std::uint64_t decision = 100;
+    if (is_cut()) return 0;
     return decision * std::min(right + inexact, wrong) + std::min(right, inexact) + (wrong + inexact > 0 ? 1 : 0);
   }
-  bool is_plenty() const { return 8 * std::min(right + inexact, wrong) > right + inexact + wrong; }
+  bool is_plenty() const { return !is_cut() && 8 * std::min(right + inexact, wrong) > right + inexact + wrong; }
 };
 
 Probe probed(const Operation& operation, const MapGrid& grid, bool binary32, Engine* engine, const Stride& stride) {
@@ -90,6 +93,7 @@ Probe probed(const Operation& operation, const MapGrid& grid, bool binary32, Eng
           examinations.push_back(std::move(examination));
         }
       } catch (const InvalidInput&) {
+        ++probe.refused;
       }
     }
   }
@@ -189,7 +193,7 @@ MapGrid failing_grid(const Operation& operation, bool binary32, Engine* engine, 
   const Probe of_own = probed(operation, own, binary32, engine, stride);
   const bool numbers_alone = operation.words().empty();
   const std::uint64_t fails = numbers_alone ? of_own.wrong + of_own.inexact : of_own.wrong;
-  if (fails > 0 && of_own.right + of_own.inexact > 0) return own;
+  if (fails > 0 && of_own.right + of_own.inexact > 0 && !of_own.is_cut()) return own;
   MapGrid best = own;
   std::uint64_t most = of_own.worth(), asked = stride.questions();
   const auto is_found = [&](const std::vector<Question>& around) {

@@ -31,6 +31,8 @@ constexpr Phrase phrases[] = {
     {"touching", "just touching"},
     {"point", "a common point"},
     {"overlap", "an overlap"},
+    {"segment", "a common segment"},
+    {"area", "a common area"},
     {"none", "no orientation", "ccw"},
     {"none", "no hit"},
     {"hit", "a hit"},
@@ -44,18 +46,62 @@ constexpr Phrase phrases[] = {
     {"false", "no"},
 };
 
+constexpr std::size_t most_listed = 4;
+
+std::string value_in_words(const Json& value) {
+  std::string text = value.is_string() ? value.get<std::string>() : one_line(value);
+  constexpr const char* about = "about ";
+  return text.rfind(about, 0) == 0 ? "\u2248" + text.substr(6) : text;
+}
+
+/// "(1, 2)", or "(0, 5, 3, 4, ...)".
 std::string in_parentheses(const Json& numbers) {
-  std::string text;
-  for (const Json& number : numbers) {
-    text += text.empty() ? "(" : ", ";
-    text += number.is_string() ? number.get<std::string>() : one_line(number);
+  constexpr std::size_t most = 6;
+  std::string text = "(";
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    text += i == 0 ? "" : ", ";
+    if (i == most) return text + "\u2026)";
+    text += value_in_words(numbers[i]);
   }
   return text + ")";
 }
 
+/// Numbers or indices.
 bool is_tuple(const Json& value) {
-  return value.is_array() && !value.empty() && value.size() <= 3 &&
+  return value.is_array() && !value.empty() &&
          std::none_of(value.begin(), value.end(), [](const Json& part) { return part.is_structured(); });
+}
+
+/// "bodies" -> "body", "slabs" -> "slab".
+std::string singular(const std::string& name) {
+  const auto ends = [&](const std::string& end) {
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+  };
+  return ends("ies") ? name.substr(0, name.size() - 3) + "y" : ends("s") ? name.substr(0, name.size() - 1) : name;
+}
+
+bool say(const Operation& operation, const std::string& key, const Json& value, std::string& text);
+
+/// "ball 0 ends at (3, 4, 0) with velocity (0, 0, 0); ball 1 ..."
+bool say_each(const Operation& operation, const std::string& name, const Json& list, std::string& text) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    text += text.empty() ? "" : "; ";
+    if (i == most_listed) {
+      text += "\u2026";
+      break;
+    }
+    const Json& element = list[i];
+    if (element.contains("position") && element.contains("velocity")) {
+      text += "ball " + std::to_string(i) + " ends at " + in_parentheses(element["position"]) + " with velocity " +
+              in_parentheses(element["velocity"]);
+      continue;
+    }
+    std::string inside;
+    for (const auto& [part, inner] : element.items())
+      if (!say(operation, part, inner, inside)) return false;
+    text += singular(name) + " " + std::to_string(i) + ": " + inside;
+  }
+  return true;
 }
 
 /// Adds what a field holds; false where that is too much for a sentence.
@@ -70,10 +116,19 @@ bool say(const Operation& operation, const std::string& key, const Json& value, 
     add(value.get<bool>() ? name : "not " + name);
   } else if (value.is_primitive()) {
     add(name + " = " + (value.is_string() ? value.get<std::string>() : one_line(value)));
+  } else if (value.is_array() && value.empty()) {
+    add("no " + name);
   } else if (is_tuple(value)) {
     add(name + " " + in_parentheses(value));
-  } else if (value.is_array() && value.size() == 2 && is_tuple(value[0]) && is_tuple(value[1])) {
-    add(name + " " + in_parentheses(value[0]) + (key == "overlap" ? " to " : ", ") + in_parentheses(value[1]));
+  } else if (value.is_array() && std::all_of(value.begin(), value.end(), is_tuple)) {
+    std::string list;
+    for (std::size_t i = 0; i < value.size() && i <= most_listed; ++i) {
+      list += list.empty() ? "" : key == "overlap" ? " to " : ", ";
+      list += i == most_listed ? "\u2026" : in_parentheses(value[i]);
+    }
+    add(name + " " + list);
+  } else if (value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& e) { return e.is_object(); })) {
+    return say_each(operation, name, value, text);
   } else if (value.is_object()) {
     std::string inside;
     for (const auto& [part, inner] : value.items()) {
@@ -110,10 +165,11 @@ std::string phrase(const Operation& operation, const Json& answer) {
   if (answer.is_object()) {
     for (const auto& [key, value] : answer.items()) {
       const std::string until_now = text;
-      if (!say(operation, key, value, text) || text.size() > longest) {
+      if (!say(operation, key, value, text)) {
         text = until_now;
         break;
       }
+      if (text.size() > longest) break;
     }
   }
   return text;
@@ -121,7 +177,8 @@ std::string phrase(const Operation& operation, const Json& answer) {
 
 std::string phrase(const Operation& operation, const Way& way) {
   const std::string answer = phrase(operation, way.answer);
-  return way.truth == "value" ? answer : answer + " where it is " + phrase(operation, way.truth);
+  const auto quoted = [](const std::string& words) { return "\u201c" + words + "\u201d"; };
+  return way.truth == "value" ? answer : quoted(answer) + " where the truth is " + quoted(phrase(operation, way.truth));
 }
 
 }  // namespace touchstone::report

@@ -18,7 +18,7 @@ std::string phrase(const Operation& operation, const std::string& word);
 /// `answer` is shown as it is given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
 
-/// What was answered instead of what: "on it where it is left of the line".
+/// What was answered instead of what: “on it” where the truth is “left of the line”.
 std::string phrase(const Operation& operation, const Way& way);
 
 }  // namespace touchstone::report

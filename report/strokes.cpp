@@ -79,7 +79,8 @@ void straight(Strokes& strokes, const Figure& figure, const Viewport& view, cons
     if (view.shows(ends[i]) && !figure.label.empty()) dot(strokes, view.at(ends[i]), style, false);
     if (seen.empty() && view.shows(ends[i])) places.push_back(view.at(ends[i]));
   }
-  wish(strokes, figure, style, places);
+  const bool nothing = figure.kind == Figure::Kind::arrow && ends[0].x == ends[1].x && ends[0].y == ends[1].y;
+  if (!nothing) wish(strokes, figure, style, places);
 }
 
 /// A circle too large for a browser is, within the frame, a parabola next to its tangent.

@@ -106,23 +106,37 @@ mpq_class inset_half(const NearMiss& miss) {
   return gaps >= doubles || 8 * gaps < doubles ? gaps : doubles;
 }
 
-std::string magnified(const Drawing& drawing, const Viewport& whole, const NearMiss& miss) {
+std::string opened(const std::string& style, double width, double height, const std::string& title) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig{3}\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
+      "width=\"{0}\" height=\"{1}\"><title>{2}</title>",
+      pixels(width), pixels(height), escaped(title), style);
+}
+
+constexpr double high = top_room + main_frame.height + bottom_room;
+
+/// From the place of the gap to the right, where the lens begins.
+std::string rays_to_lens(const Viewport& whole, const NearMiss& miss) {
+  const Pixel at = whole.at(miss.vertex);
+  const double x = left_room + at.x, y = top_room + at.y, start = left_room + main_frame.width + between_frames;
+  return fmt::format(
+      "<path class=\"lens\" d=\"M{0} {1}h12v12h-12z\"/><path class=\"lens to-lens\" d=\"M{2} {1}L{3} {4}M{2} {5}L{3} "
+      "{6}\"/>",
+      pixels(x - 6), pixels(y - 6), pixels(x + 6), pixels(start), pixels(top_room), pixels(y + 6),
+      pixels(top_room + inset_frame.height));
+}
+
+std::string magnified(const Drawing& drawing, const NearMiss& miss) {
   const Viewport view = Viewport::around(miss.vertex, inset_half(miss), inset_frame);
   const DoubleGrid grid = double_grid(view, miss.x, miss.y);
   const mpq_class width = view.far_corner().x - view.corner().x;
-  const Pixel at = whole.at(miss.vertex);
-  const double start = left_room + main_frame.width + between_frames;
-  std::string svg =
-      fmt::format("<path class=\"lens\" d=\"M{0} {1}h12v12h-12zM{2} {1}L{3} {4}M{2} {5}L{3} {6}\"/>",
-                  pixels(left_room + at.x - 6), pixels(top_room + at.y - 6), pixels(left_room + at.x + 6),
-                  pixels(start), pixels(top_room), pixels(top_room + at.y + 6), pixels(top_room + inset_frame.height));
-  svg += fmt::format("<g transform=\"translate({} {})\">", pixels(start), pixels(top_room)) +
-         framed(drawing, view, grid.svg);
-  svg += fmt::format("<text class=\"scale\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                     pixels(inset_frame.width / 2), pixels(inset_frame.height + 17),
-                     escaped("around " + (miss.label.empty() ? "the vertex" : miss.label) + ", " + about(width) +
-                             " wide; gap " + about(miss.gap)));
-  return svg + caption(inset_frame, grid.caption) + "</g>";
+  const std::string words = "around " + (miss.label.empty() ? "the vertex" : miss.label) + ", " + about(width) +
+                            " wide; gap " + about(miss.gap);
+  return view_opening + opened(" magnified", inset_frame.width + right_room, high, words) +
+         fmt::format("<g transform=\"translate(0 {})\">", pixels(top_room)) + framed(drawing, view, grid.svg) +
+         fmt::format("<text class=\"scale\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                     pixels(inset_frame.width / 2), pixels(inset_frame.height + 17), escaped(words)) +
+         caption(inset_frame, grid.caption) + "</g></svg></div>";
 }
 
 }  // namespace
@@ -133,6 +147,7 @@ std::string figure_style() {
          ".fig .tick{stroke:var(--faint,#b9c0c8);fill:none}"
          ".fig .scale,.fig .caption{fill:var(--quiet,#59636e);font-size:11px}"
          ".fig .double{stroke:var(--faint,#b9c0c8);stroke-width:.8;fill:none}"
+         ".with-lens{display:flex;flex-wrap:wrap}.with-lens .view{flex:0 1 auto;min-width:0}"
          ".fig .lens{stroke:var(--quiet,#59636e);stroke-width:.8;stroke-dasharray:2 3;fill:none}"
          ".fig .stroke{fill:none}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
          ".fig .aid{--c:var(--quiet,#59636e)}.fig .node{--c:var(--q2,#2c7347)}.fig .node.face{fill:var(--c);"
@@ -150,23 +165,17 @@ std::string figure_style() {
          ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";
 }
 
-std::string drawing_svg(const Drawing& given, const std::string& title, bool standalone,
-                        const std::optional<mpq_class>& least_gap) {
+std::string drawing_svg(const Drawing& given, const std::string& title, const std::optional<mpq_class>& least_gap) {
   const Drawing drawing = drawable(given);
   if (drawing.figures.empty()) return "";
   const Viewport whole = whole_view(drawing);
   const auto miss = least_gap ? narrowest_gap(drawing, whole, *least_gap) : std::nullopt;
-  const double width = left_room + main_frame.width + (miss ? between_frames + inset_frame.width : 0) + right_room;
-  const double height = top_room + main_frame.height + bottom_room;
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig{3}\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
-      "width=\"{0}\" height=\"{1}\"><title>{2}</title>",
-      pixels(width), pixels(height), escaped(title), miss ? " wide" : "");
-  if (standalone) svg += "<style>" + figure_style() + "</style>";
-  svg += fmt::format("<g transform=\"translate({} {})\">", pixels(left_room), pixels(top_room)) +
-         framed(drawing, whole, "") + ticks(whole) + caption(main_frame, stretch_in_words(whole)) + "</g>";
-  if (miss) svg += magnified(drawing, whole, *miss);
-  return svg + "</svg>";
+  const std::string svg = view_opening +
+                          opened("", left_room + main_frame.width + (miss ? between_frames : right_room), high, title) +
+                          fmt::format("<g transform=\"translate({} {})\">", pixels(left_room), pixels(top_room)) +
+                          framed(drawing, whole, "") + ticks(whole) + caption(main_frame, stretch_in_words(whole)) +
+                          "</g>" + (miss ? rays_to_lens(whole, *miss) : "") + "</svg></div>";
+  return miss ? "<div class=\"with-lens\">" + svg + magnified(drawing, *miss) + "</div>" : svg;
 }
 
 }  // namespace touchstone::report

@@ -24,7 +24,7 @@ const viewer = (() => {
 const width = 400, height = 300, room = 134;  // pixels; room: from the middle to what is farthest from it
 const small = 2500;  // steps: about three pixels
 const mostLabels = 40, mostPlaces = 12, longestNumbered = 20, manyStrokes = 400, manyFaces = 450;
-const farther = [0, 14, 28];  // pixels from its place that a text may stand, where there is no room near to it
+const mostNames = 7;  // of more, arrows bear numbers, and a legend has their names
 const pointDot = 4.2, endDot = 3.2, centreDot = 1.8, ringRadius = 9, nearer = 0.5;
 // Of facets, edge-on and facing the reader.
 const outside = [[70, 96, 128], [205, 219, 235]], inside = [[130, 62, 10], [232, 160, 98]];
@@ -32,7 +32,6 @@ const diagonals = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(way => way.map(x => x
 // Fractions and not angles, so that every browser begins with the same picture.
 const firstTurn = {cosYaw: 15 / 17, sinYaw: 8 / 17, cosPitch: 12 / 13, sinPitch: 5 / 13};
 
-const tenths = v => Math.floor(10 * v + 0.5) / 10;
 const pair = (x, y) => tenths(x) + ' ' + tenths(y);
 const plus = (p, v, times = 1) => p.map((x, i) => x + times * v[i]);
 const minus = (p, q) => p.map((x, i) => x - q[i]);
@@ -65,9 +64,13 @@ class Strokes {
       const whose = figure.whose === 'truth' ? 'truth' : '', name = long ? list : figure.label;
       const label = first ? [whose, name].filter(Boolean).join(': ') : long ? '' : number;
       const again = !name && this.labels.some(other => other.text === label);  // the truth's figures without a name
-      if (label && !again && this.labels.length < mostLabels)
-        this.labels.push({style: this.style, text: label, places, radius: figure.radius ?? 0});
+      if (label && !again && places.length && this.labels.length < mostLabels)
+        this.labels.push({style: this.style, text: label, places, radius: figure.radius ?? 0, kind: figure.kind});
     }
+    const arrows = this.labels.filter(({kind}) => kind === 'arrow');
+    const numbered = this.labels.length > mostNames && arrows.length > 2 ? arrows : [];
+    this.legend = numbered.map(({style, text}, i) => ({style, text, number: String(i + 1)}));
+    numbered.forEach((label, i) => { label.text = this.legend[i].number; });
     this.mark = model.lens?.mark;
     this.reach = model.reach ?? Math.max(1, ...this.strokes.map(stroke =>
         Math.max(...stroke.points.map(length)) + (stroke.kind === 'ball' ? stroke.radius : 0)));
@@ -103,11 +106,11 @@ class Strokes {
 
   // Each returns where its label may stand.
   point({whose}, [p]) {
-    if (whose === 'truth') this.add('dot', [p], {radius: ringRadius, ring: true});
-    else this.dot(p, pointDot);
+    this.add('dot', [p], whose === 'truth' ? {radius: ringRadius, ring: true} : {radius: pointDot});
     return [p];
   }
   segment({label, kind}, [p, q]) {
+    if (kind === 'arrow' && length(minus(q, p)) === 0) return this.dot(p, endDot), [];
     this.add(kind === 'arrow' ? 'arrow' : 'edge', [p, q], {faces: []});
     if (label) this.dot(p, endDot);
     if (label && kind === 'segment') this.dot(q, endDot);
@@ -259,35 +262,7 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
   });
   const mark = drawing.mark && seen(drawing.mark);
   const lens = mark ? `<path class="lens" d="M${pair(mark.x - 6, mark.y - 6)}h12v12h-12z"/>` : '';
-  return tripod.join('') + parts.map(part => part.svg).join('') + lens + placed(wishes, drawn);
-}
-
-// Each text where it covers least of what is drawn, and none of the other texts; left out where there is no room.
-function placed(wishes, drawn) {
-  const texts = [];
-  let svg = '';
-  for (const wish of wishes) {
-    const wide = 6.9 * [...wish.text].length;
-    let best = null, least = 1000, preference = 0;
-    for (const [[x, y], far] of wish.places.flatMap(place => farther.map(far => [place, far]))) {
-      for (const [wx, wy] of [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]]) {
-        const gap = (wx !== 0 && wy !== 0 ? 8 * 0.7 : 8) + far;
-        const left = wx > 0 ? x + gap : wx < 0 ? x - gap - wide : x - wide / 2;
-        const top = wy > 0 ? y + gap : wy < 0 ? y - gap - 15 : y - 15 / 2;
-        const right = left + wide, bottom = top + 15;
-        let price = (preference += 0.1) + 2 * far;
-        if (!(left >= 2 && top >= 2 && right <= width - 2 && bottom <= height - 2)) continue;
-        for (const t of texts) if (left < t.right && t.left < right && top < t.bottom && t.top < bottom) price += 1000;
-        for (const [px, py] of drawn) if (px >= left && px <= right && py >= top && py <= bottom) price += 4;
-        if (price < least) least = price, best = {left, top, right, bottom};
-      }
-    }
-    if (!best) continue;
-    texts.push({left: best.left - 4, top: best.top - 1, right: best.right + 4, bottom: best.bottom + 1});
-    const place = `x="${tenths(best.left)}" y="${tenths(best.bottom - 3.5)}"`;
-    svg += `<text class="${wish.style}" ${place}>${escaped(wish.text)}</text>`;
-  }
-  return svg;
+  return tripod.join('') + parts.map(part => part.svg).join('') + lens + placedLabels(wishes, drawn, {width, height});
 }
 
 // Strokes at a time: straight from where a figure is at t = -1 to its points, and on to where it is at t = 1.
@@ -307,8 +282,11 @@ function clock({figures}) {
 // The frame with the first view, and below it what does not turn.
 function framed(model, drawing, name = 'whole') {
   const own = drawing.strokes.filter(({kind, style}) => kind !== 'facet' && !style.startsWith('node'));
-  const many = own.length > manyStrokes ? ' many' : '', wide = width + 16, high = height + 59;
-  const line = i => height + 14 + 15 * i;
+  const line = i => height + 14 + 15 * i, many = own.length > manyStrokes ? ' many' : '', wide = width + 16;
+  const below = Math.max(model.spans.length, model.remarks.length + (model.bar ? 1 : 0));
+  const legend = drawing.legend.map((one, i) => `<text class="${one.style}" x="${i % 2 * width / 2}" ` +
+      `y="${line(below + (i >> 1))}">${one.number} ${escaped(one.text)}</text>`);
+  const high = line(below + (legend.length + 1 >> 1));
   const bar = ([steps, words]) => {
     const long = tenths(steps * room / drawing.reach);
     if (long > width / 2) return '';  // a single point has no scale
@@ -322,14 +300,15 @@ function framed(model, drawing, name = 'whole') {
       `<g class="turning${many}">${picture(drawing, model.turn ?? firstTurn)}</g></svg>` +
       model.spans.map((span, i) => text(0, line(i), 'start', span)).join('') + (model.bar ? bar(model.bar) : '') +
       model.remarks.map((remark, i) => text(width, line(model.bar ? i + 1 : i), 'end', remark)).join('') +
-      `</g></svg>`;
+      legend.join('') + `</g></svg>`;
 }
 
 // Draws the model and its lens into an element of the page; each turns as the reader asks.
 function show(place, model) {
   const drawings = Object.entries({whole: toScale(model), ...(model.lens && {magnified: model.lens})})
       .map(([name, of]) => ({name, of, drawing: strokesAt(of, 0)}));
-  place.innerHTML = drawings.map(({name, of, drawing}) => framed(of, drawing, name) + clock(of)).join('') +
+  place.innerHTML = '<div class="views">' + drawings.map(({name, of, drawing}) =>
+      `<div class="view">${framed(of, drawing, name)}${clock(of)}</div>`).join('') + '</div>' +
       `<p class="screen small quiet turn-hint">Drag to turn it, or use the arrow keys; Home turns it back.</p>`;
   for (const {name, of, drawing} of drawings) {
     const draw = turning(place.querySelector('.' + name), place.querySelector(`.${name} .turning`), drawing,

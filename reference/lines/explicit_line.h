@@ -7,7 +7,9 @@ namespace touchstone::reference {
 
 /// Whether a point lies above, on or below the line y = slope x + intercept (y up).
 ///
-/// Deck p. 8: E = y - (m x + b); above where E > 0, below where E < 0, on where E = 0.
+/// Deck p. 8:
+///     E = y - (m x + b);
+/// above where E > 0, below where E < 0, on where E = 0.
 /// intercept, point: any unit of length, the same for both; slope: a ratio of lengths. No vertical line has this form.
 /// Closed sets: `on` means exactly on the line, however near the others are. A slope of 0 is valid.
 /// NaN or infinity: refused by robust and oracle (field, "finite number").

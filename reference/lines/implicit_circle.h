@@ -7,10 +7,11 @@ namespace touchstone::reference {
 
 /// Where a point lies of the closed disc that a circle bounds.
 ///
-/// Deck p. 8: x^2 + y^2 - r^2, here with the centre moved to the origin: E = (x - cx)^2 + (y - cy)^2 - r^2; inside
-/// where E < 0, outside where E > 0, boundary where E = 0. circle, point: any unit of length, the same for both. Closed
-/// sets: `boundary` means exactly on the circle. A circle of radius 0 is its centre, which is all boundary. NaN or
-/// infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("radius >= 0").
+/// Deck p. 8: x^2 + y^2 - r^2, here with the centre moved to the origin:
+///     E = (x - cx)^2 + (y - cy)^2 - r^2;
+/// inside where E < 0, outside where E > 0, boundary where E = 0. circle, point: any unit of length, the same for both.
+/// Closed sets: `boundary` means exactly on the circle. A circle of radius 0 is its centre, which is all boundary. NaN
+/// or infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("radius >= 0").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with A and B the two squares, S = A + B and R = r^2 as computed. Each of
 /// A and B carries its difference's rounding twice and its own: off by at most ((1 + u)^3 - 1) A <= (3 + 4u) u A and,

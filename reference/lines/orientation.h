@@ -7,7 +7,9 @@ namespace touchstone::reference {
 
 /// On which side of the directed line p0 -> p1 the point p lies (y up: `left` is counter-clockwise).
 ///
-/// Deck p. 16-17: E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0); left where E > 0, right where E < 0, on where E = 0.
+/// Deck p. 16-17:
+///     E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0);
+/// left where E > 0, right where E < 0, on where E = 0.
 /// p0, p1, p: any unit of length, the same for all. p0 == p1 is valid and answers `on` for every p.
 /// Closed sets: `on` means exactly on the line, however near the others are.
 /// NaN or infinity: refused by robust and oracle (field, "finite number").

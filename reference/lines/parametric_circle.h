@@ -9,10 +9,11 @@ namespace touchstone::reference {
 
 /// The point of a circle at the angle u.
 ///
-/// Deck p. 8: (r cos u, r sin u), moved to the centre: (cx + r cos u, cy + r sin u). circle: any unit of length; u:
-/// radians, counter-clockwise from the +x axis (y up), of any size. The curve is the circle itself, so there is nothing
-/// open or closed about it. Radius 0 is valid: the centre for every u. NaN or infinity: refused by robust and oracle
-/// (field, "finite number"); so is a negative radius ("radius >= 0").
+/// Deck p. 8: (r cos u, r sin u), moved to the centre:
+///     P(u) = (cx + r cos(u), cy + r sin(u)).
+/// circle: any unit of length; u: radians, counter-clockwise from the +x axis (y up), of any size. The curve is the
+/// circle itself, so there is nothing open or closed about it. Radius 0 is valid: the centre for every u. NaN or
+/// infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("radius >= 0").
 ///
 /// Rounding (binary64, to nearest, w = 2^-53): let the library's cosine C be off by at most one unit in its last place,
 /// that is by 2w |C| + 2^-1074 (glibc's manual states one unit for binary64). The product P = r C adds w |P| + 2^-1075,

@@ -8,12 +8,13 @@ namespace touchstone::reference {
 
 /// Whether two closed segments meet, and where.
 ///
-/// Deck p. 12-13: the lines through the segments, solved for ta and tb; the segments meet in the point where 0 <= ta <=
-/// 1 and 0 <= tb <= 1, else (also where the lines are parallel) they are disjoint. a, b: any unit of length, the same
-/// for both; ta, tb: pure numbers, 0 at the segment's a and 1 at its b. Closed sets: a touch in an end is a `point`.
-/// `overlap`: the common segment, its ends in lexicographic order; collinear segments that share exactly one point meet
-/// in that `point`. Degenerate: a segment of length 0 is a point, its parameter is 0. NaN or infinity: refused by
-/// robust and oracle (field, "finite number").
+/// Deck p. 12-13: the lines through the segments, solved for ta and tb; the segments meet in the point where
+///     0 <= ta <= 1 and 0 <= tb <= 1,
+/// else (also where the lines are parallel) they are disjoint. a, b: any unit of length, the same for both; ta, tb:
+/// pure numbers, 0 at the segment's a and 1 at its b. Closed sets: a touch in an end is a `point`. `overlap`: the
+/// common segment, its ends in lexicographic order; collinear segments that share exactly one point meet in that
+/// `point`. Degenerate: a segment of length 0 is a point, its parameter is 0. NaN or infinity: refused by robust and
+/// oracle (field, "finite number").
 ///
 /// The slide has no case for parallel lines: collinear segments that overlap or share an end, and segments of length 0,
 /// are `disjoint` even in exact arithmetic (cause: algorithm); `overlap` is never answered.

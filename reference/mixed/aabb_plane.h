@@ -9,9 +9,10 @@ namespace touchstone::reference {
 /// Whether an axis-aligned box and the half-space behind a plane, as closed solids, overlap, only touch, or neither.
 ///
 /// No page of the deck asks this. The formula puts two together: p. 45-47's box, min and max on each axis, and p. 22's
-/// E(p) = N . p + d, the height over the plane in units of |N|. E is least at the corner that takes min where the
-/// normal's coordinate is not negative, and max where it is: they are disjoint where E of that corner is greater than
-/// 0, and `touching` where it is 0.
+///     E(p) = N . p + d,
+/// the height over the plane in units of |N|. E is least at the corner that takes min where the normal's coordinate is
+/// not negative, and max where it is: they are disjoint where E of that corner is greater than 0, and `touching` where
+/// it is 0.
 /// The half-space is the set of points with N . p + d <= 0: the plane and its back, as point_plane has it; its front is
 /// where N points to. aabb, plane: corners and d / |N| in any unit of length, the same for both; N of any length but 0.
 /// Shapes are closed: a box in front of the plane that only reaches it with a corner, an edge or a face is `touching`.

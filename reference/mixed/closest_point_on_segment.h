@@ -21,8 +21,9 @@ Point nearest_between(const Point& p, const Point& a, const Point& b) {
 /// plane and in space.
 ///
 /// No page of the deck asks this. The formula puts two together: p. 9's line in parametric form, of which the foot of
-/// the perpendicular has t = (p - a) . (b - a) / (b - a) . (b - a); and p. 48-50's way to the nearest point of a box,
-/// by which t is moved to 0 or 1 if it lies outside of [0, 1].
+/// the perpendicular has
+///     t = (p - a) . (b - a) / ((b - a) . (b - a));
+/// and p. 48-50's way to the nearest point of a box, by which t is moved to 0 or 1 if it lies outside of [0, 1].
 /// point, segment: any unit of length, the same for both; the squared distance is in its square. There is always
 /// exactly one nearest point, because a segment is closed and convex. A point of the segment is its own, at distance 0.
 /// a == b is valid: such a segment is a point, and the nearest. The formula divides by the squared length: there it is

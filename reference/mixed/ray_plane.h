@@ -8,7 +8,8 @@ namespace touchstone::reference {
 /// What a ray in space and a plane have in common.
 ///
 /// No page of the deck asks this. The formula puts two together: p. 22's E(p) = N . p + d and p. 9's point origin + t
-/// direction: E(origin + t direction) = E0 + t R with E0 = E(origin) and the rise R = N . direction, so t = -E0 / R:
+/// direction, with E0 = E(origin) and the rise R = N . direction:
+///     E(origin + t direction) = E0 + t R,  t = -E0 / R;
 /// `point` at origin + t direction where 0 <= t, else (also where R = 0) `none`.
 /// The plane is the thin set N . p + d = 0 and has no solid side: a ray crosses it from either side. ray, plane:
 /// origin, direction and d / |N| in any unit of length, the same for both; N of any length but 0. t counts in lengths

@@ -8,9 +8,10 @@ namespace touchstone::reference {
 /// What a ray and a closed triangle in space have in common.
 ///
 /// No page of the deck asks this. The formula is p. 54's for an edge and a face, with p. 9's ray in the place of the
-/// edge: with the normal N = (b - a) x (c - a), E0 = N . (origin - a) and the rise R = N . direction, t = -E0 / R, x =
-/// origin + t direction, and `point` where 0 <= t and ((b - a) x (x - a)) . N and the same of the edges b, c and c, a
-/// are all >= 0; else `none`.
+/// edge: with the normal N = (b - a) x (c - a), E0 = N . (origin - a) and the rise R = N . direction,
+///     t = -E0 / R,  x = origin + t direction,
+/// and `point` where 0 <= t and ((b - a) x (x - a)) . N and the same of the edges b, c and c, a are all >= 0; else
+/// `none`.
 /// ray, triangle: any unit of length, the same for both; t counts in lengths of the direction as given. Closed sets:
 /// the origin, edges and corners belong to them, so a touch is a `point`. `segment`: all of a segment is common, of
 /// which t and point are the first. `location` tells a `point` within the triangle from one on its boundary, an edge or

@@ -11,8 +11,10 @@ namespace touchstone::reference {
 /// Whether a ball and the half-space behind a plane, as closed solids, overlap, only touch, or neither.
 ///
 /// No page of the deck asks this. The formula puts two together: p. 22's E(p) = N . p + d, the height over the plane in
-/// units of |N|, and p. 44's comparison of a distance with a radius: they are disjoint where the height E of the center
-/// is greater than r |N|, and `touching` where it is equal.
+/// units of |N|, and p. 44's comparison of a distance with a radius. They are disjoint where the height of the center c
+/// is
+///     E(c) > r |N|,
+/// and `touching` where it is equal.
 /// The half-space is the set of points with N . p + d <= 0: the plane and its back, as point_plane has it; its front is
 /// where N points to. sphere, plane: center, radius and d / |N| in any unit of length, the same for all; N of any
 /// length but 0. Shapes are closed: a ball in front of the plane that only reaches it is `touching`. A ball within the

@@ -9,11 +9,13 @@ namespace touchstone::reference {
 
 /// On which side of a plane a point of space lies, and how far from it.
 ///
-/// Deck p. 22: E(p) = N . p + d; front where E > 0, back where E < 0, on where E = 0. The signed distance is E / |N|,
-/// with |N| = sqrt(N . N), because the normal need not have length 1. plane: the points with N . p + d = 0; N of any
-/// length but 0. point and d / |N|: any unit of length, the same for both. The answer's signed_distance is in that
-/// unit, positive in front. Closed set: `on` means exactly on the plane, however near the others are. NaN or infinity:
-/// refused by robust and oracle (field, "finite number"); so is N = 0 ("plane.normal", "nonzero normal").
+/// Deck p. 22:
+///     E(p) = N . p + d,  distance = E / |N|;
+/// front where E > 0, back where E < 0, on where E = 0. The signed distance is so divided, with |N| = sqrt(N . N),
+/// because the normal need not have length 1. plane: the points with N . p + d = 0; N of any length but 0. point and d
+/// / |N|: any unit of length, the same for both. The answer's signed_distance is in that unit, positive in front.
+/// Closed set: `on` means exactly on the plane, however near the others are. NaN or infinity: refused by robust and
+/// oracle (field, "finite number"); so is N = 0 ("plane.normal", "nonzero normal").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with X, Y, Z the three products and E as computed, E is off by at most
 ///     e(E) = (4 + 16u) u (|X| + |Y| + |Z| + |d|) + 2^-1073

@@ -8,13 +8,15 @@ namespace touchstone::reference {
 /// Whether a point that moves from start to end in one step hits a plane, by the two options of the slide.
 ///
 /// Deck p. 23: with E(p) = N . p + d (point_plane.h), option 1 tests the end of the step only: hit where E(end) <= 0.
-/// Option 2 finds when the plane was reached: t = E0 / (E0 - E1), E0 and E1 being E at start and end, hit where 0 <= t
-/// <= 1, at start + t (end - start). plane, start, end: any unit of length, the same for all; t counts in steps. Solid
-/// is the closed half-space E <= 0, so touching is a hit. The truth of option 2 is the first t in [0, 1] with E <= 0:
-/// 0, and the point start itself, where the start is on the plane or behind it already; t and point as by the formula
-/// where the start is in front and the end is not; `never` where both are in front. So option 1 can only miss what
-/// option 2 finds: a point that starts behind the plane and leaves. start == end is valid: hit at 0 or never. NaN or
-/// infinity: refused by robust and oracle (field, "finite number"); so is N = 0 ("plane.normal", "nonzero normal").
+/// Option 2 finds when the plane was reached,
+///     t = E0 / (E0 - E1),
+/// E0 and E1 being E at start and end; hit where 0 <= t <= 1, at start + t (end - start). plane, start, end: any unit
+/// of length, the same for all; t counts in steps. Solid is the closed half-space E <= 0, so touching is a hit. The
+/// truth of option 2 is the first t in [0, 1] with E <= 0: 0, and the point start itself, where the start is on the
+/// plane or behind it already; t and point as by the formula where the start is in front and the end is not; `never`
+/// where both are in front. So option 1 can only miss what option 2 finds: a point that starts behind the plane and
+/// leaves. start == end is valid: hit at 0 or never. NaN or infinity: refused by robust and oracle (field, "finite
+/// number"); so is N = 0 ("plane.normal", "nonzero normal").
 ///
 /// The formula takes for granted that the start is in front. From behind the plane it finds no t in [0, 1], or the t
 /// where the point leaves the solid; within the plane it is 0/0: wrong in exact arithmetic too (cause: algorithm).

@@ -9,15 +9,17 @@ namespace touchstone::reference {
 
 /// The normal of a polygon in space, and the same of length 1.
 ///
-/// Deck p. 21: N = (v1 - v0) x (v2 - v1), the cross product of two edges, divided by its length sqrt(N . N). polygon:
-/// at least three vertices, any unit of length. The truth's `normal` is Newell's sum over the ring, sum of v_i x
-/// v_(i+1): twice the vector of the polygon's area, so that it does not depend on which vertex is the first and belongs
-/// to the whole ring, also where that is concave, crosses itself or is not planar; seen from its tip a simple planar
-/// ring runs counter-clockwise. `unit` is that sum divided by its length. `degenerate`: the sum is the zero vector
-/// (collinear or coincident vertices; a figure of eight whose two parts cancel); then there are no numbers. A
-/// coordinate of `normal` may be infinite, beyond the range of doubles, or 0 below it: `unit` is right all the same.
-/// NaN or infinity: refused by robust and oracle (field, "finite number"); so are fewer than three vertices ("polygon",
-/// "at least 3 vertices"). A last position that repeats the first changes nothing, and is no vertex of the three.
+/// Deck p. 21:
+///     N = (v1 - v0) x (v2 - v1),
+/// the cross product of two edges, divided by its length sqrt(N . N). polygon: at least three vertices, any unit of
+/// length. The truth's `normal` is Newell's sum over the ring, sum of v_i x v_(i+1): twice the vector of the polygon's
+/// area, so that it does not depend on which vertex is the first and belongs to the whole ring, also where that is
+/// concave, crosses itself or is not planar; seen from its tip a simple planar ring runs counter-clockwise. `unit` is
+/// that sum divided by its length. `degenerate`: the sum is the zero vector (collinear or coincident vertices; a figure
+/// of eight whose two parts cancel); then there are no numbers. A coordinate of `normal` may be infinite, beyond the
+/// range of doubles, or 0 below it: `unit` is right all the same. NaN or infinity: refused by robust and oracle (field,
+/// "finite number"); so are fewer than three vertices ("polygon", "at least 3 vertices"). A last position that repeats
+/// the first changes nothing, and is no vertex of the three.
 ///
 /// The slide looks at three vertices. For a triangle that is Newell's sum. For every other ring the length is another
 /// one, so the formula leaves `normal` out and answers `unit` alone; and the direction, or whether there is one, is

@@ -7,12 +7,13 @@ namespace touchstone::reference {
 
 /// The interior angle at every vertex of a simple polygon, in radians, in the order of the vertices.
 ///
-/// Deck p. 6: the angle between the two edges at a vertex is acos of their dot product over their lengths; where the
-/// sign of the cross product says reflex it is 2 pi less that. polygon: at least 3 vertices, any unit of length; the
-/// last is joined to the first; either direction: the angle is that of the inside. 0 < angle < 2 pi; pi at a flat
-/// vertex. robust answers the nearest doubles, which is 0 for an angle below 2^-1075 and the double nearest to 2 pi for
-/// one that is nearly that. Refused by robust and oracle: NaN or infinity (polygon[i][k], "finite number"); fewer than
-/// 3 vertices (polygon, "at least 3 vertices"); a polygon that is not simple (polygon[i], with the rules of
+/// Deck p. 6: the angle between the edges e and f at a vertex is acos of their dot product over their lengths,
+///     angle = acos(e . f / (|e| |f|));
+/// where the sign of the cross product says reflex it is 2 pi less that. polygon: at least 3 vertices, any unit of
+/// length; the last is joined to the first; either direction: the angle is that of the inside. 0 < angle < 2 pi; pi at
+/// a flat vertex. robust answers the nearest doubles, which is 0 for an angle below 2^-1075 and the double nearest to 2
+/// pi for one that is nearly that. Refused by robust and oracle: NaN or infinity (polygon[i][k], "finite number");
+/// fewer than 3 vertices (polygon, "at least 3 vertices"); a polygon that is not simple (polygon[i], with the rules of
 /// geometry/validation.h: a vertex that is the same as the next, "different from vertex i: drop one of the two", or an
 /// edge that meets another elsewhere than in the vertex that neighbours share). So a polygon on one line is refused
 /// too. A last position that repeats the first is no vertex and has no angle: it is dropped, once.

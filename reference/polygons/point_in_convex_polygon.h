@@ -8,15 +8,16 @@ namespace touchstone::reference {
 
 /// Where a point lies of a convex polygon, by the side of each edge.
 ///
-/// Deck p. 16-17: E = (y - ay)(bx - ax) - (x - ax)(by - ay) for every edge a -> b; inside where all E have one sign,
-/// outside where two have different ones. The slide does not say what E = 0 means: here `boundary`, unless two others
-/// differ. polygon, point: any unit of length, the same for both. Either direction; flat vertices are valid.
-/// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: fewer than 3
-/// vertices (polygon, "at least 3 vertices"), NaN or infinity in either field ("finite number"), a vertex that is the
-/// next one too (polygon[i], "different from vertex k: drop one of the two"), all vertices on one line (polygon,
-/// "convex: vertices on one line have no inside"), an edge that meets another (polygon[i], "simple: ..."), a vertex
-/// where the ring turns against its direction (polygon[i], "convex: ..."). A last position that repeats the first is no
-/// vertex: it is dropped, once, before these rules.
+/// Deck p. 16-17: for every edge a -> b
+///     E = (y - ay)(bx - ax) - (x - ax)(by - ay);
+/// inside where all E have one sign, outside where two have different ones. The slide does not say what E = 0 means:
+/// here `boundary`, unless two others differ. polygon, point: any unit of length, the same for both. Either direction;
+/// flat vertices are valid. Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that
+/// applies: fewer than 3 vertices (polygon, "at least 3 vertices"), NaN or infinity in either field ("finite number"),
+/// a vertex that is the next one too (polygon[i], "different from vertex k: drop one of the two"), all vertices on one
+/// line (polygon, "convex: vertices on one line have no inside"), an edge that meets another (polygon[i], "simple:
+/// ..."), a vertex where the ring turns against its direction (polygon[i], "convex: ..."). A last position that repeats
+/// the first is no vertex: it is dropped, once, before these rules.
 ///
 /// In exact arithmetic the formula is always right: the sum of all E is twice the area, so that some E has the sign of
 /// the inside, and where none has the other sign, the point is in the intersection of the closed half-planes of the

@@ -9,15 +9,17 @@ namespace touchstone::reference {
 /// Whether a ring of vertices bounds a convex region, by the line test.
 ///
 /// Deck p. 5: convex where for every edge all other vertices lie on one side of the line through that edge, by the sign
-/// of E = (y - ay)(bx - ax) - (x - ax)(by - ay) for the edge a -> b; concave where some edge has vertices on both
-/// sides. polygon: at least 3 vertices, any unit of length; the last is joined to the first; either direction. Decided
-/// in this order: `degenerate`: two neighbours are the same point, or all vertices lie on one line (area 0 alone is not
-/// enough: a figure eight has it too). `not_simple`: two edges meet elsewhere than in the vertex that neighbours share;
-/// a spike, where the ring turns back on itself, is one. `convex`: every vertex is on one closed side of every edge's
-/// line. `concave`: the rest. strict: convex, and no three neighbours on a line. orientation: `ccw` where the inside
-/// lies left of the edges (y up), else `cw`; `not_simple` and `degenerate` have `none` and are not strict. NaN or
-/// infinity: refused by robust and oracle (polygon[i][k], "finite number"); so are fewer than 3 vertices (polygon, "at
-/// least 3 vertices"). A last position that repeats the first is no vertex: it is dropped, once, before all this.
+/// for the edge a -> b of
+///     E = (y - ay)(bx - ax) - (x - ax)(by - ay);
+/// concave where some edge has vertices on both sides. polygon: at least 3 vertices, any unit of length; the last is
+/// joined to the first; either direction. Decided in this order: `degenerate`: two neighbours are the same point, or
+/// all vertices lie on one line (area 0 alone is not enough: a figure eight has it too). `not_simple`: two edges meet
+/// elsewhere than in the vertex that neighbours share; a spike, where the ring turns back on itself, is one. `convex`:
+/// every vertex is on one closed side of every edge's line. `concave`: the rest. strict: convex, and no three
+/// neighbours on a line. orientation: `ccw` where the inside lies left of the edges (y up), else `cw`; `not_simple` and
+/// `degenerate` have `none` and are not strict. NaN or infinity: refused by robust and oracle (polygon[i][k], "finite
+/// number"); so are fewer than 3 vertices (polygon, "at least 3 vertices"). A last position that repeats the first is
+/// no vertex: it is dropped, once, before all this.
 ///
 /// The slide knows of convex and concave alone. What else is answered here follows from the same signs where it can: a
 /// convex ring is ccw if vertices lie left of its edges, and strict if none lies on their lines. For a concave one,

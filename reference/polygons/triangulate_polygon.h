@@ -12,8 +12,9 @@ namespace touchstone::reference {
 /// Cuts a simple polygon of n vertices into n - 2 triangles whose corners are its vertices: counter-clockwise triples
 /// of indices.
 ///
-/// Deck p. 7: ear clipping. A vertex is an ear if its angle is convex, E > 0 for E = (y - y0)(x1 - x0) - (x - x0)(y1 -
-/// y0) of its two neighbours and itself, and no other vertex that is left lies in the triangle of the three, boundary
+/// Deck p. 7: ear clipping. A vertex is an ear if its angle is convex, E > 0 for
+///     E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0)
+/// of its two neighbours and itself, and no other vertex that is left lies in the triangle of the three, boundary
 /// included (all three E >= 0). Ears are cut off until three vertices are left. A ring whose area sum (x_i y_i+1 -
 /// x_i+1 y_i) / 2 is negative is gone through backwards.
 ///

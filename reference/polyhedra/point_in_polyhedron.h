@@ -10,10 +10,11 @@ namespace touchstone::reference {
 ///
 /// Deck p. 53 asks it of convex polyhedra, by sides of faces; pp. 14-15 ask it of polygons that need not be convex, by
 /// a ray. No page has both: this is that ray test in space, with the faces' sides. The ray runs from the point to +x.
-/// Seen along it, the sides of a face's edges are S = (b.y - a.y) (p.z - a.z) - (b.z - a.z) (p.y - a.y) and the same of
-/// b, c and of c, a. The ray's line meets the face if no two S differ in sign; the face lies ahead of the point if E =
-/// ((b - a) x (c - a)) . (p - a) has not the sign of the S. Inside where the ray meets an odd number of faces; a point
-/// of a face, E = 0, is `boundary`. A face along the ray, all S = 0, is passed over.
+/// Seen along it, the sides of a face's edges are
+///     S = (b.y - a.y) (p.z - a.z) - (b.z - a.z) (p.y - a.y)
+/// and the same of b, c and of c, a. The ray's line meets the face if no two S differ in sign; the face lies ahead of
+/// the point if E = ((b - a) x (c - a)) . (p - a) has not the sign of the S. Inside where the ray meets an odd number
+/// of faces; a point of a face, E = 0, is `boundary`. A face along the ray, all S = 0, is passed over.
 ///
 /// mesh, point: any unit of length, the same for both. The mesh is closed: every edge, a pair of vertices in whichever
 /// order, is in an even number of faces. That is all: faces may turn either way, lie twice in the list, be without

@@ -16,11 +16,12 @@ namespace touchstone::reference {
 
 /// How many vertices, edges and faces a mesh has; whether it is a surface, and which; what it encloses.
 ///
-/// Deck p. 26: V vertices, E edges, F faces, and Euler's formula V - E + F = 2 of a polyhedron without holes. Of faces,
-/// every one of the list counts; an edge is a pair of vertices, in whichever order, that follow each other in some
-/// face; a vertex counts if some face names it. What a face names decides which vertex it is: vertices in one position
-/// are several. A face that is named by a polygon is one face, however it is cut (geometry/polyhedra.h): its diagonals
-/// are no edges, and all places are those of the faces as named.
+/// Deck p. 26: V vertices, E edges, F faces, and Euler's formula
+///     V - E + F = 2
+/// of a polyhedron without holes. Of faces, every one of the list counts; an edge is a pair of vertices, in whichever
+/// order, that follow each other in some face; a vertex counts if some face names it. What a face names decides which
+/// vertex it is: vertices in one position are several. A face that is named by a polygon is one face, however it is cut
+/// (geometry/polyhedra.h): its diagonals are no edges, and all places are those of the faces as named.
 ///
 /// euler: V - E + F, 2 a component less 2 a handle for surfaces without a rim. components: faces that share a vertex
 /// are of one. closed: every edge is in an even number of faces, so that parity tells inside from outside

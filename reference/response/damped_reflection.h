@@ -7,11 +7,12 @@ namespace touchstone::reference {
 
 /// The velocity of a particle after it bounced off a plane with that normal and lost a part of its speed along it.
 ///
-/// Deck p. 71: as reflect_plane, u = (v . n / n . n) n and w = v - u, and v' = w - k u. k is a number without unit, 0.8
-/// on the slide: 1 is reflect_plane, 0 leaves the part along the plane alone, and -1 the velocity as it is. The slide
-/// names no limits, and the formula has a meaning for every k: none but a number that is not finite is refused. A k
-/// above 1 gains speed, a negative one lets the particle through. velocity: any unit. normal: of any length but 0, on
-/// either side of the plane. Whether the particle comes or goes is not asked.
+/// Deck p. 71: as reflect_plane,
+///     u = (v . n / (n . n)) n,  w = v - u,  v' = w - k u.
+/// k is a number without unit, 0.8 on the slide: 1 is reflect_plane, 0 leaves the part along the plane alone, and -1
+/// the velocity as it is. The slide names no limits, and the formula has a meaning for every k: none but a number that
+/// is not finite is refused. A k above 1 gains speed, a negative one lets the particle through. velocity: any unit.
+/// normal: of any length but 0, on either side of the plane. Whether the particle comes or goes is not asked.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so is n = 0 ("normal", "nonzero normal").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where every number is 0 or between 2^-100 and 2^100 in size, so that

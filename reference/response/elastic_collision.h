@@ -7,8 +7,8 @@ namespace touchstone::reference {
 
 /// The velocities of two bodies after they bounced off each other without loss.
 ///
-/// Deck p. 69: momentum and kinetic energy are kept. The impulse is along the normal of the contact, so that with
-/// c = (v1 - v2) . n / n . n
+/// Deck p. 69: momentum and kinetic energy are kept. The impulse is along the normal of the contact, so that
+///     c = (v1 - v2) . n / (n . n),
 ///     v1' = v1 - 2 m2 / (m1 + m2) c n,  v2' = v2 + 2 m1 / (m1 + m2) c n;
 /// what is across the normal stays. masses: positive, any unit, the same for both. velocities: any unit. normal: of any
 /// length but 0, from either body to the other. Whether the bodies approach is not asked: the law is applied to those

@@ -7,9 +7,10 @@ namespace touchstone::reference {
 
 /// The velocity that two bodies have in common after they met and stuck together.
 ///
-/// Deck p. 70: v = (m1 v1 + m2 v2) / (m1 + m2): momentum is kept. masses: positive, any unit, the same for both.
-/// velocities: any unit. Nothing else of the bodies counts: neither where they touch nor whether they approach. Equal
-/// velocities stay what they are.
+/// Deck p. 70: momentum is kept,
+///     v = (m1 v1 + m2 v2) / (m1 + m2).
+/// masses: positive, any unit, the same for both. velocities: any unit. Nothing else of the bodies counts: neither
+/// where they touch nor whether they approach. Equal velocities stay what they are.
 /// NaN or infinity: refused by robust and oracle (field "masses[0]" ..., "finite number"); so is a mass of 0 or less
 /// ("mass > 0").
 ///

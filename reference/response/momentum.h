@@ -9,8 +9,10 @@ namespace touchstone::reference {
 
 /// The momentum of bodies together.
 ///
-/// Deck p. 65: the sum of m v. bodies: any number; none have the momentum 0. mass: positive. Both units are free, and
-/// the answer is in their product.
+/// Deck p. 65: the sum over all bodies
+///     p = sum m v.
+/// bodies: any number; none have the momentum 0. mass: positive. Both units are free, and the answer is in their
+/// product.
 /// NaN or infinity: refused by robust and oracle (field "bodies[0].mass" ..., "finite number"); so is a mass of 0 or
 /// less ("mass > 0").
 ///

@@ -9,7 +9,7 @@ namespace touchstone::reference {
 ///
 /// Deck p. 72-73: with E(p) = N . p + d, while E < 0 the spring's force is -k E / |N| along N / |N| and the damper's
 /// -c (v . N) / |N| along N / |N|, so together
-///     f = -((k E + c v . N) / N . N) N,
+///     f = -((k E + c v . N) / (N . N)) N,
 /// without a square root; where E >= 0, on the plane too, the force is 0. The damper acts both ways: it also holds back
 /// a particle that is on its way out, and the sum may pull it towards the plane's back. point and d / |N|: any unit of
 /// length. velocity: that unit a unit of time. N: of any length but 0. stiffness k, damping c: units of force per unit

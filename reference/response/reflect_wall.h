@@ -7,7 +7,9 @@ namespace touchstone::reference {
 
 /// The velocity of a particle after it bounced off a wall that is perpendicular to a coordinate axis, without loss.
 ///
-/// Deck p. 67: the component along that axis is negated, the others stay; axis x is a wall x = constant.
+/// Deck p. 67: the component along that axis is negated, the others stay:
+///     v'[axis] = -v[axis];
+/// axis x is a wall x = constant.
 /// velocity: any unit. Whether the particle comes or goes is not asked: the law is applied to both. The zero vector is
 /// valid. -0.0 is 0.
 /// NaN or infinity: refused by robust and oracle (field "velocity[0]" ..., "finite number").

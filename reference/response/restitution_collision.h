@@ -8,7 +8,8 @@ namespace touchstone::reference {
 /// The velocities of two bodies after they bounced off each other with a coefficient of restitution e.
 ///
 /// Deck p. 70: momentum is kept, and the relative velocity along the normal of the contact becomes -e times what it
-/// was. With c = (v1 - v2) . n / n . n
+/// was. So
+///     c = (v1 - v2) . n / (n . n),
 ///     v1' = v1 - m2 (1 + e) / (m1 + m2) c n,  v2' = v2 + m1 (1 + e) / (m1 + m2) c n;
 /// what is across the normal stays. e = 1 is elastic_collision; with e = 0 both move alike along the normal (across it
 /// they need not: inelastic_collision has no normal). masses: positive, any unit, the same for both. velocities: any

@@ -35,14 +35,16 @@ struct CommonTime {
 /// the other on each axis. In the plane and in space.
 ///
 /// Deck p. 51, with p. 45-47's intervals: on an axis where a moves with velocity v, the intervals overlap between the
-/// times (b.min - a.max) / v and (b.max - a.min) / v, the lesser of which is the entry and the greater the exit; on an
-/// axis where it does not move, all the time or never. The boxes overlap as long as they do on every axis: from the
-/// latest entry to the earliest exit. `hit` with the latest of 0 and the entries, if that is not after 1 and all exits;
-/// else `never`. a, b: any unit of length, the same for both; velocity in that unit a step, of a, while b rests; t
-/// counts in steps. Closed sets: touching is a hit, also where a only grazes b along a face, an edge or a corner, at t
-/// = 0 or at t = 1. The truth is `hit` with t = 0 where the boxes have a common point at the start. Flat boxes and
-/// points are valid, and so is a velocity of 0, on an axis or on all. NaN or infinity: refused by robust and oracle
-/// (field "a.min[0]" ... "velocity[0]" ..., "finite number"); so is min > max (field "a.max[0]" ..., "min <= max").
+/// times
+///     t1 = (b.min - a.max) / v,  t2 = (b.max - a.min) / v,
+/// the lesser of which is the entry and the greater the exit; on an axis where it does not move, all the time or never.
+/// The boxes overlap as long as they do on every axis: from the latest entry to the earliest exit. `hit` with the
+/// latest of 0 and the entries, if that is not after 1 and all exits; else `never`. a, b: any unit of length, the same
+/// for both; velocity in that unit a step, of a, while b rests; t counts in steps. Closed sets: touching is a hit, also
+/// where a only grazes b along a face, an edge or a corner, at t = 0 or at t = 1. The truth is `hit` with t = 0 where
+/// the boxes have a common point at the start. Flat boxes and points are valid, and so is a velocity of 0, on an axis
+/// or on all. NaN or infinity: refused by robust and oracle (field "a.min[0]" ... "velocity[0]" ..., "finite number");
+/// so is min > max (field "a.max[0]" ..., "min <= max").
 ///
 /// In exact arithmetic the formula is always right.
 ///

@@ -12,8 +12,9 @@ namespace touchstone::reference {
 ///
 /// Deck p. 23, 51: at time t the centers are at center + t velocity. With p and v the position and the velocity of a as
 /// b sees them and r the sum of the radii, the balls meet where |p + t v| <= r, and |p + t v| = r is A t^2 + B t + C =
-/// 0 with A = v . v, B = 2 p . v, C = p . p - r^2. They first touch at t = (-B - sqrt(B^2 - 4 A C)) / (2 A): `hit`
-/// where that is in [0, 1], else `never`.
+/// 0 with A = v . v, B = 2 p . v, C = p . p - r^2. They first touch at
+///     t = (-B - sqrt(B^2 - 4 A C)) / (2 A);
+/// `hit` where that is in [0, 1], else `never`.
 /// a, b: any unit of length, the same for both; velocities in that unit a step; t counts in steps. Closed sets:
 /// touching is a hit. The truth is `hit` with t = 0 where the balls meet at the start, else with the first t in [0, 1]
 /// where they meet, which is that root; else `never`. Radius 0 is a point; zero velocities are valid.

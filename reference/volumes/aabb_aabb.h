@@ -28,8 +28,9 @@ Contact contact_of_intervals(std::initializer_list<IntervalPair<Real>> axes) {
 /// Whether two axis-aligned boxes, as closed solids, overlap, only touch, or neither. In the plane and in space.
 ///
 /// Deck p. 45-47: two boxes collide exactly if their intervals overlap on every axis; they are apart where on some axis
-/// a.max < b.min or b.max < a.min. The slide says no more. The same test with <= is the one for boxes without their
-/// boundary, so boxes that pass the first and fail the second are `touching` here: on some axis a.max == b.min or
+///     a.max < b.min or b.max < a.min.
+/// The slide says no more. The same test with <= is the one for boxes without their boundary, so boxes that pass the
+/// first and fail the second are `touching` here: on some axis a.max == b.min or
 /// b.max == a.min.
 /// a, b: any unit of length, the same for both. Shapes are closed, so a common corner, edge or face is `touching`.
 /// min == max on an axis is valid: such a flat box has no interior, and the truth is `touching` at most. Two equal

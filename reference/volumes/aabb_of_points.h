@@ -17,10 +17,11 @@ void extend(Real& min, Real& max, const Real& number, bool first) {
 
 /// The least axis-aligned box that holds all of some points, in the plane or in space.
 ///
-/// Deck p. 28-30: on each axis the least and the greatest coordinate. points: any unit of length. Closed: points on the
-/// boundary are in the box, and on each side lies at least one. One point, or equal points: the box is that point.
-/// Points on an axis-parallel line or plane: the box is flat, min == max on an axis, which is valid. The order of the
-/// points and how often each is there do not matter.
+/// Deck p. 28-30: on each axis the least and the greatest coordinate,
+///     min[i] = min(p[i]),  max[i] = max(p[i]).
+/// points: any unit of length. Closed: points on the boundary are in the box, and on each side lies at least one. One
+/// point, or equal points: the box is that point. Points on an axis-parallel line or plane: the box is flat, min == max
+/// on an axis, which is valid. The order of the points and how often each is there do not matter.
 /// -0.0 is 0: whether it is less than 0.0 or greater is not asked, and a coordinate of 0 in the answer is 0.0 or -0.0
 /// (robust: always 0.0).
 /// No points: refused by robust and oracle (field "points", "at least 1 point"); so are NaN and infinity (field

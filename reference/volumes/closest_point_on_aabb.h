@@ -14,7 +14,8 @@ Real clamped(const Real& x, const Real& min, const Real& max) {
 /// The point of an axis-aligned box, as a closed solid, that is nearest to a point. In the plane and in space.
 ///
 /// Deck p. 48-50: coordinate by coordinate, a point below the box's minimum is moved to the minimum, one above its
-/// maximum to the maximum; others stay.
+/// maximum to the maximum; others stay:
+///     q[i] = max(min[i], min(p[i], max[i])).
 /// point, aabb: any unit of length, the same for both. There is always exactly one nearest point, because a box is
 /// closed and convex. A point of the box, on its boundary too, is its own.
 /// min == max on an axis is valid: of a flat box, a segment or a single point the answer has that coordinate.

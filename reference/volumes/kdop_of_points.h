@@ -10,9 +10,11 @@ namespace touchstone::reference {
 
 /// The slabs of a k-DOP around points: for each normal N the least interval [d1, d2] that holds N . P of all points P.
 ///
-/// Deck p. 43: the least and the greatest N . P are d1 and d2. points: any unit of length; normals: of any length but
-/// 0, in any order, parallel ones too. The answer has a slab for each normal, in their order, in units of |N| times
-/// that of the points. One point, equal points, points on one plane across N: a flat slab, which is valid.
+/// Deck p. 43: the least and the greatest N . P are d1 and d2,
+///     d1 = min(N . P),  d2 = max(N . P).
+/// points: any unit of length; normals: of any length but 0, in any order, parallel ones too. The answer has a slab for
+/// each normal, in their order, in units of |N| times that of the points. One point, equal points, points on one plane
+/// across N: a flat slab, which is valid.
 /// Refused by robust and oracle with field and rule, the first that applies: no points ("points", "at least 1 point"),
 /// NaN or infinity ("points[i][k]", "finite number"), no normals ("normals", "at least 1 normal"), NaN or infinity
 /// ("normals[i][k]", "finite number"), N = 0 ("normals[i]", "nonzero normal").

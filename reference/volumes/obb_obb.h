@@ -22,10 +22,11 @@ Real reach_along(const Vector3<Real>& axis, const HalfAxes<Real>& h) {
 /// Whether two oriented bounding boxes, as closed solids, overlap, only touch, or neither.
 ///
 /// Deck p. 27: boxes in any orientation, given by center and half axes. Their test is that of separating axes: with d
-/// the difference of the centers, two boxes are disjoint exactly if |d . n| exceeds the sum of |n . h| over the half
-/// axes h of both, for an n among 15 axes: the half axes of a and of b, to which their faces are perpendicular, and the
-/// cross products of a half axis of a and one of b. On equality, on which the slide is silent, the formula answers
-/// `touching`, as the same test with >= is the one for boxes without their boundary.
+/// the difference of the centers, two boxes are disjoint exactly if
+///     |d . n| > sum |n . h|
+/// over the half axes h of both, for an n among 15 axes: the half axes of a and of b, to which their faces are
+/// perpendicular, and the cross products of a half axis of a and one of b. On equality, on which the slide is silent,
+/// the formula answers `touching`, as the same test with >= is the one for boxes without their boundary.
 /// a, b: any unit of length, the same for both. Each solid is closed: the points center + r u + s v + t w with r, s, t
 /// in [-1, 1]. Common corners, edges and faces are `touching`, and so are two edges that cross. A box within another
 /// overlaps it.

@@ -10,9 +10,11 @@ namespace touchstone::reference {
 
 /// Where a point lies of a k-DOP, the solid between pairs of parallel planes.
 ///
-/// Deck p. 43: the point P is in the volume where d1 <= N . P <= d2 for the normal N of every slab [d1, d2]. Closed: P
-/// is outside where a slab does not hold N . P, else on the boundary where N . P is an end of a slab, else inside.
-/// point and d / |N|: any unit of length, the same for both; N of any length, in any order. Normals may be parallel.
+/// Deck p. 43: the point P is in the volume where
+///     d1 <= N . P <= d2
+/// for the normal N of every slab [d1, d2]. Closed: P is outside where a slab does not hold N . P, else on the boundary
+/// where N . P is an end of a slab, else inside. point and d / |N|: any unit of length, the same for both; N of any
+/// length, in any order. Normals may be parallel.
 /// A flat slab (d1 == d2) has no interior: the answer is `boundary` at most. So it is where a slab touches the solid
 /// from outside. The solid may be empty, then every point is outside, or unbounded.
 /// Refused by robust and oracle with field and rule, the first that applies: no normals ("kdop.normals", "at least 1

@@ -17,8 +17,9 @@ Real beyond_half_axis(const Vector3<Real>& way, const Vector3<Real>& half_axis) 
 /// Where a point lies of an oriented bounding box, by its projections onto the axes.
 ///
 /// Deck p. 27: a box in any orientation, given by its center and three half axes. The slide says no more; its test of a
-/// point is that of an axis-aligned box on the box's own axes: with d = point - center, |d . u| <= u . u for each half
-/// axis u. Equality is `boundary` here.
+/// point is that of an axis-aligned box on the box's own axes: with d = point - center,
+///     |d . u| <= u . u
+/// for each half axis u. Equality is `boundary` here.
 /// obb, point: any unit of length, the same for both. The solid is closed: the points center + r u + s v + t w with r,
 /// s, t in [-1, 1]. Half axes of any length but 0, in any order and direction, and right- or left-handed.
 /// The half axes need not be at right angles: doubles seldom are, and any three independent ones make a solid, a

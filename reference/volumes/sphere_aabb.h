@@ -22,7 +22,9 @@ Contact contact_of_nearest_point(const Ball& sphere, const Box& aabb) {
 ///
 /// Deck p. 48-50: the point of the box that is nearest to the center is found by moving each coordinate of the center
 /// into the interval of the box; they collide if it is not farther from the center than the radius. So that no root is
-/// taken, squares are compared. The slide says no more. Equal squares are `touching` here.
+/// taken, squares are compared: with q that nearest point
+///     (c - q) . (c - q) <= r^2.
+/// The slide says no more. Equal squares are `touching` here.
 /// sphere, aabb: any unit of length, the same for both. Shapes are closed: where the ball only reaches a face, an edge
 /// or a corner they are `touching`. A ball within the box overlaps it, touching a face from inside or not; so does a
 /// box within the ball; where both have an interior.

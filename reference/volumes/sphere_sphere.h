@@ -20,7 +20,9 @@ Contact contact_of_squares(const Solid& a, const Solid& b) {
 /// Whether two balls, as closed solids, overlap, only touch, or neither. In space; in the plane the same of discs.
 ///
 /// Deck p. 44: two spheres collide if the distance of their centers is not greater than the sum of their radii; so that
-/// no root is taken, the squares of both are compared. The slide says no more. Equal squares are `touching` here.
+/// no root is taken, the squares of both are compared:
+///     d . d <= (r + s)^2.
+/// The slide says no more. Equal squares are `touching` here.
 /// a, b: any unit of length, the same for both. Shapes are closed: balls that have one point of their boundaries in
 /// common, from outside, are `touching`. A ball within another overlaps it, touching it from inside or not; so do equal
 /// balls.

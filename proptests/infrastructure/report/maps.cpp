@@ -51,6 +51,27 @@ TEST_CASE("maps: a centre that shows failures is kept") {
   CHECK(failing_grid(operation).centre == operation.map_centre());
 }
 
+TEST_CASE("maps: a map lies within the contract where it can") {
+  // Around a radius of 0, or a slab of no width, half of all questions would be refused.
+  for (const char* name : {"swept_sphere_sphere", "kdop_kdop"}) {
+    INFO(name);
+    const Operation& operation = *find_operation(name);
+    const MapGrid grid = failing_grid(operation, false, nullptr, {}, MapEffort{16});
+    int refused = 0, all = 0;
+    for (int row = 3; row < MapGrid::side; row += 16) {
+      for (int column = 3; column < MapGrid::side; column += 16) {
+        ++all;
+        try {
+          operation.examine(grid.at(column, row));
+        } catch (const InvalidInput&) {
+          ++refused;
+        }
+      }
+    }
+    CHECK(8 * refused <= all);
+  }
+}
+
 TEST_CASE("maps: a coordinate that is 0 moves by the steps of the greatest number") {
   const Operation& operation = *find_operation("orientation");
   const MapGrid grid = map_grid(operation, Question{{0, 1, 12, 12, 24, 24}, {}}, {0, 1}, false);

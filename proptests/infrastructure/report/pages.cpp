@@ -102,7 +102,7 @@ TEST_CASE("pages: an example says the truth and the answer in words") {
   const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
   const std::string page = operation_page(tally, 0, {});
   CHECK_THAT(page, ContainsSubstring("Truth:</b> right of the line. <b class=\"who-said\">Formula:</b> on it."));
-  CHECK_THAT(page, ContainsSubstring("on it where it is right of the line"));
+  CHECK_THAT(page, ContainsSubstring("\u201con it\u201d where the truth is \u201cright of the line\u201d"));
   CHECK_THAT(page, ContainsSubstring("10 cases, 5 of ordinary size; 5 by over- or underflow"));
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("pages: a report can be read before the first map is made, then the wo
     if (order.empty()) {
       CHECK_THAT(bytes("index.html"), ContainsSubstring("</html>") && !ContainsSubstring("class=\"gallery\""));
       CHECK_THAT(bytes("orientation.html"),
-                 ContainsSubstring("on it where it is right") && !ContainsSubstring(map_opening));
+                 ContainsSubstring("\u201con it\u201d where the truth") && !ContainsSubstring(map_opening));
       CHECK_THAT(bytes("point_ground_plane.html"), ContainsSubstring("</html>"));
     }
     if (order.empty() || order.back() != name) order.push_back(name);
@@ -152,7 +152,7 @@ TEST_CASE("pages: of a run that goes on, the index says how far it is, and the l
   const std::string so_far = "The audit goes on: 1 of 2 operations are counted so far.";
   write_so_far(tally, directory, {.expected = 2});
   CHECK_THAT(bytes("index.html"), ContainsSubstring(so_far) && ContainsSubstring("href=\"orientation.html\""));
-  CHECK_THAT(bytes("orientation.html"), ContainsSubstring("on it where it is right"));
+  CHECK_THAT(bytes("orientation.html"), ContainsSubstring("\u201con it\u201d where the truth"));
   tally.operations.push_back(tally_of({{"line_line", {}}}).operations[0]);
   write_so_far(tally, directory, {.expected = 2});
   CHECK_THAT(bytes("line_line.html"), ContainsSubstring("</html>"));
@@ -164,13 +164,14 @@ TEST_CASE("pages: of a run that goes on, the index says how far it is, and the l
 TEST_CASE("pages: an operation's page quotes its contract, formulas on lines of their own") {
   const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
   const std::string page = operation_page(tally, 0, {});
-  CHECK_THAT(page,
-             ContainsSubstring("<p>Deck p. 16-17: E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0); left where E &gt; 0"));
+  const std::size_t formula = place_of(page, "<p>Deck p. 16-17:</p><div class=\"formula\"><math");
+  CHECK(formula < place_of(page, "<p>left where E &gt; 0, right where E &lt; 0, on where E = 0.</p><details>"));
   CHECK(place_of(page, "<h2>Contract</h2>") < place_of(page, "<h2>How it fails"));
   CHECK(place_of(page, "How it fails") < place_of(page, "For comparison: a case where the formula is right"));
   CHECK(paragraph("`none` if a < b") == "<p><code>none</code> if a &lt; b</p>");
-  CHECK(paragraph("As\nsaid:\n    a < b\n    c\nand so on.") ==
-        "<p>As\nsaid:</p><pre>a &lt; b\nc</pre><p>and so on.</p>");
+  CHECK(paragraph("As\nsaid:\n    a < 1\nand so on.") ==
+        "<p>As\nsaid:</p><div class=\"formula\"><math "
+        "display=\"block\"><mi>a</mi><mo>&lt;</mo><mn>1</mn></math></div><p>and so on.</p>");
   for (const Operation* operation : all_operations()) {
     INFO(operation->name());
     const auto contract = contract_of(operation->name());
@@ -201,16 +202,14 @@ TEST_CASE("pages: the index can be read in the order of the deck, and every cell
   CHECK_THAT(page, ContainsSubstring("querySelectorAll('table.sortable')"));
 }
 
-TEST_CASE("pages: answers in words") {
-  const Operation& segments = *find_operation("segment_segment");
-  CHECK(phrase(segments, Json{{"relation", "disjoint"}}) == "no common point");
-  CHECK(phrase(segments, Json::parse(R"({"relation":"point","ta":0.5,"tb":"1/3","point":[1,2]})")) ==
-        "a common point, ta = 0.5, tb = 1/3, point (1, 2)");
-  CHECK(phrase(*find_operation("polygon_convexity"), std::string("not_simple/none")) ==
-        "crossing itself, no orientation");
-  CHECK(phrase(segments, Json(nullptr)) == "no answer");
-  CHECK(sentence(segments, Json::parse(R"({"relation":"point","ta":"1234567890123/1234567890124"})")) ==
-        "a common point, ta = about 1");
+TEST_CASE("pages: the counts at the top stand in rows of equal length, or one less") {
+  // 3 tiles always, and as many as there are verdicts: 7 are 4 and 3, not 6 and 1.
+  Cell cell = cell_of_orientation();
+  const auto columns = [&] { return index_page(tally_of({{"orientation", cell}}), {}); };
+  CHECK_THAT(columns(), ContainsSubstring("style=\"--columns:5;--fewer:3\""));
+  cell.ways[{Verdict::algorithm, "right", "on"}].cases = {1, 0};
+  cell.ways[{Verdict::inexact, "right", "right"}].cases = {1, 0};
+  CHECK_THAT(columns(), ContainsSubstring("style=\"--columns:4;--fewer:4\""));
 }
 
 TEST_CASE("pages: a wrong point is drawn beside the right one, the same figure without it") {
@@ -341,8 +340,8 @@ TEST_CASE("pages: a gap is magnified only on request") {
   Drawing drawing;
   drawing.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
   drawing.figures.push_back({Figure::Kind::point, "point", {1, 0x1p-30}});
-  CHECK(drawing_svg(drawing, "", false, mpq_class(0)).find("; gap ") != std::string::npos);
-  CHECK(drawing_svg(drawing, "", false, std::nullopt).find("; gap ") == std::string::npos);
+  CHECK(drawing_svg(drawing, "", mpq_class(0)).find("; gap ") != std::string::npos);
+  CHECK(drawing_svg(drawing, "", std::nullopt).find("; gap ") == std::string::npos);
 }
 
 TEST_CASE("pages: before and after a fix, what changed most first") {

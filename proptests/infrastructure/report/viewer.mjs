@@ -352,3 +352,18 @@ test('viewer: a mesh of many faces is opaque, its inside of another colour, and 
   const few = drawn([{...front, faces: fan.slice(0, 450)}], fromBefore);
   assert.deepEqual([count(few, 'facet'), count(few, ' face"')], [0, 450]);
 });
+
+test('viewer: an arrow without length has no name, and many names stand in a legend, the arrows numbered', () => {
+  const arrows = [...Array(7).keys()].map(i => figure('arrow', [o, [end, i * 9000, 0]], {label: `velocity of ${'abcdefg'[i]}`}));
+  const nothing = figure('arrow', [x, x], {label: 'at rest'});
+  const few = new viewer.Strokes(modelOf(...arrows, nothing));
+  assert.deepEqual(few.labels.map(label => label.text), arrows.map(arrow => arrow.label));
+  assert.deepEqual(few.legend, []);
+  const many = new viewer.Strokes(modelOf(figure('sphere', [o], {radius: end}), ...arrows, nothing));
+  assert.deepEqual(many.labels.map(label => label.text), ['sphere', '1', '2', '3', '4', '5', '6', '7']);
+  assert.deepEqual(many.legend.map(({number, text}) => `${number} ${text}`),
+                   arrows.map((arrow, i) => `${i + 1} ${arrow.label}`));
+  const place = new Element();
+  viewer.show(place, modelOf(figure('sphere', [o], {radius: end}), ...arrows));
+  assert.match(plain(place.innerHTML), /7 velocity of g/);
+});
