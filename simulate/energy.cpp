@@ -6,18 +6,17 @@ namespace {
 
 using catalogue::exact_value;
 
-mpq_class along(const Vector3d& v, const Vector3<Exact>& w) {
-  return exact_value(v.x) * w.x.value() + exact_value(v.y) * w.y.value() + exact_value(v.z) * w.z.value();
+Vector3<Exact> in_exact(const Vector3d& v) {
+  return {Exact(exact_value(v.x)), Exact(exact_value(v.y)), Exact(exact_value(v.z))};
 }
 
 mpq_class square(const Vector3<Exact>& v) { return dot(v, v).value(); }
 
 /// What the wall's spring holds while a particle is behind it.
 mpq_class of_spring(const Scene& scene, const Wall& wall, const Vector3<Exact>& place) {
-  const mpq_class e = along(wall.plane.normal, place) + exact_value(wall.plane.offset);
+  const Vector3<Exact> normal = in_exact(wall.plane.normal);
+  const mpq_class e = dot(normal, place).value() + exact_value(wall.plane.offset);
   if (sgn(e) >= 0) return 0;
-  const auto& [x, y, z] = wall.plane.normal;
-  const Vector3<Exact> normal{Exact(exact_value(x)), Exact(exact_value(y)), Exact(exact_value(z))};
   return exact_value(scene.settings.stiffness) * e * e / (2 * square(normal));
 }
 
@@ -25,13 +24,14 @@ mpq_class of_spring(const Scene& scene, const Wall& wall, const Vector3<Exact>& 
 
 mpq_class energy(const Scene& scene, const State<Exact>& state) {
   mpq_class sum = 0;
+  const Vector3<Exact> gravity = in_exact(scene.gravity);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const SceneBody& body = scene.bodies[i];
     if (body.fixed) continue;
     const auto& [p, v] = state[i];
     const Vector3<Exact> place{p.x, p.y, p.z};
     const mpq_class mass = exact_value(body.mass);
-    sum += kinetic_energy(mass, v) - mass * along(scene.gravity, place);
+    sum += kinetic_energy(mass, v) - mass * dot(gravity, place).value();
     if (scene.settings.law != Law::penalty) continue;
     for (const Wall& wall : scene.walls) sum += of_spring(scene, wall, place);
   }

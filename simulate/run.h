@@ -41,9 +41,10 @@ class Run {
   void restore(const Snapshot& then, const Drift& drift);
 
  protected:
-  Run(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene), exact_(scene) {}
-  /// The start of the scene, with each number rounded to the arithmetic.
-  void begin(const State<double>& state);
+  Run(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene) {}
+  /// The start of the scene, with each number rounded to the arithmetic. Where another run of the scene starts from the
+  /// same bits, what it has of them is taken.
+  void begin(const State<double>& state, const Run* other = nullptr);
 
  private:
   virtual Stepped<double> step_from(const State<double>& state) = 0;
@@ -52,7 +53,7 @@ class Run {
 
   std::string name_;
   const Scene& scene_;
-  World<Formulas<Exact>> exact_;
+  std::optional<World<Formulas<Exact>>> exact_;  ///< made with the first step
   Nearby nearby_exact_;
   Snapshot now_;
   Drift drift_;
@@ -61,7 +62,7 @@ class Run {
 
 inline constexpr const char* all_runs[]{"float", "double", "robust"};
 
-/// Of these names; the scene has to outlive it.
-std::unique_ptr<Run> run_of(const std::string& name, const Scene& scene);
+/// Of these names; the scene has to outlive it. `other`: a run of the same scene that has made no step.
+std::unique_ptr<Run> run_of(const std::string& name, const Scene& scene, const Run* other = nullptr);
 
 }  // namespace touchstone::simulate

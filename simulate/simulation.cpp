@@ -24,7 +24,8 @@ bool same_set_of_contacts(const Snapshot& a, const Snapshot& b) {
 
 Simulation::Simulation(const Scene& scene, const std::vector<std::string>& runs)
     : scene_(scene), parted_(runs.size(), std::vector<bool>(runs.size())) {
-  for (const std::string& name : runs) runs_.push_back(run_of(name, scene));
+  for (const std::string& name : runs)
+    runs_.push_back(run_of(name, scene, runs_.empty() ? nullptr : runs_.back().get()));
   departures_.resize(runs_.size());
 }
 
