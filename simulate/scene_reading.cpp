@@ -101,8 +101,6 @@ void read_advance(const Json& json, Settings& settings) {
   for (const char* name : {"turn", "passes"})
     if (!end_of_step && fields.has(name)) throw InvalidInput(fields.path_of(name), "is for option 1");
   if (end_of_step && fields.has("moments")) throw InvalidInput("advance.moments", "is for option 2");
-  if (!end_of_step && settings.motion == Motion::parabola)
-    throw InvalidInput("advance.motion", "parabola is for option 1: option 2 moves bodies along lines");
   settings.turn = static_cast<Turn>(fields.word_or("turn", {"before_move", "after_move"}, 0));
   settings.passes = fields.count_or("passes", 1, 1);
   settings.moments = fields.count_or("moments", 1, 64);
@@ -138,8 +136,12 @@ void require_possible(const Scene& scene) {
     throw InvalidInput(place(std::min(sphere, box)), "with the law penalty all bodies are particles (p. 72)");
   if (scene.settings.law == Law::penalty && scene.settings.option != 1)
     throw InvalidInput("advance.option", "1 with the law penalty: a spring acts for whole steps");
-  if (scene.settings.option == 2 && sphere != none && box != none)
-    throw InvalidInput(place(std::max(sphere, box)), "with option 2 a scene has spheres or boxes, not both");
+  const auto fixed = std::find_if(scene.bodies.begin(), none, [](const SceneBody& body) { return body.fixed; });
+  if (scene.settings.option == 2 && scene.settings.motion == Motion::parabola && fixed != none)
+    throw InvalidInput(
+        "bodies[" + std::to_string(fixed - scene.bodies.begin()) + "].fixed",
+        "none with option 2 and parabola: when a body falls onto one is a root of a polynomial of degree "
+        "4; walls are for it");
   if (scene.settings.law == Law::penalty) return;  // springs let bodies in
   if (const auto wrong = overlap_at_start(scene)) throw InvalidInput(wrong->field, wrong->rule);
 }

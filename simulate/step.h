@@ -13,6 +13,7 @@ struct Impact {
   double time;      ///< 0 to 1 of the step; with option 1 always 1
   Point3d point;    ///< about where, for drawings: nothing is decided by it
   Vector3d normal;  ///< from the other body, or the wall
+  double rise = 0;  ///< how high above a wall the velocity after the contact brings the body, before it falls back
 };
 
 template <class Real>
@@ -35,7 +36,11 @@ struct StepError : std::runtime_error {
 /// then move from where they were; with `after_move` they have moved. Option 2: bodies fly along lines to the least
 /// time at which two of them meet and approach, or at once if they meet already; of several such contacts the first in
 /// the order is answered, and the others follow with no time between. In between each body's numbers are of the
-/// arithmetic: rounded once an operation, or never. Springs (p. 72-73) act with gravity, from the state at the start.
+/// arithmetic: rounded once an operation, or never. With `parabola` and option 2 bodies fly along parabolas; bodies of
+/// one acceleration meet as if they flew along lines, and a height above a wall is quadratic. A body whose bounces from
+/// one wall would all end within the step, infinitely many if e < 1, makes one of them, and rests: the wall carries it
+/// from then on, so that it moves along the wall, until another contact turns it; so does one that touches a wall
+/// without leaving it while gravity presses. A body at rest and one that falls do not meet: StepError. Springs (p. 72-73) act with gravity, from the state at the start.
 ///
 /// `follow`: these contacts are answered in place of those that the step would find; one that it does not meet, at the
 /// time written there. `log`: filled with the questions asked. `nearby`: kept for the next step, which is faster then.

@@ -59,11 +59,48 @@ void print_engine(const Simulation& simulation, std::size_t i, std::ostream& out
 }  // namespace
 
 Summary::Summary(const Simulation& simulation)
-    : simulation_(simulation), first_(simulation.step()), contacts_(simulation.size()) {}
+    : simulation_(simulation), first_(simulation.step()), runs_(simulation.size()) {}
 
 void Summary::count() {
-  for (std::size_t i = 0; i < contacts_.size(); ++i)
-    if (simulation_.run(i).ended().empty()) contacts_[i] += simulation_.run(i).now().impacts.size();
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (!simulation_.run(i).ended().empty()) continue;
+    for (const Impact& impact : simulation_.run(i).now().impacts) count(runs_[i], impact);
+  }
+}
+
+void Summary::count(OfRun& run, const Impact& impact) {
+  ++run.contacts;
+  const auto& [wall, body, other] = impact.touch;
+  if (!wall || !(impact.rise > 0)) {
+    run.last.erase(body);
+    if (!wall) run.last.erase(other);
+    return;
+  }
+  const auto before = run.last.find(body);
+  std::optional<double> ratio;
+  if (before != run.last.end() && before->second.first == other) ratio = impact.rise / before->second.second;
+  run.last[body] = {other, impact.rise};
+  run.bounces[{body, other}].push_back({impact.rise, ratio});
+}
+
+void Summary::print_bounces(std::size_t run, std::ostream& out) const {
+  constexpr std::size_t most_lines = 4, most_heights = 5;
+  const Scene& scene = simulation_.scene();
+  std::size_t lines = 0;
+  for (const auto& [places, bounces] : runs_[run].bounces) {
+    if (lines++ == most_lines) {
+      out << fmt::format("  and {} more\n", runs_[run].bounces.size() - most_lines);
+      return;
+    }
+    const auto& [body, wall] = places;
+    out << fmt::format("  {}: {} rises above {} by", simulation_.run(run).name(), scene.bodies[body].name,
+                       scene.walls[wall].name);
+    for (std::size_t i = 0; i < std::min(bounces.size(), most_heights); ++i) {
+      out << fmt::format("{} {:.6g}", i == 0 ? "" : ",", bounces[i].rise);
+      if (bounces[i].ratio) out << fmt::format(" ({:.6g} of that before)", *bounces[i].ratio);
+    }
+    out << (bounces.size() > most_heights ? " ...\n" : "\n");
+  }
 }
 
 void Summary::print(std::ostream& out) const {
@@ -88,15 +125,18 @@ void Summary::print(std::ostream& out) const {
                        in_double(run.drift().total()), in_double(law), in_double(scheme));
     if (engine == nullptr) {
       out << fmt::format(" + {:12.4g} + {:12.4g}{:{}}{:10}", in_double(decision), in_double(rounding), "",
-                         engines ? 15 : 0, contacts_[i]);
+                         engines ? 15 : 0, runs_[i].contacts);
     } else {
       out << fmt::format("{:33} {:12.4g}{:>10}", " +", in_double(own),
-                         engine->tells_contacts() ? std::to_string(contacts_[i]) : "not told");
+                         engine->tells_contacts() ? std::to_string(runs_[i].contacts) : "not told");
     }
     out << "  " << in_digits(run.now().chain) << '\n';
   }
   for (std::size_t i = 0; i < simulation_.size(); ++i)
     if (simulation_.run(i).engine() != nullptr) print_engine(simulation_, i, out);
+  const auto bounced = [](const OfRun& run) { return !run.bounces.empty(); };
+  if (std::any_of(runs_.begin(), runs_.end(), bounced)) out << "\nheights of bounces\n";
+  for (std::size_t i = 0; i < runs_.size(); ++i) print_bounces(i, out);
   if (simulation_.none_parted()) out << "\nno runs part: all answer the same contacts\n";
   if (!simulation_.partings().empty()) out << '\n';
   for (const Parting& parting : simulation_.partings()) print_parting(scene, parting, out);

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <optional>
 #include <ostream>
+#include <vector>
 
 #include "simulate/simulation.h"
 
 namespace touchstone::simulate {
 
-/// For people: for each run the energy, its drift in parts and the last hash; then where runs came apart, with a line
+/// For people: for each run the energy, its drift in parts and the last hash; how high bodies bounce; then where runs
+/// came apart, with a line
 /// that asks the question of each. Of an engine: its thresholds, where it first differs from robust, and why it ended.
 class Summary {
  public:
@@ -17,9 +21,23 @@ class Summary {
   void print(std::ostream& out) const;
 
  private:
+  /// How high a body rises after a contact with a wall, and how many times as high as after the one before, where that
+  /// was with the same wall and nothing lay between.
+  struct Bounce {
+    double rise;
+    std::optional<double> ratio;
+  };
+  struct OfRun {
+    std::size_t contacts = 0;
+    std::map<std::size_t, std::pair<std::size_t, double>> last;                  ///< of a body: wall and rise
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<Bounce>> bounces;  ///< by body and wall
+  };
+  void count(OfRun& run, const Impact& impact);
+  void print_bounces(std::size_t run, std::ostream& out) const;
+
   const Simulation& simulation_;
   std::uint64_t first_;
-  std::vector<std::size_t> contacts_;
+  std::vector<OfRun> runs_;
 };
 
 }  // namespace touchstone::simulate

@@ -30,6 +30,7 @@ Json contact_of(const Impact& impact) {
   contact["time"] = written(impact.time);
   contact["point"] = three(impact.point);
   contact["normal"] = three(impact.normal);
+  if (impact.rise > 0) contact["rise"] = written(impact.rise);
   return contact;
 }
 

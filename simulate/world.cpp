@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simulate/flights.h"
 #include "simulate/near_pairs.h"
 
 namespace touchstone::simulate {
@@ -101,20 +102,21 @@ const std::vector<Touch>& World<By>::touches(const State<Real>& from, const Stat
 
 template <class By>
 const std::vector<Touch>& World<By>::touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
-                                             BroadPhase broad_phase) const {
+                                             BroadPhase broad_phase, const Vector3d& sag) const {
   auto& [boxes, planes, tree, touches] = nearby;
   if (broad_phase == BroadPhase::all_pairs) return touches = all_touches();
   boxes.clear(), planes.clear(), touches.clear();
   for (std::size_t i = 0; i < bodies(); ++i) {
     Aabb3d box{};
-    const auto take = [&](double Point3d::*axis, const Real& a, const Real& b, const Real& half) {
-      const double x = in_double(a), y = in_double(b), reach = in_double(solids_[i].radius) + in_double(half);
+    const auto take = [&](double Point3d::*axis, const Real& a, const Real& b, const Real& half, double off) {
+      const double x = in_double(a), y = in_double(b), reach = in_double(solids_[i].radius) + in_double(half) + off;
       const double wider = reach + 0x1p-20 * (std::max(std::abs(x), std::abs(y)) + reach) + 0x1p-140;
       box.min.*axis = std::min(x, y) - wider, box.max.*axis = std::max(x, y) + wider;
     };
     const Point3<Real>&a = from[i].position, &b = to[i].position;
     const Vector3<Real>& half = solids_[i].half_extents;
-    take(&Point3d::x, a.x, b.x, half.x), take(&Point3d::y, a.y, b.y, half.y), take(&Point3d::z, a.z, b.z, half.z);
+    take(&Point3d::x, a.x, b.x, half.x, sag.x), take(&Point3d::y, a.y, b.y, half.y, sag.y);
+    take(&Point3d::z, a.z, b.z, half.z, sag.z);
     boxes.push_back(box);
   }
   const auto add = [this, &list = touches](std::size_t i, std::size_t j) {
@@ -201,6 +203,13 @@ FirstContact<typename By::Number> World<By>::first_meeting(const Touch& touch, c
     return asked("swept_sphere_sphere", {"a", "b", "velocity_a", "velocity_b"},
                  By::swept_sphere_sphere(a, b, way, other), a, b, way, other);
   }
+  const bool first = solids_[i].shape == Shape::sphere;
+  if (first || solids_[j].shape == Shape::sphere) {
+    const auto sweep = [](const auto& ball, const auto& box, const auto& by) {
+      return swept_sphere_aabb(ball, box, by);
+    };
+    return by<By>(sweep, ball(first ? i : j, state), box(first ? j : i, state), first ? way - other : other - way);
+  }
   // A particle is a flat box here.
   const Aabb3<Real> a = box(i, state), b = box(j, state);
   const Vector3<Real> relative = way - other;
@@ -208,11 +217,65 @@ FirstContact<typename By::Number> World<By>::first_meeting(const Touch& touch, c
 }
 
 template <class By>
+FirstContact<typename By::Number> World<By>::first_fall(const Touch& touch, const State<Real>& state,
+                                                        const Vector3<Real>& acceleration, const Real& time) const {
+  const auto fall = [](const auto& ball, const auto& velocity, const auto& pull, const auto& flight, const auto& wall) {
+    return simulate::first_fall(height_over(ball, velocity, pull, flight, wall));
+  };
+  const bool round = solids_[touch.body].shape == Shape::sphere;
+  const Sphere3<Real> lowest = round ? ball(touch.body, state) : Sphere3<Real>{deepest(touch, state), Real(0)};
+  return by<By>(fall, lowest, state[touch.body].velocity, acceleration, time, walls_[touch.other]);
+}
+
+template <class By>
+bool World<By>::rests(const Touch& touch, const State<Real>& state) const {
+  if (!touch.wall || !meet(touch, state, nullptr)) return false;
+  const Vector3<Real> none{Real(0), Real(0), Real(0)};
+  const Point3<Real> at{Real(0), Real(0), Real(0)};
+  const auto along = [&](const Vector3<Real>& v) {
+    return By::contact_state(MovingBody<Real>{at, v, none}, MovingBody<Real>{at, none, none}, at,
+                             walls_[touch.other].normal);
+  };
+  return along(state[touch.body].velocity) == ContactState::resting && along(gravity_) == ContactState::colliding;
+}
+
+template <class By>
+bool World<By>::comes_to_rest(const Touch& touch, const State<Real>& state, const Vector3<Real>& acceleration,
+                              const Real& time) const {
+  const auto end = [](const auto&... part) { return bounces_end(part...); };
+  const Real bounce = settings_.law == Law::stick ? Real(0) : restitution_;
+  const Vector3<Real>& normal = walls_[touch.other].normal;
+  if constexpr (std::is_same_v<By, Robust>) {
+    const auto exact = [](const auto& part) { return catalogue::converted<Exact>(part, Formulas<Exact>::number); };
+    return end(exact(state[touch.body].velocity), exact(acceleration), exact(normal), exact(bounce), exact(time));
+  } else {
+    return end(state[touch.body].velocity, acceleration, normal, bounce, time);
+  }
+}
+
+template <class By>
+double World<By>::rise(const Touch& touch, const State<Real>& state) const {
+  if (!touch.wall) return 0;
+  const auto doubles = [](const Vector3<Real>& v) { return Vector3d{in_double(v.x), in_double(v.y), in_double(v.z)}; };
+  const Vector3d normal = doubles(walls_[touch.other].normal);
+  const double speed = dot(normal, doubles(state[touch.body].velocity)), pull = -dot(normal, doubles(gravity_));
+  return speed > 0 && pull > 0 ? speed * speed / (2 * pull * std::sqrt(dot(normal, normal))) : 0;
+}
+
+template <class By>
+Vector3<typename By::Number> World<By>::carried(const std::vector<std::size_t>& walls) const {
+  std::vector<Vector3<Real>> normals;
+  for (const std::size_t wall : walls) normals.push_back(walls_[wall].normal);
+  return by<By>([](const auto& pull, const auto& all) { return nearest_not_into(pull, all); }, gravity_, normals);
+}
+
+template <class By>
 std::optional<Vector3<typename By::Number>> World<By>::normal(const Touch& touch, const State<Real>& at) const {
   const auto [wall, i, j] = touch;
   if (wall) return walls_[j].normal;
-  if (boxes(touch) || (settings_.option == 2 && (solids_[i].shape == Shape::box || solids_[j].shape == Shape::box)))
-    return way_out(box(i, at), box(j, at));
+  const auto flat = [&](std::size_t body) { return solids_[body].shape != Shape::sphere; };
+  const bool some_box = solids_[i].shape == Shape::box || solids_[j].shape == Shape::box;
+  if (boxes(touch) || (settings_.option == 2 && some_box && flat(i) && flat(j))) return way_out(box(i, at), box(j, at));
   Vector3<Real> way = at[i].position - at[j].position;
   if (solids_[j].shape == Shape::box) {
     way = at[i].position - By::closest_point_on_aabb(at[i].position, box(j, at));

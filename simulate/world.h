@@ -49,14 +49,29 @@ class World {
   /// rest are wrong by (their contracts), so that with option 1 the steps are the same. Formulas for moving bodies may
   /// see contacts far off: these are not asked then. The list stands in `nearby`, until the next call with it.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const;
-  /// The same as if the scene had that broad phase.
+  /// The same as if the scene had that broad phase. `sag`: how far from the straight way a body may be between the two.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
-                                    BroadPhase broad_phase) const;
+                                    BroadPhase broad_phase, const Vector3d& sag = {}) const;
 
   /// Whether they have a common point in these positions (p. 22, 44-50).
   bool meet(const Touch& touch, const State<Real>& at, Log* log) const;
   /// When they first meet if they fly on for `time` (p. 23, 51), as a part of it. For two that do not meet yet.
   FirstContact<Real> first_meeting(const Touch& touch, const State<Real>& state, const Real& time, Log* log) const;
+  /// The same of a body and a wall where the body flies along a parabola, and of the times at which it falls towards
+  /// the wall. It may touch it at first, and rise.
+  FirstContact<Real> first_fall(const Touch& touch, const State<Real>& state, const Vector3<Real>& acceleration,
+                                const Real& time) const;
+  /// Whether they touch at a wall, move along it, and are pressed to it by gravity.
+  bool rests(const Touch& touch, const State<Real>& state) const;
+  /// Whether all bounces from that wall that would follow fit into that time: with restitution e below 1 they are
+  /// infinitely many, e times as long each as the one before.
+  bool comes_to_rest(const Touch& touch, const State<Real>& state, const Vector3<Real>& acceleration,
+                     const Real& time) const;
+  /// How high above a wall the velocity brings the body before gravity has it fall back; 0 where it does not. For
+  /// people: in doubles.
+  double rise(const Touch& touch, const State<Real>& state) const;
+  /// Gravity less what walls that carry a body take of it.
+  Vector3<Real> carried(const std::vector<std::size_t>& walls) const;
   /// The direction in which the body leaves the other one or the wall; empty where it has none, because centers
   /// coincide.
   std::optional<Vector3<Real>> normal(const Touch& touch, const State<Real>& at) const;

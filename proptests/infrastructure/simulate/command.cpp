@@ -28,6 +28,17 @@ TEST_CASE("simulate: it tells energy and drift of each run, and what parted two 
     CHECK_THAT(call.out, ContainsSubstring(words));
 }
 
+TEST_CASE("simulate: it tells how high bodies bounce, and how many times as high as before") {
+  const TextFile scene("bounces.json", R"({"touchstone_scene":1,"gravity":[0,-2,0],"response":{"law":"restitution",)"
+                                       R"("restitution":0.5},"advance":{"timestep":1,"steps":4,"option":2,)"
+                                       R"("motion":"parabola"},"walls":[{"name":"floor","normal":[0,1,0],"offset":0}],)"
+                                       R"("bodies":[{"name":"ball","shape":{"particle":{}},"position":[0,1,0]}]})");
+  const Called call = called({"simulate", scene.path(), "--runs", "double"});
+  CHECK_THAT(call.out,
+             ContainsSubstring("heights of bounces\n  double: ball rises above floor by 0.25, 0.0625 (0.25 of "
+                               "that before), 0.015625 (0.25 of that before)\n"));
+}
+
 TEST_CASE("simulate: where no runs part, that is told; of one run alone there is nothing to tell") {
   const char* const words = "no runs part: all answer the same contacts";
   CHECK_THAT(called({"simulate", two_balls, "--steps", "100"}).out, ContainsSubstring(words));

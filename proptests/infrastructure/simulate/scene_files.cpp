@@ -75,8 +75,6 @@ TEST_CASE("scene files: what is wrong is told by place, rule and what was found"
       {with_advance(R"("timestep":1,"option":1,"motion":"parabel")"),
        "advance.motion: expected accelerate_then_move | move_then_accelerate | parabola, got \"parabel\" "
        R"((did you mean "parabola"?))"},
-      {with_advance(R"("timestep":1,"option":2,"motion":"parabola")"),
-       "advance.motion: parabola is for option 1: option 2 moves bodies along lines"},
       {with(R"("response":{"law":"restitution","restitution":1.5})"),
        "response.restitution: expected a number from 0 to 1, got 1.5"},
       {with(R"("response":{"law":"penalty"})"), "response.stiffness: missing"},
@@ -137,14 +135,19 @@ TEST_CASE("scene files: of many bodies only those that are near each other are c
   CHECK(refusal_of(text(777)) == "bodies[30000].position: overlaps bodies[777] at the start");
 }
 
-TEST_CASE("scene files: springs hold particles alone; option 2 has spheres or boxes") {
+TEST_CASE("scene files: springs hold particles alone; with option 2 and parabola no body is fixed") {
   const std::string ball = sphere(1, "[0,5,0]", "[0,0,0]");
   const std::string box = R"({"shape":{"box":{"half_extents":[1,1,1]}},"position":[9,9,9]})";
   CHECK(refusal_of(
             scene_text(step, R"("response":{"law":"penalty","stiffness":9},"bodies":[)" + body + "," + ball + "]")) ==
         "bodies[1].shape: with the law penalty all bodies are particles (p. 72)");
-  CHECK(refusal_of(scene_text(R"("timestep":1,"option":2)", "\"bodies\":[" + ball + "," + box + "]")) ==
-        "bodies[1].shape: with option 2 a scene has spheres or boxes, not both");
+  CHECK(refusal_of(scene_text(R"("timestep":1,"option":2)", "\"bodies\":[" + ball + "," + box + "]")) == "read");
+  std::string still = body;
+  still.insert(1, "\"fixed\":true,");
+  CHECK(refusal_of(
+            scene_text(R"("timestep":1,"option":2,"motion":"parabola")", "\"bodies\":[" + ball + "," + still + "]")) ==
+        "bodies[1].fixed: none with option 2 and parabola: when a body falls onto one is a root of a polynomial of "
+        "degree 4; walls are for it");
   CHECK(refusal_of(with_body(ball + "," + box)) == "read");
 }
 

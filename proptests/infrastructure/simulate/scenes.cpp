@@ -174,6 +174,34 @@ TEST_CASE("scenes: with a factor of 0.8 each of the first three tops has about 6
   at_the_end("bouncing_to_rest", [](const Run& run) { CHECK(y_of(run) < 0.14); });
 }
 
+TEST_CASE("scenes: along parabolas each bounce rises to the square of the factor, until the ball slides") {
+  std::vector<double> rises;
+  play(shipped("bounce_heights"),
+       [&](const Run& run) {
+         for (const auto& impact : run.now().impacts) rises.push_back(impact.rise);
+       },
+       {"robust"});
+  REQUIRE(rises.size() > 10);
+  double height = 1;
+  for (const double rise : rises) {
+    height *= 0.64;
+    CHECK(std::abs(rise / height - 1) < 1e-9);  // places near 0.1 m round by 1e-17, the last heights are 1e-5 m
+  }
+  // It has bounced at sqrt(2 / g) (1 + 2 e / (1 - e)) s for the last time, and moves on.
+  at_the_end("bounce_heights", [](const Run& run) {
+    CHECK(std::abs(y_of(run) - 0.125) < 1e-6);
+    CHECK(std::abs(run.now().state[0].velocity.y) < 1e-6);
+    CHECK(vx_of(run, 0) == 0.5);
+    CHECK(abs(run.drift().scheme) < mpq_class(1, 1000000));
+    CHECK(run.drift().law < -9);  // all of m g h, 9.81 J
+  });
+}
+
+TEST_CASE("scenes: a ball among boxes loses no energy by its scheme but what contacts of one step round") {
+  at_the_end("ball_and_boxes", [](const Run& run) { CHECK(abs(run.drift().scheme) < mpq_class(1, 1L << 40)); });
+  CHECK(contacts_in("ball_and_boxes", "robust") > 20);
+}
+
 TEST_CASE("scenes: a thrown particle moved along parabolas loses energy to rounding alone") {
   at_the_end("projectile", [](const Run& run) {
     CHECK(run.drift().scheme == 0);
