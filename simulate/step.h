@@ -40,7 +40,8 @@ struct StepError : std::runtime_error {
 /// one acceleration meet as if they flew along lines, and a height above a wall is quadratic. A body whose bounces from
 /// one wall would all end within the step, infinitely many if e < 1, makes one of them, and rests: the wall carries it
 /// from then on, so that it moves along the wall, until another contact turns it; so does one that touches a wall
-/// without leaving it while gravity presses. A body at rest and one that falls do not meet: StepError. Springs (p. 72-73) act with gravity, from the state at the start.
+/// without leaving it while gravity presses. A body at rest and one that falls do not meet: StepError. Springs (p.
+/// 72-73) act with gravity, from the state at the start.
 ///
 /// `follow`: these contacts are answered in place of those that the step would find; one that it does not meet, at the
 /// time written there. `log`: filled with the questions asked. `nearby`: kept for the next step, which is faster then.

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "oracle/exact/around_balls.h"
 #include "oracle/exact/impulses_at_a_root.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/exact/rational_validation_of_steps.h"
@@ -114,12 +115,12 @@ class ImpactStepStep {
  private:
   bool movable(Index body) const { return body < flights_.size() && sgn(flights_[body].inverse_mass) != 0; }
   Index ground() const { return static_cast<Index>(flights_.size()); }
-  /// visit(a, b, place) for every pair that may collide.
+  /// visit(a, b, place) for every pair that may collide in what is left of the step.
   template <class Visit>
   void visit_pairs(const Visit& visit) const {
     for (Index i = 0; i < ground(); ++i) {
       for (Index j = i + 1; j < ground(); ++j)
-        if (movable(i) || movable(j)) visit(i, j, j);
+        if ((movable(i) || movable(j)) && !around_[i].apart(around_[j])) visit(i, j, j);
       for (Index k = 0; k < walls_.size() && movable(i); ++k) visit(i, ground(), ground() + k);
     }
   }
@@ -160,8 +161,11 @@ class ImpactStepStep {
     if (*t > Surd(Rational(1))) return std::nullopt;
     return t;
   }
-  std::optional<Surd> next_moment() const {
+  std::optional<Surd> next_moment() {
     std::optional<Surd> least;
+    around_.assign(flights_.size(), {});
+    for (Index i = 0; i < ground(); ++i)
+      for (const Rational& t : {flights_[i].clock, Rational(1)}) around_[i].add(place(i, t), flights_[i].radius);
     visit_pairs([&](Index a, Index b, Index place_of_b) {
       if (settled_.count({a, place_of_b}) != 0) return;
       const std::optional<Surd> t = collides_at(a, b, place_of_b);
@@ -286,6 +290,7 @@ class ImpactStepStep {
   Rational restitution_, timestep_;
   std::vector<Flight> flights_;
   std::vector<Plane<Rational>> walls_;
+  std::vector<AroundBalls> around_;  ///< of each body on its flight to the end of the step
   std::set<std::pair<Index, Index>> settled_;
 };
 

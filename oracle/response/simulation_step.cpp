@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/simulation_step.h"
 
+#include "oracle/exact/around_balls.h"
 #include "oracle/exact/rational_validation_of_steps.h"
 #include "oracle/exact/space.h"
 #include "oracle/response/simultaneous_collisions.h"
@@ -81,8 +82,11 @@ class SimulationStepStep {
 
   void find_contacts() {
     const auto ground = static_cast<Index>(movers_.size());
+    std::vector<AroundBalls> around(ground);
+    for (Index i = 0; i < ground; ++i) around[i].add(end_[i], radii_[i]);
     for (Index i = 0; i < ground; ++i) {
       for (Index j = i + 1; j < ground; ++j) {
+        if (around[i].apart(around[j])) continue;
         const SimulationStepVelocity normal = end_[i] - end_[j];
         const Rational reach = radii_[i] + radii_[j];
         if (dot(normal, normal) <= reach * reach) take_unless_parting(i, j, j, normal);

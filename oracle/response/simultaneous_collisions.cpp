@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "oracle/exact/guessed_complement.h"
 #include "oracle/exact/principal_pivots.h"
 #include "oracle/exact/rational_validation_of_bodies.h"
 #include "oracle/exact/whole_list.h"
@@ -53,7 +54,8 @@ class System {
 
   Truth<SimultaneousVelocities<Rational>> resolved() const {
     const Complementary contacts = problem();
-    const std::optional<Complement> single = single_complement(contacts);
+    std::optional<Complement> single = guessed_complement(contacts);
+    if (!single) single = single_complement(contacts);
     const Complement found = single ? *single : lemke(contacts);
     const auto listed = [](const char* kind, const char* fact, std::vector<Rational> numbers) {
       return [=] { return Certificate{kind, {{fact, numbers}}}; };
@@ -73,7 +75,8 @@ class System {
       if (body == pushed) return inverse_masses_.whole[body];
       return body == pushed_back ? Integer(-inverse_masses_.whole[body]) : Integer(0);
     };
-    return (signed_mass(c.a, d.a, d.b) + signed_mass(c.b, d.b, d.a)) * dot(c.normal, d.normal);
+    const Integer mass = signed_mass(c.a, d.a, d.b) + signed_mass(c.b, d.b, d.a);
+    return sgn(mass) == 0 ? Integer(0) : Integer(mass * dot(c.normal, d.normal));
   }
   /// The constants are what each contact has beyond its demand if nothing pushes, times the denominator of e.
   Complementary problem() const {

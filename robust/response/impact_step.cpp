@@ -2,6 +2,7 @@
 #include "robust/response/impact_step.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -52,6 +53,24 @@ struct Flight {
 struct Wall {
   Vector3<Rational> normal;
   Rational offset;
+};
+
+/// A box of doubles around a ball on its flight to the end of the step: balls with boxes that are apart do not meet.
+struct AroundFlight {
+  Vector3d low, high;
+
+  explicit AroundFlight(const Flight& flight) {
+    const Vector3<Rational> from = flight.at(flight.clock), to = flight.at(Rational(1));
+    const auto take = [&](double Vector3d::*axis, const Rational& a, const Rational& b) {
+      low.*axis = std::nextafter(kernel::nearest(Rational(std::min(a, b) - flight.radius)), -HUGE_VAL);
+      high.*axis = std::nextafter(kernel::nearest(Rational(std::max(a, b) + flight.radius)), HUGE_VAL);
+    };
+    take(&Vector3d::x, from.x, to.x), take(&Vector3d::y, from.y, to.y), take(&Vector3d::z, from.z, to.z);
+  }
+  bool apart(const AroundFlight& other) const {
+    return high.x < other.low.x || other.high.x < low.x || high.y < other.low.y || other.high.y < low.y ||
+           high.z < other.low.z || other.high.z < low.z;
+  }
 };
 
 /// Of two bodies, or of a body with a wall: `other` is the place in the answer, beyond the bodies for a wall.
@@ -122,7 +141,7 @@ class ImpactStep {
   void visit_pairs(const Visit& visit) const {
     for (std::size_t i = 0; i < flights_.size(); ++i)
       for (std::size_t j = i + 1; j < flights_.size() + walls_.size(); ++j)
-        if (moves(i) || moves(j)) visit(BodyPair{i, j});
+        if ((moves(i) || moves(j)) && (is_wall(j) || !around_[i].apart(around_[j]))) visit(BodyPair{i, j});
   }
   const Rational& start_of(const BodyPair& pair) const {
     const Rational& clock = flights_[pair.body].clock;
@@ -182,7 +201,9 @@ class ImpactStep {
     if (!parts_there && sign(gap(pair, apart_there)) > 0) return;
     least = kernel::with_root(start - slope / square, -1 / square, discriminant);
   }
-  std::optional<OneRoot> next_moment() const {
+  std::optional<OneRoot> next_moment() {
+    around_.clear();
+    for (const Flight& flight : flights_) around_.emplace_back(flight);
     std::optional<OneRoot> least;
     visit_pairs([&](const BodyPair& pair) {
       if (settled_.count(pair) == 0) look_at(pair, least);
@@ -299,6 +320,7 @@ class ImpactStep {
   Rational bounce_, timestep_;
   std::vector<Flight> flights_;
   std::vector<Wall> walls_;
+  std::vector<AroundFlight> around_;
   std::set<BodyPair> settled_;
 };
 

@@ -17,8 +17,8 @@ namespace touchstone::robust {
 /// doubles in every floating-point environment; beyond the range it is infinite, and zero is +0. A step of more than 16
 /// moments is not answered to its end, nor one with more than six contacts that hang together at an irrational moment:
 /// `relation` says so.
-/// Time: all pairs are looked at for each moment, in exact arithmetic; contacts of a rational moment take as long as
-/// those of simultaneous_collisions.
+/// Time: all pairs are looked at for each moment, in exact arithmetic where the boxes of their ways meet; contacts of a
+/// rational moment take as long as those of simultaneous_collisions.
 /// NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a radius below 0 ("radius >=
 /// 0"), an inverse mass below 0 ("inverse mass >= 0"), a velocity of a body that never moves ("0 where the inverse mass
 /// is 0"), a wall's normal of length 0 ("nonzero normal"), a restitution out of bounds ("between 0 and 1") and a

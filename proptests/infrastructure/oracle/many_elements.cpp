@@ -3,6 +3,7 @@
 
 #include "catalogue/families/numbers.h"
 #include "oracle/broad_phase/all_pairs.h"
+#include "oracle/exact/guessed_complement.h"
 #include "oracle/exact/principal_pivots.h"
 #include "oracle/response/simultaneous_collisions.h"
 #include "oracle/volumes/convex_hull_2d.h"
@@ -84,8 +85,8 @@ TEST_CASE("many elements: the pairs of many solids and their margin are those of
   }
 }
 
-TEST_CASE("many elements: pivots on the diagonal find the impulses of Lemke's method, or nothing") {
-  int found = 0, left = 0;
+TEST_CASE("many elements: pivots on the diagonal, and guesses, find the impulses of Lemke's method, or nothing") {
+  int found = 0, guessed = 0, left = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
     DrawStream draws = DrawStream::seeded(i);
     const std::size_t contacts = 1 + draws.below(6);
@@ -93,20 +94,26 @@ TEST_CASE("many elements: pivots on the diagonal find the impulses of Lemke's me
     const auto single = oracle::single_complement(asked);
     const oracle::Complement all = oracle::lemke(asked);
     ++(single ? found : left);
-    if (!single) continue;
-    REQUIRE(all.solved);
-    for (std::size_t k = 0; k < contacts; ++k)
-      REQUIRE(single->numerators[k] * all.denominator == all.numerators[k] * single->denominator);
+    const auto guess = oracle::guessed_complement(asked);
+    REQUIRE((single || !guess));
+    guessed += guess ? 1 : 0;
+    for (const auto& one : {single, guess}) {
+      if (!one) continue;
+      REQUIRE(all.solved);
+      for (std::size_t k = 0; k < contacts; ++k)
+        REQUIRE(one->numerators[k] * all.denominator == all.numerators[k] * one->denominator);
+    }
   }
   CHECK(found > 200);
+  CHECK(guessed > 200);
   CHECK(left > 200);
 }
 
 TEST_CASE(
-    "many elements: a cradle of 100, thousands of solids that are apart or points of a hull take less than a second") {
+    "many elements: a cradle of 400, thousands of solids that are apart or points of a hull take less than a second") {
   std::vector<PointBodyd> bodies;
   std::vector<BodyContactd> contacts;
-  for (Index i = 0; i < 100; ++i) {
+  for (Index i = 0; i < 400; ++i) {
     bodies.push_back({1, {i == 0 ? 1.0 : 0.0, 0, 0}});
     if (i > 0) contacts.push_back({i, i - 1, {1, 0, 0}});
   }
