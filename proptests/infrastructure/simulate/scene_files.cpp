@@ -142,8 +142,7 @@ TEST_CASE("scene files: springs hold particles alone; with option 2 and parabola
             scene_text(step, R"("response":{"law":"penalty","stiffness":9},"bodies":[)" + body + "," + ball + "]")) ==
         "bodies[1].shape: with the law penalty all bodies are particles (p. 72)");
   CHECK(refusal_of(scene_text(R"("timestep":1,"option":2)", "\"bodies\":[" + ball + "," + box + "]")) == "read");
-  std::string still = body;
-  still.insert(1, "\"fixed\":true,");
+  const std::string still = R"({"fixed":true,"shape":{"particle":{}},"position":[0,0,0]})";
   CHECK(refusal_of(
             scene_text(R"("timestep":1,"option":2,"motion":"parabola")", "\"bodies\":[" + ball + "," + still + "]")) ==
         "bodies[1].fixed: none with option 2 and parabola: when a body falls onto one is a root of a polynomial of "
