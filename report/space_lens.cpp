@@ -100,6 +100,7 @@ Cut shape_of(const SpaceFigure& figure, const Lens& lens, const SpaceVertex& nea
       const mpq_class radius = radius_of(figure);
       if (sgn(radius) == 0) return {"point", {vertices_of(figure)}, {}};
       if (radius <= flat_in_halves * lens.half()) return {"sphere", {vertices_of(figure)}, radius};
+      if (vertices_of(figure)[0] == near) return {};  // its surface is far from its center
       return {"mesh", {tangent_patch(lens, vertices_of(figure)[0], near, radius)}, {}};
     }
     case Kind::polygon:

@@ -19,6 +19,7 @@ struct FormulaNumbers {
   std::vector<std::optional<FormulaNumber>> at;
   /// What the formula should have answered: of several right answers the one that is nearest to its own.
   EncodedTruth truth;
+  bool textbook = false;  ///< of the operation's own formula
 };
 
 template <class Float>
@@ -75,8 +76,10 @@ class NumberJudge {
   NumberJudge(const Examination& question, const Declaration& declaration)
       : question_(question), declaration_(declaration), unit_(declaration.binary32 ? 0x1p-24 : 0x1p-53) {
     const bool alone = question.row().standard.empty();
-    if (alone || !formula_is_undefined(question))
+    if (alone || !formula_is_undefined(question)) {
       formulas_.push_back(numbers_of(question, question.tracking(declaration.binary32), declaration.binary32));
+      formulas_.back().textbook = true;
+    }
     for (const Examination::Tracking& formula : question.standard(declaration.binary32))
       formulas_.push_back(numbers_of(question, formula, declaration.binary32));
   }
@@ -134,7 +137,8 @@ class NumberJudge {
 
   bool is_as_bad(const FormulaNumbers& formula, const PairedNumber& place, const mpq_class& gap) const {
     const auto& number = formula.at[place.in_truth];
-    if (!number) return question_.judge_reference(declaration_.binary32).verdict == Verdict::rounding;
+    if (!number)
+      return formula.textbook && question_.judge_reference(declaration_.binary32).verdict == Verdict::rounding;
     if (!std::isfinite(number->value)) return true;
     const mpq_class own = abs(exact_value(number->value) - value_of(formula.truth.numbers[place.in_truth]));
     return explained_spreads * own >= gap;
