@@ -10,7 +10,7 @@ TEST_CASE("right case: what findings are held against is rich, no empty list and
   for (const char* const name : {"broad_phase", "all_pairs", "segment_segment", "sphere_sphere", "triangle_triangle"}) {
     const Operation& operation = *find_operation(name);
     const std::string card = report::right_case(operation);
-    const std::string before = "<dt>input</dt><dd><code>";
+    const std::string before = "<summary>The input as JSON</summary><code>";
     const std::size_t from = card.find(before);
     INFO(name << ": " << card.substr(0, 200));
     REQUIRE(from != std::string::npos);
