@@ -158,7 +158,8 @@ class Search {
     consider(place, way, squared(way), squared(steps));
   }
   void consider(const SpaceVertex& place, const SpaceVector& along, const mpq_class& gap, const mpq_class& steps) {
-    if (sgn(gap) == 0 || steps >= narrowest_ || gap < least_gap_) return;
+    // Without a way along the gap, as of a point in a ball's center, no lens shows it.
+    if (sgn(gap) == 0 || sgn(squared(along)) == 0 || steps >= narrowest_ || gap < least_gap_) return;
     narrowest_ = steps;
     found_ = SpaceGap{place, along, label_, root(gap)};
   }
