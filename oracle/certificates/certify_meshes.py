@@ -22,11 +22,12 @@ def faces_of(value, what, vertices):
 
 
 class Triangles(list):
-    """Those of the first face first; `face_of` tells which face each is a part of."""
+    """Those of the first face first; `face_of` tells which face each is a part of, `named` the faces as they are named."""
 
     def __init__(self, triangles, named):
         super().__init__(triangles)
         self.face_of = [i for i, face in enumerate(named) for _ in face[2:]]
+        self.named = named
 
 
 def named_mesh(value, what):

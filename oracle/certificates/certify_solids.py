@@ -15,10 +15,9 @@ def index(value, count):
 
 def expect_even(faces, what):
     """Every edge, a pair of vertices in whichever order, is in an even number of faces."""
-    edges = [[(a, b), (b, c), (c, a)] for a, b, c in faces]
-    times = Counter(frozenset(edge) for of_face in edges for edge in of_face)
-    for i, of_face in zip(faces.face_of, edges):
-        for a, b in of_face:
+    times = Counter(frozenset(edge) for a, b, c in faces for edge in ((a, b), (b, c), (c, a)))
+    for i, corners in enumerate(faces.named):
+        for a, b in zip(corners, corners[1:] + corners[:1]):
             edge = f"the edge from vertex {a} to vertex {b}"
             even = times[frozenset((a, b))] % 2 == 0
             expect(even, f"{what}.faces[{i}]: closed: {edge} must be in an even number of faces")

@@ -19,10 +19,11 @@ void expect_even(const Mesh& mesh, const std::string& what) {
   for (const auto& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) ++times[std::minmax(face[k], face[(k + 1) % 3])];
   }
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t from = mesh.faces[i][k], to = mesh.faces[i][(k + 1) % 3];
-      const std::string field = what + ".faces[" + std::to_string(mesh.face_of[i]) + "]",
+  for (std::size_t i = 0; i < mesh.named.size(); ++i) {
+    const std::vector<std::size_t>& corners = mesh.named[i];
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const std::size_t from = corners[k], to = corners[(k + 1) % corners.size()];
+      const std::string field = what + ".faces[" + std::to_string(i) + "]",
                         edge = "from vertex " + std::to_string(from) + " to vertex " + std::to_string(to);
       expect(times[std::minmax(from, to)] % 2 == 0,
              field + ": closed: the edge " + edge + " must be in an even number of faces");
