@@ -31,10 +31,10 @@ struct Shrinking {
 std::uint64_t effort_to_shrink(const Operation& operation, std::uint64_t cases);
 
 /// Makes the examples of an operation smaller on their draw streams. An example keeps its family and its way of
-/// answering, and stays as ordinary as it was, with no more degenerate features. Of each way that of the family with the best example is
-/// made smaller, then those of the next three, as far as the effort goes; the others stay as drawn. A question counts
-/// for as much as its length is of the usual: what has become small goes on cheaply. `families`: the number of each
-/// family of the tally within the operation. The same whatever `jobs` is.
+/// answering, and stays as ordinary as it was, with no more degenerate features. Of each way that of the family with
+/// the best example is made smaller, then those of the next three, as far as the effort goes; the others stay as drawn.
+/// A question counts for as much as its length is of the usual: what has become small goes on cheaply. `families`: the
+/// number of each family of the tally within the operation. The same whatever `jobs` is.
 void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>& families, OperationTally& tally);
 
 }  // namespace touchstone::audit

@@ -86,7 +86,7 @@ struct WayCount {
 struct Cell {
   std::map<Way, WayCount> ways;
   double worst_ulps = 0;                               ///< over the answers of which whatever is decided is right
-  std::uint64_t touches_closed = 0, touches_open = 0;  ///< touches answered as closed sets do, as open sets do
+  std::uint64_t touches_closed = 0, touches_open = 0;  ///< clear touches answered as closed sets do, as open ones
   std::uint64_t surplus = 0;                           ///< elements that answers which must cover hold beyond the truth
   std::uint64_t apart = 0;                             ///< elements that they might have held beyond it
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case

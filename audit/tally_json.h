@@ -30,8 +30,9 @@
 /// {"exact":0, "answered":-1.92}, the exact one as the nearest of the engine's type. `touch`: how a touch was answered,
 /// 1 as closed sets, -1 as open sets, else 0. `vector` is the id where a test vector was asked (vectors check
 /// --engine); then `index` is its line, and seed and cases are 0. Where they are not 0 a family also has `surplus`,
-/// `apart`, `left_out`, `other_nearest`, `other_alternative`, and, with the reason `given_up`, `not_asked` (audit/tally.h: Cell). What an engine declares
-/// beyond the rest stands in `engine` as in its greeting; `max_surplus` is the limit that --max-surplus set.
+/// `apart`, `left_out`, `other_nearest`, `other_alternative`, and, with the reason `given_up`, `not_asked`
+/// (audit/tally.h: Cell). What an engine declares beyond the rest stands in `engine` as in its greeting; `max_surplus`
+/// is the limit that --max-surplus set.
 namespace touchstone::audit {
 
 std::string tally_json(const Tally& tally);

@@ -74,7 +74,8 @@ constexpr void require_signature() {
   }(static_cast<const signatures_of<Row>*>(nullptr));
 }
 
-/// The alternatives of a question for which the engine has an overload, and the arguments of those for which it has none:
+/// The alternatives of a question for which the engine has an overload, and the arguments of those for which it has
+/// none:
 /// "(Sphere3<double> a, ...)".
 struct Alternatives {
   std::set<std::size_t> answered{};

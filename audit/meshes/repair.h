@@ -24,7 +24,8 @@ struct Repaired {
 /// a solid.
 Repaired repaired(const MeshFile& file, const Preparation& how, const Diagnosis& diagnosis, const TellStep& tell = {});
 
-/// What the file says of its surface that no repair keeps: "texture coordinates, normals"; empty where there is nothing.
+/// What the file says of its surface that no repair keeps: "texture coordinates, normals"; empty where there is
+/// nothing.
 std::string not_kept(const MeshFile& file);
 
 /// The mesh as a file, its format told by the ending of the name (.obj, .off, .ply, .stl). Every number reads back as

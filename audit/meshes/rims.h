@@ -23,8 +23,8 @@ struct TJunction {
   EdgeOfFile edge;
 };
 
-/// Of a rim whose vertices lie on one line, exactly, one within an edge of it: where a face has to be split. Empty where
-/// they do not.
+/// Of a rim whose vertices lie on one line, exactly, one within an edge of it: where a face has to be split. Empty
+/// where they do not.
 std::optional<TJunction> t_junction(const Rim& rim, const std::vector<EdgeOfFile>& open,
                                     const std::vector<Point3d>& vertices);
 

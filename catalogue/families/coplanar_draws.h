@@ -10,8 +10,8 @@
 namespace touchstone::catalogue {
 
 /// A triangle with the corners (0, 0), (12, 0) and (0, 12) in integer coordinates of its plane, which is across an axis
-/// or any of the lattice; and segments and triangles of that plane, which touch it, pass it by one unit, cross it or lie
-/// within. What is said of one edge or corner holds for each, because corners are listed in any order.
+/// or any of the lattice; and segments and triangles of that plane, which touch it, pass it by one unit, cross it or
+/// lie within. What is said of one edge or corner holds for each, because corners are listed in any order.
 class CoplanarDraws {
  public:
   explicit CoplanarDraws(DrawStream& draws) : draws_(draws), plane_(LatticePlane::of(draws, 6)) {

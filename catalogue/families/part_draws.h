@@ -13,16 +13,16 @@ namespace touchstone::catalogue {
 /// An odd multiple of the shape lies between two of them. The parts are in any order, some of them inside out.
 Meshd shells(const Meshd& shape, DrawStream& draws);
 
-/// A solid with a hollow, a notch or a hole, the cell of size 12 whose middle is `middle`; and a box, an octahedron or a
-/// tetrahedron that is free in there, touches the walls, fills all of it or reaches into the solid.
+/// A solid with a hollow, a notch or a hole, the cell of size 12 whose middle is `middle`; and a box, an octahedron or
+/// a tetrahedron that is free in there, touches the walls, fills all of it or reaches into the solid.
 struct BodyInRecess {
   Meshd solid, body;
   Point3d middle;
 };
 BodyInRecess body_in_recess(DrawStream& draws);
 
-/// Two or three boxes, from 0 to 60 in multiples of 12, that cross, cover or contain each other around (30, 30, 30): what
-/// two of them have in common is outside.
+/// Two or three boxes, from 0 to 60 in multiples of 12, that cross, cover or contain each other around (30, 30, 30):
+/// what two of them have in common is outside.
 Meshd crossing_boxes(DrawStream& draws);
 
 /// The box between two corners.

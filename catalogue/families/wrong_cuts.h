@@ -10,9 +10,9 @@ namespace touchstone::catalogue {
 /// other vertices, those of another face, turned over.
 Meshd with_wrong_cut(Meshd mesh, DrawStream& draws);
 
-/// The mesh with one polygon more, whose cut mostly breaks one rule alone: a ring that runs over itself, a corner within
-/// a triangle, a triangle without an area, a triangle that begins at another corner than its polygon. Or a valid one
-/// that comes back to a position by another vertex.
+/// The mesh with one polygon more, whose cut mostly breaks one rule alone: a ring that runs over itself, a corner
+/// within a triangle, a triangle without an area, a triangle that begins at another corner than its polygon. Or a valid
+/// one that comes back to a position by another vertex.
 Meshd with_wrong_polygon(Meshd mesh, DrawStream& draws);
 
 /// The mesh with a corner of a polygon an ulp or two higher or lower: off the plane, unless that is upright.

@@ -149,7 +149,8 @@ struct Hooks {
   std::string (*exact_defect)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
   /// Of an answer with a defect, next to the truth in nearest doubles: how far it is from a right one.
   Excess (*excess)(const Question&, const answer_t<Row>& answer, const answer_t<Row>& truth) = nullptr;
-  /// Where points of two shapes are as near as those of the truth: the truth with those that are nearest to an answer's.
+  /// Where points of two shapes are as near as those of the truth: the truth with those that are nearest to an
+  /// answer's.
   std::optional<truth_t<Row>> (*as_near)(const Question&, const truth_t<Row>& truth,
                                          const answer_t<Row>& answer) = nullptr;
   /// Repairs random numbers into a valid question (a ring that does not cross itself).

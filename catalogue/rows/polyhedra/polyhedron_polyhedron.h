@@ -190,8 +190,8 @@ struct polyhedron_polyhedron {
          /*unscaled=*/true},
         {"within_shells",
          [](DrawStream& c) -> Question {
-           // A solid, or one with a hollow of its own; alone, or after a part that is far away. Its faces lie between two
-           // shells or are those of a shell.
+           // A solid, or one with a hollow of its own; alone, or after a part that is far away. Its faces lie between
+           // two shells or are those of a shell.
            const Meshd shape = around_the_mean(lattice_polyhedron(c)), a = shells(shape, c);
            const auto size = static_cast<double>(1 + c.below(3));
            Meshd b = scaled(shape, size);
