@@ -63,13 +63,14 @@ std::string paragraph(const std::string& text) {
   return html;
 }
 
-/// Where a sentence ends that goes on at `from`: behind its full stop, which none of "p. 5" is.
+/// Where a sentence ends that goes on at `from`: behind its full stop, which none of "p. 5" and "N . (x - a)" is.
 static std::size_t end_of_sentence(const std::string& text, std::size_t from) {
   for (std::size_t at = from; (at = text.find('.', at)) != std::string::npos; ++at) {
     const bool of_page = at > 0 && text[at - 1] == 'p' && (at < 2 || text[at - 2] == ' ' || text[at - 2] == '\n');
     const std::size_t next = text.find_first_not_of(" \n", at + 1);
     if (next == std::string::npos) return text.size();
-    if (next > at + 1 && !of_page && text.compare(at + 1, 5, "\n    ") != 0) return at + 1;
+    const bool of_product = at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\n');
+    if (next > at + 1 && !of_page && !of_product && text.compare(at + 1, 5, "\n    ") != 0) return at + 1;
   }
   return text.size();
 }

@@ -75,6 +75,8 @@ TEST_CASE("formulas: of a contract's second paragraph the formula and its senten
         Parts("Deck p. 44: as on p. 5, squares.", "The slide ends."));
   CHECK(formula_and_rest("No page of the deck asks this. The formula is another. Units.") ==
         Parts("No page of the deck asks this. The formula is another.", "Units."));
+  CHECK(formula_and_rest("Deck p. 54:\n    a = b,\nwhere (b x c) . N >= 0. a: any unit.") ==
+        Parts("Deck p. 54:\n    a = b,\nwhere (b x c) . N >= 0.", "a: any unit."));
   CHECK(formula_and_rest("One sentence") == Parts("One sentence", ""));
 }
 
