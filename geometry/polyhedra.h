@@ -25,8 +25,8 @@ struct Face {
 /// The corners of a polygon lie in one plane and name a ring that encloses an area. Corners may lie on the edge between
 /// two others, and the ring may run along one bridge in both directions, as around a hole. It may return to a position,
 /// but not cross itself, nor touch one of its edges but in a corner. A cut is valid if it covers that area: its
-/// triangles have areas, all turned as the polygon is, no interior point in common, and no corner but their own. Every
-/// valid cut gives the same answers.
+/// triangles are over corners of the polygon and have areas, all turned as the polygon is, no interior point in common,
+/// and no corner of it but their own. Every valid cut gives the same answers.
 template <class Real>
 struct Mesh {
   std::vector<Point3<Real>> vertices;

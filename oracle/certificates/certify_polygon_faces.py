@@ -60,6 +60,7 @@ def expect_cut(vertices, named, triangles, what):
         expect(planar, f"{what}.faces[{i}]: planar")
         expect(bounded_alike(face, own), no_cut)
         for k, one in enumerate(own):
+            expect(all(v in face for v in one), no_cut)
             expect(plane.turn(*one) > 0, no_cut)
             expect(not any(plane.holds(one, v) for v in face), no_cut)
             for other in own[:k]:

@@ -87,6 +87,7 @@ void expect_cut(const Mesh& mesh, const std::string& what) {
     expect(cut.bounded_alike(), no_cut);
     for (std::size_t k = 0; k < cut.triangles.size(); ++k) {
       const Triangle& one = cut.triangles[k];
+      for (const std::size_t v : one) expect(std::find(corners.begin(), corners.end(), v) != corners.end(), no_cut);
       expect(cut.turn(one[0], one[1], one[2]) > 0, no_cut);
       for (const std::size_t v : corners) expect(!cut.holds(one, v), no_cut);
       for (std::size_t l = 0; l < k; ++l) {

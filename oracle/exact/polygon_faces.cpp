@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -83,10 +84,15 @@ void run(Boundary& boundary, Index from, Index to) {
 
 bool cuts(const std::vector<Index>& corners, const Ring& polygon, const std::vector<Face>& triangles,
           const std::vector<Ring>& pieces) {
+  const std::set<Index> named(corners.begin(), corners.end());
   Boundary of_polygon, of_triangles;
   for (std::size_t k = 0; k < corners.size(); ++k) run(of_polygon, corners[k], corners[(k + 1) % corners.size()]);
-  for (const Face& face : triangles)
-    for (const auto& [from, to] : edges_of(face)) run(of_triangles, from, to);
+  for (const Face& face : triangles) {
+    for (const auto& [from, to] : edges_of(face)) {
+      if (!named.contains(from)) return false;
+      run(of_triangles, from, to);
+    }
+  }
   if (of_polygon != of_triangles) return false;
   const Vector normal = area_of(pieces[0][0], pieces[0][1], pieces[0][2]);
   if (zero(normal)) return false;

@@ -110,8 +110,9 @@ struct Cut {
 template <class Real>
 bool cuts(const SeenPolygon<Real>& seen, const std::vector<Index>& corners, Triangles triangles) {
   const Cut<Real> cut{seen, seen.turn_of(triangles[0].a, triangles[0].b, triangles[0].c)};
+  const auto named = [&corners](Index v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); };
   for (const Face& f : triangles)
-    if (cut.turn(f.a, f.b, f.c) <= 0) return false;
+    if (!named(f.a) || !named(f.b) || !named(f.c) || cut.turn(f.a, f.b, f.c) <= 0) return false;
   if (!bounded_alike(corners, triangles)) return false;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Face& f = triangles[i];

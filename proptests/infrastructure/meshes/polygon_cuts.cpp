@@ -95,6 +95,14 @@ TEST_CASE("polygon cuts: each rule of a cut refuses alone") {
   }
 }
 
+TEST_CASE("polygon cuts: triangles over a vertex that is no corner of the polygon do not cut it") {
+  // The last vertex is within the triangle 0 1 2. A bridge to it and back; the same along an edge instead.
+  const std::vector<Point3d> p{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}};
+  const std::vector<Face> triangles{{0, 1, 3}, {3, 1, 2}, {0, 3, 2}};
+  CHECK(refused_by_both({p, triangles, {{0, 1, 3, 1, 2}}}) == "accepted");
+  CHECK(refused_by_both({p, triangles, {{0, 1, 0, 1, 2}}}) == "mesh.cut: a cut of the faces into triangles");
+}
+
 TEST_CASE("polygon cuts: robust answers of any valid cut as of its own") {
   std::size_t meeting = 0, other = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
