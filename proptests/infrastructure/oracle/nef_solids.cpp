@@ -2,12 +2,14 @@
 // CGAL's Nef polyhedra are under the GPL: they are asked in tests only.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Nef_polyhedron_3.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <atomic>
 #include <optional>
+#include <vector>
 
 #include "catalogue/rows/polyhedra/polyhedron_polyhedron.h"
 #include "proptests/catch.h"
@@ -37,8 +39,15 @@ std::optional<Nef> solid(const Meshd& mesh) {
     if (surface.is_isolated(vertex)) surface.remove_vertex(vertex);
   surface.collect_garbage();
   if (!CGAL::is_closed(surface) || pmp::does_self_intersect(surface)) return std::nullopt;
-  pmp::orient_to_bound_a_volume(surface);
-  return Nef(surface);
+  // A Nef polyhedron of a surface has all bounded volumes, those between two shells and those within the inner one.
+  std::vector<Surface> parts;
+  pmp::split_connected_components(surface, parts);
+  Nef between_shells(Nef::EMPTY);
+  for (Surface& part : parts) {
+    pmp::orient_to_bound_a_volume(part);
+    between_shells ^= Nef(part);
+  }
+  return between_shells.closure();
 }
 
 }  // namespace
