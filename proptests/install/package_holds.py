@@ -20,11 +20,12 @@ HELD = [
     rf"{LIB}/libtouchstone_(robust|oracle|certify|c|module_(catalogue|audit|simulate|report|program))\.a",
     rf"{LIB}/cmake/touchstone/touchstone-config(-version)?\.cmake",
     rf"{LIB}/cmake/touchstone/touchstone-({COMPONENTS})(-\w+)?\.cmake",
-    rf"{LIB}/cmake/touchstone/(components|touchstone_add_audit|FindGMP|FindMPFR)\.cmake",
+    rf"{LIB}/cmake/touchstone/(components|touchstone_add_(audit|engine)|FindGMP|FindMPFR)\.cmake",
     rf"{LIB}/pkgconfig/touchstone-({COMPONENTS})\.pc",
     r"include/touchstone(_robust)?\.h",
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/rows)/{CHAPTER}/\w+\.h",
+    r"include/touchstone/reference/standard/\w+\.h",
     r"include/touchstone/robust/(masked_exceptions|(kernel|batch|structures)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact|rings)/\w+|certificates/(certificate|check))\.h",
     r"include/touchstone/catalogue/((shape|numbers|codec|draw|families|judge|operation)/)?\w+\.h",
@@ -99,7 +100,7 @@ def defects(source, prefix):
 def right_listing():
     config = "touchstone-config.cmake touchstone-robust-release.cmake components.cmake".split()
     include = """geometry/points.h reference/lines/touch.h robust/kernel/staged.h oracle/truth.h catalogue/operation/row.h
-        catalogue/rows/all.h         audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
+        reference/standard/slabs.h catalogue/rows/all.h audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +
             [f"lib/cmake/touchstone/{file}" for file in config] + ["include/touchstone_robust.h"] + [f"include/touchstone/{file}" for file in include] +
