@@ -29,9 +29,9 @@ struct polygon_polygon {
         .answer = "contact",
         .margin_degree = 2,
         .cost = 5,
-        .time = {.robust = Growth::linearithmic,
+        .time = {.robust = Growth::quadratic,
                  .oracle = Growth::linearithmic,
-                 .ask = Growth::linearithmic,
+                 .ask = Growth::quadratic,
                  .reference = Growth::quadratic},
         .list_length = 3};
     return metadata;

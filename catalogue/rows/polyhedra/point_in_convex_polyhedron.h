@@ -31,7 +31,7 @@ struct point_in_convex_polyhedron {
         .answer = "location",
         .margin_degree = 2,
         .cost = 69,
-        .time = {.robust = Growth::linearithmic,
+        .time = {.robust = Growth::quadratic,
                  .oracle = Growth::quadratic,
                  .ask = Growth::quadratic,
                  .reference = Growth::linear},
