@@ -103,6 +103,13 @@ TEST_CASE("polygon cuts: triangles over a vertex that is no corner of the polygo
   CHECK(refused_by_both({p, triangles, {{0, 1, 0, 1, 2}}}) == "mesh.cut: a cut of the faces into triangles");
 }
 
+TEST_CASE("polygon cuts: triangles over its corners that have another boundary do not cut a polygon") {
+  const std::vector<Point3d> dart{{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
+  CHECK(refused_by_both({dart, {{0, 1, 2}, {0, 2, 3}}, {{0, 1, 2, 3}}}) == "accepted");
+  CHECK(refused_by_both({dart, {{0, 1, 2}, {1, 3, 2}}, {{0, 1, 2, 3}}}) ==
+        "mesh.cut: a cut of the faces into triangles");
+}
+
 TEST_CASE("polygon cuts: robust answers of any valid cut as of its own") {
   std::size_t meeting = 0, other = 0;
   for (std::uint64_t i = 0; i < 200; ++i) {
