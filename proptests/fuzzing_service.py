@@ -49,8 +49,8 @@ def linked(work):
          work / "mutated.cpp")
     must(*compile_, "-o", work / "mutant.o", SOURCE / "proptests/mutation/mutant.cpp")
     must(*compile_, "-o", work / "fmt.o", BUILD / "fmt.cpp")
-    # What is first, the mutant, is taken: the library holds the file it is of too, in the unit of its chapter.
     libraries = [f"-l:lib{name}.a" for name in ("mpfr", "gmp", "png16", "z")]
+    # What is first, the mutant, is taken: the library holds the file it is of too, in the unit of its chapter.
     must("clang++", ENGINE, "-Wl,-z,muldefs", *(work / f"{name}.o" for name in ("mutated", "mutant", "fmt")), *OBJECTS,
          "-Wl,--start-group", *sorted(BUILD.glob("libtouchstone_*.a")), "-Wl,--end-group", *libraries, "-o", work / "program")
     return work / "program"

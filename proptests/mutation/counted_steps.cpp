@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The callbacks of sanitizer coverage: each comparison of integers in what is compiled with them is a step.
+// The callbacks of sanitizer coverage, for programs without libFuzzer: each comparison of integers in what is compiled
+// with them is a step.
 #include <cstdint>
 
 namespace touchstone::proptests {

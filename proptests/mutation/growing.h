@@ -4,12 +4,14 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "catalogue/families/draw_stream.h"
 #include "catalogue/operation/operation.h"
+#include "proptests/long_rings.h"
 
 /// Questions in general position whose lists have as many elements as one likes.
 namespace touchstone::proptests {
@@ -41,12 +43,12 @@ class GrowingLists {
   Json points_of_plane() {
     return list([this](std::size_t) { return Json::array({number(1), number(1)}); });
   }
-  /// Boxes of a unit or so, about one in each 64 units of space; n / `share` of them.
   Json box(double middle_x, double middle_y, double middle_z) {
     const double x = 1 + number(0.5), y = 1 + number(0.5), z = 1 + number(0.5);
     return {{"min", {middle_x - x, middle_y - y, middle_z - z}}, {"max", {middle_x + x, middle_y + y, middle_z + z}}};
   }
   double room() const { return 2 * std::cbrt(static_cast<double>(n_)); }
+  /// Boxes of one to three units, about one in each 64 units of space; n / `share` of them.
   Json boxes(std::size_t share = 1) {
     return list(
         [this](std::size_t) {
@@ -76,27 +78,28 @@ class GrowingLists {
                           },
                           2)}};
   }
-  /// A convex ring around (x, 0) of radius 1, or one whose distance from it goes up and down.
-  Json ring(bool convex, double x = 0, std::size_t share = 1) {
-    const std::size_t size = n_ / share;
-    return list(
-        [&](std::size_t i) {
-          const double u = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(size);
-          const double r = convex ? 1 : 1 + 0.3 * std::sin(9 * u) + number(0.001) / static_cast<double>(size);
-          return Json::array({x + r * std::cos(u), r * std::sin(u)});
-        },
-        share);
+  /// A ring whose distance from (x, 0) goes up and down, of n / `share` vertices.
+  Json ring(double x = 0, std::size_t share = 1) {
+    Json ring = Json::array();
+    for (const Point2d& p : wavy_ring(n_ / share).vertices) ring.push_back({x + p.x, p.y});
+    return ring;
+  }
+  Json convex_ring() {
+    return list([this](std::size_t i) {
+      const double u = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n_);
+      return Json::array({std::cos(u), std::sin(u)});
+    });
   }
   /// With one number so small that floating point alone, in which no steps are counted, does not answer.
   Json polygon_in_space() {
-    Json polygon = ring(false);
+    Json polygon = ring();
     for (Json& vertex : polygon) vertex.push_back(number(0.5));
     polygon[0][2] = 0x1p-400;
     return polygon;
   }
   /// A sphere around (x, 0, 0) of radius 1, an icosahedron whose faces are cut into four as often as n allows.
   Json sphere(double x = 0, std::size_t share = 1) const;
-  /// Unequal balls on a lattice so wide that none meets another, at rest or slow.
+  /// Unequal balls on a lattice so wide that none meets another, and slow.
   Json balls() {
     const auto side = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(n_))));
     return list([&](std::size_t i) -> Json {
@@ -152,7 +155,7 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
   const Json origin{0.1, 0.2, 0.3};
   const auto body = [](L& l) -> Json { return {{"mass", 2 + l.number(1)}, {"velocity", l.in_space()}}; };
   const auto bodies = [body](L l) -> Json { return {{"bodies", l.list([&](std::size_t) { return body(l); })}}; };
-  const auto ring = [](L l) -> Json { return {{"polygon", l.ring(false)}}; };
+  const auto ring = [](L l) -> Json { return {{"polygon", l.ring()}}; };
   const auto cloud = [](L l) -> Json { return {{"points", l.points()}}; };
   static const std::map<std::string, std::function<Json(L)>> questions{
       {"all_pairs",
@@ -173,15 +176,15 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
       {"polygon_convexity", ring},
       {"point_in_polygon",
        [](L l) -> Json {
-         return {{"polygon", l.ring(false)}, {"point", {0.1, 0.2}}};
+         return {{"polygon", l.ring()}, {"point", {0.1, 0.2}}};
        }},
       {"point_in_convex_polygon",
        [](L l) -> Json {
-         return {{"polygon", l.ring(true)}, {"point", {0.1, 0.2}}};
+         return {{"polygon", l.convex_ring()}, {"point", {0.1, 0.2}}};
        }},
       {"polygon_polygon",
        [](L l) -> Json {
-         return {{"a", l.ring(false, 0, 2)}, {"b", l.ring(false, 1, 2)}};
+         return {{"a", l.ring(0, 2)}, {"b", l.ring(1, 2)}};
        }},
       {"aabb_of_points", cloud},
       {"obb_of_points", cloud},

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstddef>
+#include <cstdint>
+
 #include "catalogue/operation/explained.h"
 #include "proptests/each_operation.h"
 #include "proptests/mutation/growing.h"
@@ -26,7 +29,7 @@ bool asked_of_lists(const catalogue::Operation& operation) {
 constexpr std::size_t times_longer = 8;
 constexpr double most_of_what_is_said = 2;
 
-/// So long that no way for few elements is taken, and the longer question in a second or so.
+/// Such that the longer question takes seconds at most.
 std::size_t short_length(Growth growth) {
   switch (growth) {
     case Growth::constant:
