@@ -170,7 +170,7 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
   command
       ->add_option("--report-seconds", options->report_seconds,
-                   "Make the failure maps of the report finer for so long; without it they ask about four times "
+                   "Make the failure maps of the report finer for so long; without it they ask at most "
                    "--cases, and the same arguments give the same bytes")
       ->check(positive)
       ->default_str("none");

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/html.h"
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "audit/cases_of.h"
+#include "audit/parallel.h"
 #include "report/ways.h"
 
 namespace touchstone::report {
@@ -68,30 +70,35 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
   make_directory(directory);
   Report report{tally, directory, notes};
   report.write_index();
-  for (std::size_t i = 0; i < tally.operations.size(); ++i) report.write_page(i);
+  in_parallel(jobs, tally.operations.size(), [&](std::size_t i) { report.write_page(i); });
   const auto started = std::chrono::steady_clock::now();
   const auto over = [&] {
     return notes.seconds > 0 &&
            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() >= notes.seconds;
   };
-  MapEffort effort{16};
-  for (; effort.side <= MapGrid::side && !over(); effort.side *= 2) {
-    std::size_t done = 0;
-    for (const OperationTally* counted : worst_first(tally)) {
-      const auto i = static_cast<std::size_t>(counted - tally.operations.data());
-      const Operation* operation = find_operation(counted->operation);
-      if (operation != nullptr && notes.seconds == 0)
-        effort = MapEffort::of(cases_of(*operation, tally.cases, tally.by_cost));
-      effort.go_on = [&] {
-        if (notes.progress) notes.progress(counted->operation, done, tally.operations.size());
-        return !over();
-      };
-      if (operation != nullptr && effort.go_on()) {
-        auto maps = failure_maps(*operation, jobs, tally.declaration.binary32, engine, found_in(*counted), effort);
+  const std::vector<const OperationTally*> order = worst_first(tally);
+  // One engine is asked one question after the other, and one operation alone is the work of all jobs.
+  const bool apart = engine == nullptr && order.size() > 1;
+  for (int side = 16; side <= MapGrid::side && !over(); side *= 2) {
+    std::atomic<std::size_t> done{0};
+    in_parallel(apart ? jobs : 1, order.size(), [&](std::size_t place) {
+      const OperationTally& counted = *order[place];
+      const auto i = static_cast<std::size_t>(&counted - tally.operations.data());
+      const Operation* operation = find_operation(counted.operation);
+      if (operation != nullptr) {
+        MapEffort effort{side};
+        if (notes.seconds == 0) effort = MapEffort::of(cases_of(*operation, tally.cases, tally.by_cost));
+        effort.go_on = [&] {
+          if (notes.progress) notes.progress(counted.operation, done, order.size());
+          return !over();
+        };
+        if (effort.abandoned()) return;
+        auto maps = failure_maps(*operation, apart ? 1 : jobs, tally.declaration.binary32, engine, found_in(counted),
+                                 effort);
         if (!maps.empty()) report.maps[i] = std::move(maps), report.write_page(i);
       }
       ++done;
-    }
+    });
     if (notes.seconds == 0) break;
   }
   report.write_index();

@@ -18,7 +18,7 @@ struct ReportNotes {
   /// Called before each operation's page and while its map is made: its name, how many pages are written, and how many
   /// there will be. From any thread.
   std::function<void(const std::string&, std::size_t, std::size_t)> progress{};
-  /// 0: the maps ask about four times as many questions as each operation was asked, so that the same tally gives the
+  /// 0: the maps ask at most as many questions as each operation was asked, so that the same tally gives the
   /// same bytes. Else they begin with 16 x 16 questions and are made finer while fewer seconds than this have passed.
   double seconds = 0;
   std::size_t expected = 0;  ///< operations of a run that goes on; 0: it is over

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <mutex>
+#include <optional>
 
 #include "report/condition_plot.h"
 #include "report/contract.h"
@@ -142,8 +144,18 @@ struct OfOperation {
 };
 
 const OfOperation& of_operation(const Operation& operation) {
-  static std::map<const Operation*, OfOperation> made;
-  return made.try_emplace(&operation, operation).first->second;
+  struct Made {
+    std::once_flag begun;
+    std::optional<OfOperation> value;
+  };
+  static std::mutex guard;
+  static std::map<const Operation*, Made> made;
+  Made& here = [&]() -> Made& {
+    const std::scoped_lock lock(guard);
+    return made[&operation];
+  }();
+  std::call_once(here.begun, [&] { here.value.emplace(operation); });
+  return *here.value;
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ std::vector<Axes> axes_to_try(const Operation& operation, std::size_t numbers) {
 MapEffort MapEffort::of(std::uint64_t cases) {
   MapEffort effort;
   const auto questions = [&](int side) { return static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side); };
-  for (effort.side = 16; effort.side < MapGrid::side && questions(2 * effort.side) / 4 <= cases;) effort.side *= 2;
+  for (effort.side = 16; effort.side < MapGrid::side && questions(2 * effort.side) <= cases;) effort.side *= 2;
   return effort;
 }
 

@@ -18,8 +18,7 @@ struct MapEffort {
   /// Asked now and then while the map is made; false abandons it.
   std::function<bool()> go_on{};
 
-  /// A map of an audit that asks each operation `cases` questions asks about four times as many: from 16 x 16 to 256 x
-  /// 256.
+  /// A map of an audit that asks each operation `cases` questions asks as many at most: from 16 x 16 to 256 x 256.
   static MapEffort of(std::uint64_t cases);
   bool abandoned() const { return go_on && !go_on(); }
 };

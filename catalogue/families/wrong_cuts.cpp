@@ -46,6 +46,10 @@ const CutPolygon square_with_a_corner_twice{
 /// A dart, and one triangle of it beside one across the corner that points inwards: together the hull of the dart.
 const CutPolygon dart_as_its_hull{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {0, 1, 2, 3}, {{0, 1, 2}, {1, 3, 2}}};
 
+/// The square with a bridge, cut over the wrong one of the two vertices in one position.
+const CutPolygon bridge_from_the_wrong_vertex{
+    square_with_a_bridge.points, square_with_a_bridge.corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+
 /// A triangle whose first side is walked forth, back and forth, and its cut from a point within, which is no corner.
 const CutPolygon triangle_from_within{
     {{0, 0}, {4, 0}, {0, 4}, {1, 1}}, {0, 1, 0, 1, 2}, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
@@ -99,14 +103,21 @@ Meshd with_wrong_cut(Meshd mesh, DrawStream& draws) {
 
 Meshd with_wrong_polygon(Meshd mesh, DrawStream& draws) {
   if (mesh.polygons.empty()) return mesh;
-  switch (draws.below(7)) {
+  switch (draws.below(5)) {
     case 0: return with_one_more(std::move(mesh), {{{0, 0}, {4, 0}, {0, 4}}, {0, 1, 2}, {{0, 1, 2}}}, draws);
     case 1: return with_one_more(std::move(mesh), square_with_a_detour(draws), draws);
     case 2: return with_one_more(std::move(mesh), square_with_a_corner_twice, draws);
     case 3: return with_one_more(std::move(mesh), strip_across_itself, draws);
-    case 4: return with_one_more(std::move(mesh), dart_as_its_hull, draws);
-    case 5: return with_one_more(std::move(mesh), triangle_from_within, draws);
     default: return with_one_more(std::move(mesh), square_with_a_bridge, draws);
+  }
+}
+
+Meshd with_foreign_cut(Meshd mesh, DrawStream& draws) {
+  if (mesh.polygons.empty()) return mesh;
+  switch (draws.below(3)) {
+    case 0: return with_one_more(std::move(mesh), dart_as_its_hull, draws);
+    case 1: return with_one_more(std::move(mesh), bridge_from_the_wrong_vertex, draws);
+    default: return with_one_more(std::move(mesh), triangle_from_within, draws);
   }
 }
 

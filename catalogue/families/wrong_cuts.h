@@ -15,6 +15,10 @@ Meshd with_wrong_cut(Meshd mesh, DrawStream& draws);
 /// one that comes back to a position by another vertex.
 Meshd with_wrong_polygon(Meshd mesh, DrawStream& draws);
 
+/// The mesh with one polygon more, whose cut is triangles apart from each other over other corners or with another
+/// boundary than the polygon's.
+Meshd with_foreign_cut(Meshd mesh, DrawStream& draws);
+
 /// The mesh with a corner of a polygon an ulp or two higher or lower: off the plane, unless that is upright.
 Meshd with_lifted_corner(Meshd mesh, DrawStream& draws);
 

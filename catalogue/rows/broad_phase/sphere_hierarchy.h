@@ -21,7 +21,7 @@ struct sphere_hierarchy : all_pairs {
       other.pages = "58-61";
       other.question = "Which of these balls, or boxes, meet, by a hierarchy of spheres?";
       other.implementation_of = "all_pairs";
-      other.cost = 20;  // its exact arithmetic has roots of thousands of digits
+      other.cost = 180;  // its exact arithmetic has roots of thousands of digits
       other.time = grows(Growth::quadratic);
       return other;
     }();

@@ -150,6 +150,12 @@ struct polyhedron_complexity {
                return {with_wrong_polygon(mesh, c)};
              },
              /*unscaled=*/true},
+            {"foreign_cut",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = drawn_prism(c);
+               return {with_foreign_cut(mesh, c)};
+             },
+             /*unscaled=*/true},
             {"lifted_corner",
              [](DrawStream& c) -> Question {
                const Meshd mesh = drawn_prism(c);

@@ -107,7 +107,7 @@ TEST_CASE("maps: a coarse map asks fewer questions, those that a fine one asks t
 
 TEST_CASE("maps: how many questions follows from those of the audit, at least 16 x 16, at most the whole grid") {
   for (const auto& [cases, side] :
-       {std::pair(1, 16), {60, 16}, {255, 16}, {256, 32}, {2000, 64}, {4096, 128}, {16384, 256}, {200000, 256}})
+       {std::pair(1, 16), {60, 16}, {1023, 16}, {1024, 32}, {2000, 32}, {4096, 64}, {20000, 128}, {65536, 256}, {200000, 256}})
     CHECK(MapEffort::of(static_cast<std::uint64_t>(cases)).side == side);
 }
 
