@@ -302,6 +302,13 @@ bool OperationTally::inconsistent_convention() const {
   return sum.touches_closed > 0 && sum.touches_open > 0;
 }
 
+bool Tally::ordinary_only() const {
+  for (const OperationTally& operation : operations)
+    for (const auto& [family, cell] : operation.families)
+      if (cell.left_out > 0) return true;
+  return false;
+}
+
 bool Tally::has_findings() const {
   const auto found = [this](const OperationTally& t) {
     const Cell total = t.total();

@@ -179,6 +179,8 @@ struct Tally {
   bool interrupted = false;
 
   bool has_findings() const;
+  /// Whether extreme questions were drawn and left out.
+  bool ordinary_only() const;
   /// Throws InvalidInput where the two are of different engines, grids or limits, or count the same cases. Of two seeds
   /// the smaller stays.
   void merge(const Tally& other);

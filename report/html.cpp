@@ -93,8 +93,8 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
           return !over();
         };
         if (effort.abandoned()) return;
-        auto maps = failure_maps(*operation, apart ? 1 : jobs, tally.declaration.binary32, engine, found_in(counted),
-                                 effort);
+        auto maps =
+            failure_maps(*operation, apart ? 1 : jobs, tally.declaration.binary32, engine, found_in(counted), effort);
         if (!maps.empty()) report.maps[i] = std::move(maps), report.write_page(i);
       }
       ++done;

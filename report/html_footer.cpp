@@ -24,7 +24,7 @@ std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {
   if (tally.operations.size() == all_operations().size()) names = "all";
   if (tally.grid.size > 0) return fmt::format("touchstone exhaust {} --grid {}", names, tally.grid.size);
   const std::string options = tally.repeat.options.empty() ? "" : " " + tally.repeat.options;
-  const std::string range = sum_of(tally.operations).left_out > 0 ? " --range ordinary" : "";
+  const std::string range = tally.ordinary_only() ? " --range ordinary" : "";
   return fmt::format("{} audit{} --ops {} --cases {}{} --seed {}{} --report DIR", tally.repeat.program, options, names,
                      tally.cases, tally.by_cost ? " --by-cost" : "", tally.seed, range);
 }

@@ -192,7 +192,7 @@ std::string heading(const Tally& tally) {
     text += (tally.by_cost ? "; up to " : "; ") + counted(tally.cases, "case") + " per operation, seed " +
             std::to_string(tally.seed);
   }
-  if (sum_of(tally.operations).left_out > 0) text += ", ordinary size only";
+  if (tally.ordinary_only()) text += ", ordinary size only";
   if (!tally.undeclared.empty()) {
     constexpr std::size_t most_named = 6;
     std::string declared, undeclared;
