@@ -10,14 +10,12 @@ namespace {
 
 using Box = Aabb3<Rational>;
 
-constexpr std::array axes{&Point3<Rational>::x, &Point3<Rational>::y, &Point3<Rational>::z};
-
 void enlarge(std::optional<Box>& around, const Box& box) {
   if (!around) {
     around = box;
     return;
   }
-  for (const auto axis : axes) {
+  for (const auto axis : axes_of_boxes) {
     if (box.min.*axis < around->min.*axis) around->min.*axis = box.min.*axis;
     if (around->max.*axis < box.max.*axis) around->max.*axis = box.max.*axis;
   }
@@ -35,7 +33,7 @@ BodyTree::BodyTree(const Bodies& bodies) {
   std::vector<Middle> middles;
   for (const auto& [body, box] : bodies) {
     middles.push_back({body, {}});
-    for (std::size_t k = 0; k < 3; ++k) middles.back().at[k] = box.min.*axes[k] + box.max.*axes[k];
+    for (std::size_t k = 0; k < 3; ++k) middles.back().at[k] = box.min.*axes_of_boxes[k] + box.max.*axes_of_boxes[k];
   }
   if (!middles.empty()) divide(middles, 0, middles.size());
   for (const Middle& middle : middles) order_.push_back(middle.body);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +11,8 @@
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
+
+inline constexpr std::array axes_of_boxes{&Point3<Rational>::x, &Point3<Rational>::y, &Point3<Rational>::z};
 
 /// Boxes of bodies by their indices.
 using Bodies = std::map<Index, Aabb3<Rational>>;

@@ -2,10 +2,10 @@
 #include "oracle/exact/convex_mesh.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
+#include "oracle/exact/closed_mesh.h"
 #include "oracle/exact/polygon_faces.h"
 #include "oracle/exact/rational_validation.h"
 
@@ -47,8 +47,6 @@ Point3<Integer> multiplied(const Point3<Rational>& p, const Integer& denominator
 
 using Edge = std::pair<Index, Index>;
 
-std::array<Edge, 3> edges_of(const Face& f) { return {Edge{f.a, f.b}, Edge{f.b, f.c}, Edge{f.c, f.a}}; }
-
 void validate_closed(const std::string& field, const Mesh<Rational>& mesh) {
   std::map<Edge, int> times;
   for (const Face& face : mesh.faces) {
@@ -71,8 +69,6 @@ WholePlane plane_through(const Point3<Integer>& a, const Point3<Integer>& b, con
   return {{Integer(ab.x + bc.x + ca.x), Integer(ab.y + bc.y + ca.y), Integer(ab.z + bc.z + ca.z)},
           Integer(-dot(ab, position(c)))};
 }
-
-bool zero(const Vector3<Integer>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
 
 void turn(WholePlane& plane) {
   plane = {{Integer(-plane.normal.x), Integer(-plane.normal.y), Integer(-plane.normal.z)}, Integer(-plane.offset)};

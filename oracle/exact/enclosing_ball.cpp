@@ -9,7 +9,6 @@
 namespace touchstone::oracle {
 namespace {
 
-using Whole = Point3<Integer>;
 using Gram = std::array<std::array<Integer, 3>, 3>;
 
 Integer determinant(const Gram& g, std::size_t n) {
@@ -25,7 +24,7 @@ Integer determinant(const Gram& g, std::size_t n) {
 /// v_i . v_i, by Cramer's rule; the determinant is not negative, and 0 where they are affinely dependent.
 std::optional<SmallestBall> balanced(const WholePoints& points, const std::vector<std::size_t>& support) {
   const std::size_t n = support.size() - 1;
-  const Whole& first = points[support[0]];
+  const WholePoint& first = points[support[0]];
   std::vector<Vector3<Integer>> v;
   for (std::size_t i = 1; i <= n; ++i) v.push_back(points[support[i]] - first);
   Gram gram;
@@ -48,7 +47,7 @@ std::optional<SmallestBall> balanced(const WholePoints& points, const std::vecto
     return std::nullopt;
   ball.times = {0, 0, 0};
   for (std::size_t i = 0; i <= n; ++i) {
-    const Whole& p = points[support[i]];
+    const WholePoint& p = points[support[i]];
     ball.times.x += ball.weights[i] * p.x, ball.times.y += ball.weights[i] * p.y, ball.times.z += ball.weights[i] * p.z;
   }
   ball.square = ball.squared_distance(first);
@@ -114,22 +113,24 @@ SmallestBall smallest_ball(const WholePoints& points) {
 }
 
 GrowingBall growing_ball(const WholePoints& points, unsigned below) {
-  const Whole *a = points.data(), *b = a;
+  const WholePoint *a = points.data(), *b = a;
   Integer width = 0;
-  for (const auto axis : {&Whole::x, &Whole::y, &Whole::z}) {
-    const auto ascending = [axis](const Whole& p, const Whole& q) { return p.*axis < q.*axis; };
-    const Whole& low = *std::min_element(points.begin(), points.end(), ascending);
-    const Whole& high = *std::max_element(points.begin(), points.end(), ascending);
+  for (const auto axis : {&WholePoint::x, &WholePoint::y, &WholePoint::z}) {
+    const auto ascending = [axis](const WholePoint& p, const WholePoint& q) { return p.*axis < q.*axis; };
+    const WholePoint& low = *std::min_element(points.begin(), points.end(), ascending);
+    const WholePoint& high = *std::max_element(points.begin(), points.end(), ascending);
     const Integer square = square_of(high - low);
     if (square > width) a = &low, b = &high, width = square;
   }
   const auto finer = [](const Integer& n, unsigned bits) { return Integer(n << bits); };
-  const auto place = [&](const Whole& p) -> Whole { return {finer(p.x, below), finer(p.y, below), finer(p.z, below)}; };
+  const auto place = [&](const WholePoint& p) -> WholePoint {
+    return {finer(p.x, below), finer(p.y, below), finer(p.z, below)};
+  };
   const Rounded wide = root_above(finer(width, 2 * below - 2));
   GrowingBall ball{{finer(a->x + b->x, below - 1), finer(a->y + b->y, below - 1), finer(a->z + b->z, below - 1)},
                    wide.value};
-  for (const Whole& point : points) {
-    const Whole p = place(point);
+  for (const WholePoint& point : points) {
+    const WholePoint p = place(point);
     const Vector3<Integer> way = p - ball.center;
     const Integer square = square_of(way);
     if (square <= ball.radius * ball.radius) continue;

@@ -19,7 +19,6 @@ using Vector = Vector3<Rational>;
 using Ring = std::vector<Point>;
 
 Vector area_of(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
-bool zero(const Vector& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
 
 /// Whether all corners are in the plane of some three that are not on one line.
 bool planar(const Ring& corners) {

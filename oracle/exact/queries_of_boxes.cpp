@@ -16,14 +16,12 @@ void keep_least(std::optional<Rational>& least, const Rational& one) {
   if (!least || one < *least) least = one;
 }
 
-constexpr std::array axes{&Point3<Rational>::x, &Point3<Rational>::y, &Point3<Rational>::z};
-
 /// A query's box and another one.
 class BoxBesideBox {
  public:
   BoxBesideBox(const Box& query, const Box& box) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = axes[k];
+      const auto axis = axes_of_boxes[k];
       const Rational between = std::max<Rational>(box.min.*axis - query.max.*axis, query.min.*axis - box.max.*axis);
       if (!lack_ || between > *lack_) lack_ = between;
       if (!apart_ && sgn(between) > 0) apart_ = k;
@@ -57,8 +55,8 @@ class BoxOnRay {
     const auto& [o, d] = ray;
     const std::array direction{d.x, d.y, d.z};
     for (std::size_t k = 0; k < 3; ++k) {
-      faces_.push_back({Rational(box.min.*axes[k] - o.*axes[k]), Rational(-direction[k])});
-      faces_.push_back({Rational(o.*axes[k] - box.max.*axes[k]), direction[k]});
+      faces_.push_back({Rational(box.min.*axes_of_boxes[k] - o.*axes_of_boxes[k]), Rational(-direction[k])});
+      faces_.push_back({Rational(o.*axes_of_boxes[k] - box.max.*axes_of_boxes[k]), direction[k]});
     }
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       const auto& [excess, slope] = faces_[i];

@@ -10,12 +10,11 @@
 namespace touchstone::oracle {
 namespace {
 
-using Whole = Point3<Integer>;
 using Way = Vector3<Integer>;
 using Point = Point3<Rational>;
 using Vector = Vector3<Rational>;
 
-Point rational_point(const Whole& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+Point rational_point(const WholePoint& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
 Vector rational_vector(const Way& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 Vector minus(const Vector& v) { return Rational(-1) * v; }
 
@@ -44,27 +43,29 @@ class Shortest {
   Vector way_;
 };
 
-void try_vertex_and_edge(Shortest& shortest, const Whole& p, const Whole& from, const Whole& to, int sign) {
+void try_vertex_and_edge(Shortest& shortest, const WholePoint& p, const WholePoint& from, const WholePoint& to,
+                         int sign) {
   const Way edge = to - from, way = p - from;
   const Integer along = dot(way, edge), length = dot(edge, edge);
   if (sgn(along) <= 0 || along >= length) return;
   shortest.try_way(Integer(sign * length) * way - Integer(sign * along) * edge, length);
 }
 
-void try_vertex_and_face(Shortest& shortest, const Whole& p, const WholeSolid& solid, std::size_t face, int sign) {
+void try_vertex_and_face(Shortest& shortest, const WholePoint& p, const WholeSolid& solid, std::size_t face, int sign) {
   const auto& [normal, offset] = solid.planes[face];
   const Integer height = solid.planes[face].at(p), square = dot(normal, normal);
   if (sgn(height) <= 0 || !shortest.beats(height, square)) return;
   const auto [a, b, c] = solid.faces[face];
   const Way turned = cross(solid.vertices[b] - solid.vertices[a], solid.vertices[c] - solid.vertices[a]);
   for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
-    const Whole &from = solid.vertices[i], &to = solid.vertices[j];
+    const WholePoint &from = solid.vertices[i], &to = solid.vertices[j];
     if (sgn(dot(turned, cross(to - from, p - from))) < 0) return;
   }
   shortest.set(normal, Integer(sign * height), square);
 }
 
-void try_edges(Shortest& shortest, const Whole& a0, const Whole& a1, const Whole& b0, const Whole& b1) {
+void try_edges(Shortest& shortest, const WholePoint& a0, const WholePoint& a1, const WholePoint& b0,
+               const WholePoint& b1) {
   const Way v = a1 - a0, w = b1 - b0, normal = cross(v, w), between = a0 - b0;
   const Integer square = dot(normal, normal), height = dot(between, normal);
   if (sgn(square) == 0 || !shortest.beats(height, square)) return;
@@ -74,7 +75,7 @@ void try_edges(Shortest& shortest, const Whole& a0, const Whole& a1, const Whole
 }
 
 /// All vertices of which no other is lower.
-std::vector<Index> lowest(const std::vector<Whole>& vertices, const Vector& direction) {
+std::vector<Index> lowest(const std::vector<WholePoint>& vertices, const Vector& direction) {
   std::vector<Index> found{0};
   for (Index i = 1; i < vertices.size(); ++i) {
     const int side = sgn(dot(direction, rational_vector(vertices[i] - vertices[found[0]])));
@@ -158,9 +159,10 @@ Vector multiplier_of_lowest(const std::vector<Vector>& of_a, const std::vector<V
 
 }  // namespace
 
-WholeSolid::WholeSolid(const ConvexMesh& mesh, std::vector<Whole> at) : vertices(std::move(at)), faces(mesh.faces) {
+WholeSolid::WholeSolid(const ConvexMesh& mesh, std::vector<WholePoint> at)
+    : vertices(std::move(at)), faces(mesh.faces) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const Whole& corner = vertices[faces[i].a];
+    const WholePoint& corner = vertices[faces[i].a];
     const Way& normal = mesh.planes[i].normal;
     planes.push_back({normal, Integer(-dot(normal, Way{corner.x, corner.y, corner.z}))});
     const auto [a, b, c] = faces[i];
@@ -193,10 +195,10 @@ std::vector<Rational> WholeSolid::weights(const Point& p) const {
 
 Vector shortest_way(const WholeSolid& a, const WholeSolid& b) {
   Shortest shortest;
-  for (const Whole& p : a.vertices)
-    for (const Whole& q : b.vertices) shortest.try_way(p - q, 1);
+  for (const WholePoint& p : a.vertices)
+    for (const WholePoint& q : b.vertices) shortest.try_way(p - q, 1);
   const auto vertices_of_first = [&shortest](const WholeSolid& first, const WholeSolid& second, int sign) {
-    for (const Whole& p : first.vertices) {
+    for (const WholePoint& p : first.vertices) {
       for (const auto& [i, j] : second.edges)
         try_vertex_and_edge(shortest, p, second.vertices[i], second.vertices[j], sign);
       for (std::size_t face = 0; face < second.faces.size(); ++face)
@@ -232,7 +234,7 @@ Vector multiplier(const WholeSolid& a, const WholeSolid& b, const Point& on_a, c
   const Integer unit = denominator_of({on_a.x, on_a.y, on_a.z, on_b.x, on_b.y, on_b.z});
   const auto ways_to = [](const WholeSolid& solid, const Point& from) {
     std::vector<Vector> ways;
-    for (const Whole& p : solid.vertices) ways.push_back(rational_point(p) - from);
+    for (const WholePoint& p : solid.vertices) ways.push_back(rational_point(p) - from);
     return ways;
   };
   const auto level = [&way](std::vector<Vector> ways) {

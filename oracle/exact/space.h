@@ -7,6 +7,9 @@
 /// Shapes of space over rationals.
 namespace touchstone::oracle {
 
+using WholePoint = Point3<Integer>;
+using WholeVector = Vector3<Integer>;
+
 template <class Number>
 Point3<Rational> exact(const Point3<Number>& p) {
   return {exact(p.x), exact(p.y), exact(p.z)};
@@ -14,6 +17,11 @@ Point3<Rational> exact(const Point3<Number>& p) {
 template <class Number>
 Plane<Rational> exact(const Plane<Number>& plane) {
   return {{exact(plane.normal.x), exact(plane.normal.y), exact(plane.normal.z)}, exact(plane.offset)};
+}
+
+template <class Number>
+bool zero(const Vector3<Number>& v) {
+  return v.x == 0 && v.y == 0 && v.z == 0;
 }
 
 /// N . p + d: positive in front, in units of the normal's length.

@@ -133,15 +133,15 @@ Point near(const Point& p, long k) {
 }
 
 /// What of a face is in a cell that it enters.
-struct Piece {
+struct FacePiece {
   std::array<Place, 3> face;
   Polygon polygon;
 };
-using Pieces = std::array<std::vector<Piece>, 2>;
+using Pieces = std::array<std::vector<FacePiece>, 2>;
 
 /// Every so manyth.
-std::vector<const Piece*> some(const std::vector<Piece>& pieces, std::size_t most) {
-  std::vector<const Piece*> chosen;
+std::vector<const FacePiece*> some(const std::vector<FacePiece>& pieces, std::size_t most) {
+  std::vector<const FacePiece*> chosen;
   const std::size_t step = (pieces.size() + most - 1) / most;
   for (std::size_t i = 0; i < pieces.size(); i += step) chosen.push_back(&pieces[i]);
   return chosen;
@@ -219,9 +219,9 @@ class Cutting {
     return cross(vertex(face[1]) - vertex(face[0]), vertex(face[2]) - vertex(face[0]));
   }
   /// The corners of the faces of which these are pieces.
-  std::vector<Point3<Integer>> corners_of(const std::vector<const Piece*>& pieces) const {
+  std::vector<Point3<Integer>> corners_of(const std::vector<const FacePiece*>& pieces) const {
     std::vector<Point3<Integer>> corners;
-    for (const Piece* piece : pieces)
+    for (const FacePiece* piece : pieces)
       for (const Place at : piece->face) corners.push_back(vertex(at));
     return corners;
   }
@@ -243,7 +243,7 @@ class Cutting {
     Pieces kept;
     heights_.over(half.plane);
     for (const std::size_t solid : {0, 1}) {
-      for (const Piece& piece : pieces[solid]) {
+      for (const FacePiece& piece : pieces[solid]) {
         if (enters(piece, half.side)) kept[solid].push_back({piece.face, clipped(piece.polygon, half.side)});
       }
     }
@@ -251,7 +251,7 @@ class Cutting {
     return done(path, kept);
   }
 
-  bool enters(const Piece& piece, int side) {
+  bool enters(const FacePiece& piece, int side) {
     const int least = cells_ == Cells::closed ? 0 : 1;
     return std::any_of(piece.polygon.begin(), piece.polygon.end(),
                        [&](Place at) { return side * heights_.side(at) >= least; });
@@ -261,7 +261,7 @@ class Cutting {
     Count found;
     heights_.over(plane);
     for (const std::size_t solid : {0, 1}) {
-      for (const Piece& piece : pieces[solid])
+      for (const FacePiece& piece : pieces[solid])
         found.front[solid] += enters(piece, 1), found.behind[solid] += enters(piece, -1);
     }
     return found;
@@ -289,8 +289,8 @@ class Cutting {
   /// Each keeps one pair apart.
   std::vector<WitnessPlane> between_pairs(const Pieces& pieces) const {
     std::vector<WitnessPlane> found;
-    for (const Piece* p : some(pieces[0], few)) {
-      for (const Piece* q : some(pieces[1], few)) found.push_back(*plane_apart(corners_of({p}), corners_of({q})));
+    for (const FacePiece* p : some(pieces[0], few)) {
+      for (const FacePiece* q : some(pieces[1], few)) found.push_back(*plane_apart(corners_of({p}), corners_of({q})));
     }
     return found;
   }
@@ -300,7 +300,7 @@ class Cutting {
     std::vector<WitnessPlane> found;
     for (const std::size_t solid : {0, 1}) {
       if (pieces[solid].empty()) continue;
-      for (const Piece* piece : some(pieces[solid], many)) {
+      for (const FacePiece* piece : some(pieces[solid], many)) {
         const Vector3<Integer> normal = normal_of(piece->face);
         const Integer offset = dot(normal, vertex(piece->face[0]) - Point3<Integer>{0, 0, 0});
         found.push_back(WitnessPlane::of(normal, Rational(offset)));
@@ -314,7 +314,7 @@ class Cutting {
   void add_sides_of_boxes(std::vector<WitnessPlane>& candidates, const Pieces& pieces) {
     for (const auto& of_solid : pieces) {
       std::set<Place> places;
-      for (const Piece& piece : of_solid) places.insert(piece.polygon.begin(), piece.polygon.end());
+      for (const FacePiece& piece : of_solid) places.insert(piece.polygon.begin(), piece.polygon.end());
       for (const auto& [coordinate, normal] : {std::pair{&Point3<Integer>::x, Vector3<Integer>{1, 0, 0}},
                                                {&Point3<Integer>::y, {0, 1, 0}},
                                                {&Point3<Integer>::z, {0, 0, 1}}}) {

@@ -11,11 +11,11 @@ namespace touchstone::oracle {
 namespace {
 
 using Program = LinearProgram<Integer>;
-using Corners = std::array<Index, 3>;
+using FaceCorners = std::array<Index, 3>;
 
-Corners corners_of(const Face& f) { return {f.a, f.b, f.c}; }
+FaceCorners corners_of(const Face& f) { return {f.a, f.b, f.c}; }
 
-bool has(const Corners& corners, Index vertex) {
+bool has(const FaceCorners& corners, Index vertex) {
   return std::find(corners.begin(), corners.end(), vertex) != corners.end();
 }
 
@@ -26,7 +26,7 @@ struct Demand {
   std::size_t place;
 };
 
-std::vector<Demand> demands_of(const Corners& first, const Corners& second) {
+std::vector<Demand> demands_of(const FaceCorners& first, const FaceCorners& second) {
   std::vector<Demand> demands;
   for (std::size_t k = 0; k < 3; ++k) demands.push_back({first[k], has(second, first[k]) ? 0 : -1, k});
   for (std::size_t k = 0; k < 3; ++k)
@@ -34,7 +34,7 @@ std::vector<Demand> demands_of(const Corners& first, const Corners& second) {
   return demands;
 }
 
-bool beside(const WholeCloud& cloud, const Corners& plane, const Corners& other) {
+bool beside(const WholeCloud& cloud, const FaceCorners& plane, const FaceCorners& other) {
   const SupportingPlane of_face = cloud.plane(cloud.normal(plane[0], plane[1], plane[2]), plane[0]);
   int side = 0;
   for (const Index v : other) {
@@ -49,16 +49,16 @@ bool beside(const WholeCloud& cloud, const Corners& plane, const Corners& other)
 /// A plane has f below or on it and g above or on it, and on it, of one of them, only common corners. at: how high a
 /// vertex is.
 template <class Height>
-bool held_apart(const Height& at, const Corners& f, const Corners& g) {
+bool held_apart(const Height& at, const FaceCorners& f, const FaceCorners& g) {
   const Integer top = std::max({Integer(at(f[0])), Integer(at(f[1])), Integer(at(f[2]))}),
                 bottom = std::min({Integer(at(g[0])), Integer(at(g[1])), Integer(at(g[2]))});
-  const auto only_common = [&](const Corners& face, const Corners& other) {
+  const auto only_common = [&](const FaceCorners& face, const FaceCorners& other) {
     return std::all_of(face.begin(), face.end(), [&](Index v) { return at(v) != top || has(other, v); });
   };
   return top < bottom || (top == bottom && (only_common(f, g) || only_common(g, f)));
 }
 
-bool across_an_axis(const WholeCloud& cloud, const Corners& f, const Corners& g) {
+bool across_an_axis(const WholeCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
   for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z})
     if (held_apart([&](Index v) -> const Integer& { return cloud[v].*axis; }, f, g)) return true;
   return false;
@@ -66,7 +66,7 @@ bool across_an_axis(const WholeCloud& cloud, const Corners& f, const Corners& g)
 
 /// The outward normals of the planes through the edges of f, at right angles to it: that of one with f below and g
 /// above.
-std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const Corners& f, const Corners& g) {
+std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
   const Vector3<Integer> upwards = cloud.normal(f[0], f[1], f[2]);
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3<Integer> outwards = cross(cloud.between(f[k], f[(k + 1) % 3]), upwards);
@@ -80,7 +80,7 @@ std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const C
 /// Variables: normal and offset, each as a difference of two, from the first corner as origin. side * (normal . p -
 /// offset) >= 1, or = 0 where the corner is common.
 TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
-  const Corners first = corners_of(f), second = corners_of(g);
+  const FaceCorners first = corners_of(f), second = corners_of(g);
   const std::vector<Demand> demands = demands_of(first, second);
   if (demands.size() == 3) {
     meet = true, on_first[0] = 1;
@@ -134,7 +134,7 @@ TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
 }
 
 bool plainly_apart(const WholeCloud& cloud, const Face& first, const Face& second) {
-  const Corners f = corners_of(first), g = corners_of(second);
+  const FaceCorners f = corners_of(first), g = corners_of(second);
   if (std::all_of(f.begin(), f.end(), [&g](Index v) { return has(g, v); })) return false;
   return across_an_axis(cloud, f, g) || across_an_axis(cloud, g, f) || beside(cloud, f, g) || beside(cloud, g, f);
 }

@@ -86,8 +86,6 @@ WholeCloud::WholeCloud(const std::vector<Point3d>& doubles) {
   unit = list.unit;
 }
 
-bool zero(const Vector3<Integer>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
-
 Index WholeCloud::least() const {
   return static_cast<Index>(std::min_element(points.begin(), points.end(), before) - points.begin());
 }

@@ -40,8 +40,6 @@ class WholeCloud {
   Rational unit;
 };
 
-bool zero(const Vector3<Integer>& v);
-
 /// The extreme points of the points in a plane that has at least three not on one line, counter-clockwise about its
 /// normal from the least place on. Of equal points the first.
 std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane);

@@ -6,12 +6,11 @@
 #include <optional>
 
 #include "oracle/exact/linear_program.h"
+#include "oracle/exact/space.h"
 #include "oracle/exact/wide.h"
 
 namespace touchstone::oracle {
 namespace {
-
-bool zero(const Vector3<Integer>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
 
 /// Divides numbers, not all of them 0, by the greatest power of two that they share: what is left is shorter.
 void shorten(const std::vector<Integer*>& numbers) {
