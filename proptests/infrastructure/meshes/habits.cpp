@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "audit/meshes.h"
+#include "audit/meshes/places.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"
@@ -70,6 +71,7 @@ TEST_CASE("habits: bytes behind a triangle of binary STL are passed over where i
   CHECK(read.faces == Faces{{0, 1, 2}, {0, 1, 2}});
   CHECK(read.notes == Notes{"bytes behind each triangle passed over", merged_six});
   CHECK(parse_mesh_file("a.stl", stl("", 50, 0, 7, true)).faces == Faces(50, {0, 1, 2}));
+  CHECK(parse_mesh_file("a.stl", stl("", 2, 2, 300, true)).faces == Faces{{0, 1, 2}, {0, 1, 2}});
   CHECK(refusal("a.stl", stl("", 2, 2, 7, true) + "\n")
             .ends_with(": nothing behind the last triangle, or behind each as many bytes as its attribute counts"));
   CHECK(refusal("a.stl", stl("", 2, 2, 7, true) + std::string(50, 'x')) ==
@@ -80,6 +82,7 @@ TEST_CASE("habits: bytes behind the last triangle of binary STL are noted, fewer
   for (const std::string& behind : {std::string("\n"), std::string("\0", 1), std::string(49, 'x')}) {
     const MeshFile read = parse_mesh_file("a.stl", stl("solid", 1, 1) + behind);
     CHECK(read.faces == Faces{{0, 1, 2}});
+    CHECK(parse_mesh_file("a.dat", stl("solid", 1, 1) + behind).faces == Faces{{0, 1, 2}});
     CHECK(read.notes.front() == (behind.size() == 1 ? "1 byte behind the last triangle passed over"
                                                     : "49 bytes behind the last triangle passed over"));
   }
@@ -141,6 +144,15 @@ TEST_CASE("habits: strips of PLY become triangles that all face the same side") 
                              "3 0 1 -2\n") == "a.ply:14: index of a vertex: got -2 of 4 vertices, counted from 0");
 }
 
+TEST_CASE("habits: strips of PLY may have an odd number of vertices, and each row a line of its own") {
+  const MeshFile read =
+      parse_mesh_file("a.ply", "ply\nformat ascii 1.0\n" + ply_vertices +
+                                   "element tristrips 2\nproperty list int int vertex_indices\nend_header\n" +
+                                   four_rows + "7 0 1 3 -1 0 3 1\n3 1 2 3\n");
+  CHECK(read.faces == Faces{{0, 1, 3}, {0, 3, 1}, {1, 2, 3}});
+  CHECK(read.face_lines == std::vector<std::size_t>{14, 14, 15});
+}
+
 TEST_CASE("habits: PLY has integers of 64 bits, too") {
   for (const bool big : {false, true}) {
     std::string bytes = std::string("ply\nformat binary_") + (big ? "big" : "little") +
@@ -162,6 +174,13 @@ TEST_CASE("habits: PLY has integers of 64 bits, too") {
                                      "element face 1\nproperty list int64 uint64 vertex_indices\nend_header\n" +
                                      four_rows + "3 0 1 2\n")
             .faces == Faces{{0, 1, 2}});
+  std::string passed_over = "ply\nformat binary_little_endian 1.0\n" + ply_vertices +
+                            "property int64 time\nelement face 1\nproperty list int int vertex_indices\nend_header\n";
+  for (const float x : {0.f, 1.f, 2.f, 3.f})
+    append(passed_over, x), append(passed_over, x), append(passed_over, 0.f), append(passed_over, std::int64_t{-1});
+  for (const std::int32_t i : {3, 0, 1, 2}) append(passed_over, i);
+  CHECK(parse_mesh_file("a.ply", passed_over).vertices ==
+        std::vector<Point3d>{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}});
 }
 
 TEST_CASE("habits: what OBJ says besides the surface is counted") {
@@ -171,6 +190,14 @@ TEST_CASE("habits: what OBJ says besides the surface is counted") {
                       "t crease 2/1/0 0 1 2.0\nt interpolateboundary 1/0/0 1\nl 1 2\nv 9 9 9\nf 1 2 3\n");
   CHECK(reading_of(read) ==
         Notes{"OBJ: 4 vertices, 1 face of 3 corners", "1 vertex in no face", "passed over: 1 l, 1 mtllib, 2 t, 2 vw"});
+}
+
+TEST_CASE("habits: a face of OBJ belongs to the part whose name stands last before it") {
+  const MeshFile read =
+      parse_mesh_file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no wing\nf 1 2 3\no tail\nf 3 2 1\nf 1 3 2\n");
+  CHECK(audit::face_in_words(read, 0) == "face 1 (line 5, of wing)");
+  CHECK(audit::face_in_words(read, 1) == "face 2 (line 7, of tail)");
+  CHECK(audit::face_in_words(read, 2) == "face 3 (line 8, of tail)");
 }
 
 TEST_CASE("habits: files of points or lines are told to be that") {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "audit/meshes/askew.h"
+#include "audit/meshes/diagnosis.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
@@ -137,6 +138,52 @@ TEST_CASE("prepared meshes: merged vertices are those of the file that come firs
   CHECK(mesh.done == Done{"1 vertex merged into others, those nearer than 0.0078125 of the size 128, the largest "
                           "distance being 0.5; 4 vertices left",
                           "1 face with fewer than three corners left dropped: face 1 (line 6)"});
+}
+
+TEST_CASE("prepared meshes: of faces that are not planar the worst is told, wherever it stands") {
+  // Saddles 1/4, 1/2 and 1/8 thick.
+  const auto saddle_at = [](const std::string& x, const std::string& next, const std::string& height) {
+    return "v " + x + " 0 0\nv " + next + " 0 " + height + "\nv " + next + " 1 0\nv " + x + " 1 " + height + "\n";
+  };
+  require_refused(
+      saddle_at("0", "1", "0.25") + saddle_at("2", "3", "0.5") + saddle_at("4", "5", "0.125") +
+          "f 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\n",
+      {},
+      "a.obj:13: face 1 (mesh.faces[0]): planar: its corners lie 0.25 apart across it, and 2 faces more are "
+      "not planar, the worst face 2 (line 14), by 0.5; --planar TOLERANCE or --cut fan|shortest makes a "
+      "solid of them");
+}
+
+TEST_CASE("prepared meshes: the shortest diagonal is found whatever axis the face looks along") {
+  // The saddle with 1 to 3 the longer diagonal, seen along y from above and below, and along x.
+  const std::vector<Point3d> along_y{{0, 0, 0}, {0, 0.25, 1}, {2, 0, 1}, {1, 0.25, 0}},
+      along_x{{0, 0, 0}, {0.25, 1, 0}, {0, 2, 1}, {0.25, 0, 1}};
+  for (const auto& vertices : {along_y, along_x}) {
+    for (const std::vector<Index>& corners : {std::vector<Index>{0, 1, 2, 3}, {3, 2, 1, 0}}) {
+      const auto cut = audit::cut_along_shortest(vertices, corners);
+      REQUIRE(cut);
+      CHECK(cut->size() == 2);
+      CHECK(all_have(*cut, 1, 3));
+    }
+  }
+}
+
+TEST_CASE("prepared meshes: a diagnosis cuts as it is told to, and faces around a hole look no way") {
+  // A pyramid whose base is a saddle; without its last side.
+  const std::string pyramid = "v 0 0 0\nv 1 0 0.25\nv 1 1 0\nv 0 1 0.25\nv 0.5 0.5 2\n",
+                    open = "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\n";
+  Preparation how;
+  how.cut = Preparation::Cut::shortest;
+  const auto closed = audit::diagnosed(parse_mesh_file("a.obj", pyramid + open + "f 4 1 5\n"), how);
+  CHECK(closed.solid());
+  CHECK(closed.done ==
+        Done{"1 face cut along shortest diagonals: the corners are not in one plane but up to 0.25 apart "
+             "across it"});
+  const auto inwards =
+      audit::diagnosed(parse_mesh_file("a.obj", pyramid + "f 1 2 3 4\nf 5 2 1\nf 5 3 2\nf 5 4 3\n"), how);
+  REQUIRE(inwards.found.size() == 1);
+  CHECK(inwards.found[0].defect == audit::MeshDefect::open_edge);
+  CHECK(inwards.reversed.empty());
 }
 
 }  // namespace touchstone::proptests::prepared_tests
