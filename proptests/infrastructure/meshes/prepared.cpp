@@ -140,6 +140,14 @@ TEST_CASE("prepared meshes: merged vertices are those of the file that come firs
                           "1 face with fewer than three corners left dropped: face 1 (line 6)"});
 }
 
+TEST_CASE("prepared meshes: how far a face is off counts both sides of its first corner") {
+  // A square whose sides' middles are raised and lowered in turn; half a turn maps it to itself, so the normal is z.
+  require_refused(
+      "v 0 0 0\nv 1 0 0.25\nv 2 0 0\nv 2 1 -0.25\nv 2 2 0\nv 1 2 0.25\nv 0 2 0\nv 0 1 -0.25\nf 1 2 3 4 5 6 7 8\n", {},
+      "a.obj:9: face 1 (mesh.faces[0]): planar: its corners lie 0.5 apart across it; --planar TOLERANCE or "
+      "--cut fan|shortest makes a solid of it");
+}
+
 TEST_CASE("prepared meshes: of faces that are not planar the worst is told, wherever it stands") {
   // Saddles 1/4, 1/2 and 1/8 thick.
   const auto saddle_at = [](const std::string& x, const std::string& next, const std::string& height) {

@@ -37,6 +37,8 @@ TEST_CASE("geometries: WKT fills the fields in their order, numbers as they were
         R"({"a":[[0,0],[1,0],[0,1],[0,0]],"b":[[5,5],[6,5],[5,6],[5,5]]})");
   CHECK(input_of_wkt("segment_segment", "LINESTRING (0 0, +2 .5); LineString(-.25 1e2, 3. 4.e1)") ==
         R"({"a":[[0,0],[2,0.5]],"b":[[-0.25,100],[3,40]]})");
+  CHECK(input_of_wkt("segment_segment", "LINESTRING (0 0, +.5 +1.); LINESTRING (0 0, 1 1)") ==
+        R"({"a":[[0,0],[0.5,1]],"b":[[0,0],[1,1]]})");
   CHECK(input_of_wkt("polygon_normal", "POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 0 5))") ==
         R"({"polygon":[[0,0,5],[1,0,5],[1,1,5],[0,0,5]]})");
   CHECK(input_of_wkt("polygon_normal", "POLYGONZ((0 0 5, 1 0 5, 1 1 5))") ==
@@ -59,7 +61,7 @@ TEST_CASE("geometries: GeoJSON of every kind, on one line or many") {
                          R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":)" + polygon +
                              R"(},{"type":"Feature","id":7,"geometry":)" + point + "}]}") == both);
   const std::string pretty =
-      "{\n  \"type\": \"Polygon\", \"note\": \"}]\\\"\",\n  \"coordinates\":\n[[[0,0],[4,0],[4,4]]]}";
+      "{\n  \"type\": \"Polygon\", \"note\": \"}\\\"]\",\n  \"coordinates\":\n[[[0,0],[4,0],[4,4]]]}";
   const TextFile file("pretty.geojson", pretty + "\n\n" + polygon + "\n");
   const Called asked = called({"ask", "polygon_convexity", "--geojson", file.path()});
   CHECK(asked.code == nothing_found);
@@ -118,11 +120,14 @@ TEST_CASE("geometries: what no field takes is refused in one line that names it"
         "line: WKT: drop SRID=4326; at column 1: coordinates are taken as they are");
   CHECK(refusal("polygon_convexity", "--wkt", "POLYGON Z ((0 0 1,9 0 1,9 9 1,0 0 1))") ==
         "polygon: x and y alone, for its shape is in the plane: drop the third coordinate");
+  CHECK(refusal("polygon_convexity", "--wkt", "POLYGON ((0 0,9 0 1,9 9,0 0))") ==
+        "polygon: x and y alone, for its shape is in the plane: drop the third coordinate");
   CHECK(refusal("polygon_normal", "--wkt", "POLYGON ((0 0,9 0,9 9,0 0))") ==
         "polygon: x, y and z: its shape is in space");
   CHECK(refusal("polygon_normal", "--wkt", "POLYGON ZM ((0 0 1 1,9 0 1 1,9 9 1 1))") ==
         "line: WKT: expected no M coordinates at column 1");
   CHECK(refusal("polygon_convexity", "--wkt", "POLYGON EMPTY") == "polygon: at least 3 vertices");
+  CHECK(refusal("polygon_normal", "--wkt", "POLYGON Z EMPTY") == "polygon: at least 3 vertices");
   CHECK(refusal("point_in_polygon", "--wkt", "POLYGON ((0 0,9 0,9 9,0 0))") ==
         "line: a geometry for each field (polygon, point), got 1");
   CHECK(refusal("point_in_polygon", "--wkt", "POINT (0 0); POINT (0 0)") == "polygon: expected a Polygon, got Point");
@@ -148,6 +153,9 @@ TEST_CASE("geometries: what no field takes is refused in one line that names it"
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"MultiPolygon","coordinates":[]})") ==
         "polygon: one Polygon, got a MultiPolygon of 0: ask about each part on its own");
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"Feature","geometry":null})").starts_with("geometry: "));
+  CHECK(refusal("polygon_convexity", "--geojson",
+                R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":null}]})")
+            .starts_with("features[0].geometry: "));
   CHECK(refusal("polygon_convexity", "--geojson", R"({"type":"Polygon"})") ==
         "polygon: an object of GeoJSON with \"coordinates\"");
   CHECK(refusal("polygon_convexity", "--geojson", "[[0,0],[9,0]]").starts_with("line: "));

@@ -382,6 +382,9 @@ TEST_CASE("mesh: what cannot be done is refused in one line, and no mesh is over
   const TextFile cube("cube.obj", text);
   for (const char* option : {"--repair", "--page"})
     require_refused(called({"mesh", cube.path(), option, cube.path()}), bad_usage, "is the mesh that is read");
+  const std::filesystem::path cube_path = cube.path();
+  const std::string otherwise = (cube_path.parent_path() / "." / cube_path.filename()).string();
+  require_refused(called({"mesh", cube.path(), "--repair", otherwise.c_str()}), bad_usage, "is the mesh that is read");
   CHECK(audit::read_mesh_file(cube.path()).faces[0] == std::vector<Index>{0, 1, 2, 3});
   require_refused(called({"mesh", cube.path(), "--repair", "cube.step"}), bad_usage,
                   "ends with .obj, .off, .ply or .stl");

@@ -36,6 +36,8 @@ TEST_CASE("program: a mesh from a file is the field of every line, and a file th
                   "solid.off: cannot be read: no such file");
   require_refused(called({"ask", "point_in_convex_polyhedron", "--mesh", given.c_str(), "--mesh", given.c_str()}),
                   bad_usage, "--mesh: mesh is given twice");
+  require_refused(called({"ask", "point_in_convex_polyhedron", "--mesh", "=solid.off", lines.c_str()}), bad_usage,
+                  "--mesh: expected field=FILE with field mesh, got =solid.off");
   std::filesystem::remove_all(folder);
 }
 
