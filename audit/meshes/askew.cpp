@@ -9,29 +9,13 @@
 
 #include "robust/kernel/control_word.h"
 #include "robust/kernel/polygon_faces.h"
+#include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::audit {
 namespace {
 
 using Corners = std::vector<Index>;
 using Axis = double Point3d::*;
-
-/// Newell's normal, whose scale is chosen so that it does not overflow.
-Vector3d normal_of(const std::vector<Point3d>& vertices, const Corners& corners) {
-  double largest = 0;
-  for (const Index v : corners)
-    largest = std::max({largest, std::abs(vertices[v].x), std::abs(vertices[v].y), std::abs(vertices[v].z)});
-  const int exponent = largest > 0 ? std::ilogb(largest) + 2 : 0;
-  const auto scaled = [&](Index v) {
-    const Point3d& p = vertices[v];
-    return Point3d{std::scalbn(p.x, -exponent), std::scalbn(p.y, -exponent), std::scalbn(p.z, -exponent)};
-  };
-  const Point3d origin = scaled(corners[0]);
-  Vector3d normal{0, 0, 0};
-  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
-    normal = normal + cross(scaled(corners[k]) - origin, scaled(corners[k + 1]) - origin);
-  return normal;
-}
 
 /// The projection of a face: the other two coordinates, and whether it turns to the left as they see it.
 struct Projection {
@@ -41,7 +25,7 @@ struct Projection {
 
 Projection projection_of(const std::vector<Point3d>& vertices, const Corners& corners) {
   using P = Point3d;
-  const Vector3d n = normal_of(vertices, corners);
+  const Vector3d n = robust::ScaledRing(vertices, corners).normal;
   const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
   if (z >= x && z >= y) return {&P::z, &P::x, &P::y, n.z < 0 ? -1 : 1};
   if (y >= x) return {&P::y, &P::z, &P::x, n.y < 0 ? -1 : 1};

@@ -33,19 +33,29 @@ Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>
   return mesh;
 }
 
+ScaledRing::ScaledRing(const std::vector<Point3d>& vertices, const std::vector<Index>& ring) {
+  double largest = 0;
+  for (const Index v : ring)
+    largest = std::max({largest, std::abs(vertices[v].x), std::abs(vertices[v].y), std::abs(vertices[v].z)});
+  exponent = largest > 0 ? std::ilogb(largest) + 2 : 0;
+  for (const Index v : ring) {
+    const Point3d& p = vertices[v];
+    corners.push_back({std::scalbn(p.x, -exponent), std::scalbn(p.y, -exponent), std::scalbn(p.z, -exponent)});
+  }
+  for (std::size_t k = 0; k + 1 < corners.size(); ++k)
+    normal = normal + cross(corners[k] - corners[0], corners[k + 1] - corners[0]);
+}
+
 double thickness(const std::vector<Point3d>& vertices, const std::vector<Index>& corners) {
-  const Point3d& origin = vertices[corners[0]];
-  Vector3d normal{0, 0, 0};
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    normal = normal + cross(vertices[corners[k]] - origin, vertices[corners[(k + 1) % corners.size()]] - origin);
-  const double length = std::hypot(normal.x, normal.y, normal.z);
+  const ScaledRing ring(vertices, corners);
+  const double length = std::hypot(ring.normal.x, ring.normal.y, ring.normal.z);
   if (length == 0) return 0;
   double least = 0, most = 0;
-  for (const Index v : corners) {
-    const double height = dot(normal, vertices[v] - origin) / length;
+  for (const Point3d& p : ring.corners) {
+    const double height = dot(ring.normal, p - ring.corners[0]) / length;
     least = std::min(least, height), most = std::max(most, height);
   }
-  return most - least;
+  return std::scalbn(most - least, ring.exponent);
 }
 
 }  // namespace touchstone::robust

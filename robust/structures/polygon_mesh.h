@@ -18,9 +18,19 @@ namespace touchstone::robust {
 /// "a polygon that encloses one area and does not cross itself"). Exact for all finite doubles.
 Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons);
 
+/// The corners of a polygon of finite vertices times 2^-exponent, each coordinate below 1/2 in size, and Newell's normal
+/// of these, in double arithmetic.
+struct ScaledRing {
+  std::vector<Point3d> corners;
+  int exponent = 0;
+  Vector3d normal{0, 0, 0};
+
+  ScaledRing(const std::vector<Point3d>& vertices, const std::vector<Index>& ring);
+};
+
 /// The distance of two planes that hold all corners between them and are perpendicular to the polygon's normal
 /// (Newell's); of a quadrilateral that of the lines of its diagonals. In double arithmetic, for messages and
-/// tolerances; NaN or infinity beyond its range, 0 where the normal is.
+/// tolerances; 0 where the normal is.
 double thickness(const std::vector<Point3d>& vertices, const std::vector<Index>& corners);
 
 }  // namespace touchstone::robust

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -166,6 +167,12 @@ TEST_CASE("polygon meshes: thickness of a quadrilateral is the distance of its d
   const std::vector<Point3d> p{{0, 0, 0}, {2, 0, 1}, {2, 2, 0}, {0, 2, 1}};
   CHECK(robust::thickness(p, {0, 1, 2, 3}) == 1);
   CHECK(robust::thickness(p, {0, 1, 2}) == 0);
+  for (const int exponent : {-1022, -400, 400, 1022}) {
+    std::vector<Point3d> scaled;
+    for (const Point3d& q : p)
+      scaled.push_back({std::scalbn(q.x, exponent), std::scalbn(q.y, exponent), std::scalbn(q.z, exponent)});
+    CHECK(robust::thickness(scaled, {0, 1, 2, 3}) == std::scalbn(1, exponent));
+  }
 }
 
 /// Every mesh of the question with other cuts of its polygons.

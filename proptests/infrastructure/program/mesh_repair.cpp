@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include "audit/meshes.h"
@@ -102,6 +103,22 @@ TEST_CASE("mesh --repair: the inverse of a hollow solid is reversed, and a mere 
   // Within the inverse one cavity looks inwards: it may be meant, and the repair is of the shell alone.
   check(repair(cube({0, 0, 0}, 9, false, 0) + cube({1, 1, 1}, 1, true, 8) + cube({4, 4, 4}, 1, false, 16)), false,
         "- 6 faces reversed: faces 1 ");
+  // The shell is wrong, the cavity too, but the solid in the cavity is right: not all of it is inverse.
+  check(repair(cube({0, 0, 0}, 9, false, 0) + cube({1, 1, 1}, 7, true, 8) + cube({3, 3, 3}, 1, true, 16)), false,
+        "- 6 faces reversed: faces 1 ");
+}
+
+TEST_CASE("mesh --repair: open parts are joined where closed ones meet in a corner") {
+  std::string apart;  // a cube of six squares that share nothing but positions
+  for (const char* square : {"0 0 4 0 1 4 1 1 4 1 0 4", "0 0 5 1 0 5 1 1 5 0 1 5", "0 0 4 1 0 4 1 0 5 0 0 5",
+                             "1 0 4 1 1 4 1 1 5 1 0 5", "1 1 4 0 1 4 0 1 5 1 1 5", "0 1 4 0 0 4 0 0 5 0 1 5"}) {
+    std::istringstream numbers(square);
+    for (std::string x, y, z; numbers >> x >> y >> z;) apart += "v " + x + ' ' + y + ' ' + z + '\n';
+    apart += "f -4 -3 -2 -1\n";
+  }
+  const Repair made = repair(cube({0, 0, 0}, 1, true, 0) + cube({1, 1, 1}, 1, true, 8) + apart);
+  check(made, false, "24 vertices merged");
+  CHECK(made.vertices == 24);
 }
 
 TEST_CASE("mesh --repair: what says nothing of the surface is told not to be kept") {
