@@ -65,7 +65,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   cell.apart += judgement.apart;
   if (range == Range::ordinary && (is_finding(verdict) || verdict == Verdict::agree)) {
     const bool on_axis = has_direction_on_axis(asked.operation, asked.question);
-    if (on_axis) cell.found_on_axis += is_finding(verdict);
+    if (on_axis) cell.found_on_axis += is_finding(verdict) && verdict != Verdict::rounding;
     else cell.right_off_axis += verdict == Verdict::agree;
   }
   if (verdict == Verdict::agree || verdict == Verdict::inexact || judgement.number) {

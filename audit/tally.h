@@ -92,7 +92,7 @@ struct Cell {
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
   std::uint64_t hash = 0;                              ///< of what was true and answered: a sum over the cases
   std::uint64_t left_out = 0;                          ///< drawn, but extreme where only ordinary questions are asked
-  /// At ordinary size: findings where a direction has a component of 0, and right answers where none has.
+  /// At ordinary size: findings but for rounding where a direction has a component of 0, right answers where none has.
   std::uint64_t found_on_axis = 0, right_off_axis = 0;
   std::uint64_t other_nearest = 0;             ///< right answers that break a tie otherwise than the truth
   std::uint64_t other_alternative = 0;         ///< drawn, but of a kind that the engine does not answer
@@ -113,6 +113,7 @@ struct Cell {
   bool nothing_right() const;      ///< of so many answers that it is the connection which must be looked at first
   std::uint64_t findings() const;  ///< cases whose verdict is a finding: wrong or `inexact`
   std::uint64_t findings(Range range) const;
+  ByRange by_range(Verdict verdict) const;
   ByRange out_of_range() const;  ///< of `rounding`: by overflow or underflow
   ByRange cancellation() const;  ///< of `rounding`: the rest
   /// How often the truth was what.
@@ -130,7 +131,6 @@ struct Cell {
 
  private:
   ByRange by_range() const;
-  ByRange by_range(Verdict verdict) const;
 };
 
 /// "Smaller" for findings: fewer digits to write the numbers out in full, then smaller exponents, then the bits; a

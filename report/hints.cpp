@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 #include "report/wording.h"
@@ -23,7 +24,8 @@ Findings findings_of(const OperationTally& tally) {
   Findings found;
   for (const auto& [family, cell] : tally.families)
     for (const auto& [way, counted] : cell.ways)
-      if (is_finding(way.verdict) && counted.example && counted.example->range == Range::ordinary)
+      if (is_finding(way.verdict) && way.verdict != Verdict::rounding && counted.example &&
+          counted.example->range == Range::ordinary)
         found.push_back(&*counted.example);
   return found;
 }
@@ -36,8 +38,8 @@ bool of_all(const Findings& findings, const Holds& holds) {
 
 std::string about_touches(const Findings& findings) {
   const bool open = of_all(findings, [](const Finding& f) { return f.judgement.touch_reading < 0; });
-  return open ? "Every wrong answer of ordinary size is to a touch, and right for open sets: `<` where `<=` belongs? "
-                "Else declare \"boundary\": \"open\"."
+  return open ? "But for rounding, every wrong answer of ordinary size is to a touch, and right for open sets: `<` "
+                "where `<=` belongs? Else declare \"boundary\": \"open\"."
               : "";
 }
 
@@ -60,11 +62,13 @@ std::string about_digits(const Findings& findings) {
               : "";
 }
 
-/// Whether each answer is right for another question.
+/// Whether each answer is right for another question. An engine that failed has not read its question otherwise.
 bool right_for(const Operation& operation, const Findings& findings, const Declaration& declaration,
                const Change& change) {
-  return of_all(findings, [&](const Finding& finding) {
-    if (finding.answer.is_null()) return false;
+  Findings answered;
+  std::copy_if(findings.begin(), findings.end(), std::back_inserter(answered),
+               [](const Finding* finding) { return !finding->answer.is_null(); });
+  return of_all(answered, [&](const Finding& finding) {
     try {
       Json input = parse_own_line(one_line(operation.print(finding.question)));
       change(input);
@@ -94,17 +98,21 @@ std::vector<std::string> about_readings(const Operation& operation, const Findin
   std::vector<std::string> said;
   const auto add = [&](const Change& change, const std::string& words) {
     if (right_for(operation, findings, declaration, change))
-      said.push_back("Every wrong answer shown is right " + words);
+      said.push_back("But for rounding, every wrong answer shown is right " + words);
   };
   const FieldNames& fields = operation.fields(0);
+  std::string exchanged;
   for (std::size_t i = 0; i < fields.size(); ++i)
     for (std::size_t k = i + 1; k < fields.size(); ++k) {
       const std::string a = fields[i], b = fields[k];
       const Change exchange = [&](Json& input) {
         if (input.contains(a) && input.contains(b)) std::swap(input.at(a), input.at(b));
       };
-      add(exchange, "if `" + a + "` and `" + b + "` are exchanged.");
+      if (right_for(operation, findings, declaration, exchange))
+        exchanged += (exchanged.empty() ? "`" : ", or `") + a + "` and `" + b + "`";
     }
+  if (!exchanged.empty())
+    said.push_back("But for rounding, every wrong answer shown is right if " + exchanged + " are exchanged.");
   add([](Json& input) { to_points(input, [](Json& p) { negate(p[p.size() - 1]); }); },
       "in the mirrored frame: is y down, or the frame left-handed?");
   const auto upright = [](Json& p) {
@@ -119,7 +127,7 @@ std::string about_degrees(const Operation& operation, const Findings& findings, 
   constexpr double degree = 3.14159265358979323846 / 180;
   const Change in_radians = [](Json& input) { input["u"] = input["u"].get<double>() * degree; };
   return right_for(operation, findings, declaration, in_radians)
-             ? "Every wrong answer shown is right if `u` is in degrees: it is in radians."
+             ? "But for rounding, every wrong answer shown is right if `u` is in degrees: it is in radians."
              : "";
 }
 
@@ -131,14 +139,16 @@ std::string about_moves(const Operation& operation, const Findings& findings) {
              return command.is_object() && command.contains("move");
            });
   });
-  return moved ? "No question without a `move` was kept as wrong: what was cached before it?" : "";
+  return moved ? "But for rounding, no question without a `move` was kept as wrong: what was cached before it?" : "";
 }
 
 std::string about_axes(const Cell& total) {
   constexpr std::uint64_t enough = 20;  // right answers to others
-  const std::uint64_t found = total.findings(Range::ordinary);
+  const auto ordinary = static_cast<std::size_t>(Range::ordinary);
+  const std::uint64_t found = total.findings(Range::ordinary) - total.by_range(Verdict::rounding)[ordinary];
   const bool on_axis = found >= fewest && total.found_on_axis == found && total.right_off_axis >= enough;
-  return on_axis ? "Every wrong answer of ordinary size is to a direction of which a component is 0, and " +
+  return on_axis ? "But for rounding, every wrong answer of ordinary size is to a direction of which a component is 0, "
+                   "and " +
                        counted(total.right_off_axis, "other") + " are right: is that component divided by?"
                  : "";
 }
@@ -158,7 +168,7 @@ std::string about_lengths(const Operation& operation, const Findings& findings) 
     least = std::min(least, longest_list(operation.print(finding.question)));
     return least > shortest_list;
   });
-  return long_ones ? "No question with a list shorter than " + std::to_string(least) +
+  return long_ones ? "But for rounding, no question with a list shorter than " + std::to_string(least) +
                          " was kept as wrong: has something room for fewer?"
                    : "";
 }
@@ -169,14 +179,15 @@ std::vector<std::string> hints(const OperationTally& tally, const Declaration& d
   const Operation* operation = find_operation(tally.operation);
   if (operation == nullptr || speaker_of(declaration) != Speaker::foreign) return {};
   const Findings findings = findings_of(tally);
-  std::vector<std::string> said{about_touches(findings)};
+  std::vector<std::string> said;
   if (!declaration.binary32) said.push_back(about_digits(findings));
   const Cell total = tally.total();
   if (static_cast<double>(total.findings()) >= least_part * static_cast<double>(total.answered())) {
     for (std::string& reading : about_readings(*operation, findings, declaration)) said.push_back(std::move(reading));
     said.push_back(about_degrees(*operation, findings, declaration));
   }
-  said.push_back(about_axes(total));
+  const std::string axes = about_axes(total);
+  said.push_back(axes.empty() ? about_touches(findings) : axes);  // a direction along an axis touches in most cases
   said.push_back(about_moves(*operation, findings));
   said.push_back(about_lengths(*operation, findings));
   said.erase(std::remove(said.begin(), said.end(), std::string()), said.end());

@@ -13,6 +13,9 @@
 #include "catalogue/rows/response/momentum.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
+#include "reference/lines/orientation.h"
+#include "reference/mixed/ray_aabb.h"
+#include "reference/mixed/sphere_plane.h"
 
 /// Each hint is given for the bug that it names, and not for another bug or for none.
 namespace touchstone::proptests::hints_tests {
@@ -79,7 +82,7 @@ TEST_CASE("hints: arguments exchanged, and a mirrored frame") {
     const Side side = right(a, b, p);
     return side == Side::on ? Side::left : side;
   };
-  const auto of_arguments = ContainsSubstring("`p0` and `p1` are exchanged"), of_frame = ContainsSubstring("is y down");
+  const auto of_arguments = ContainsSubstring("if `p0` and `p1`"), of_frame = ContainsSubstring("is y down");
   says_nothing_of<rows::orientation>(right);
   CHECK_THAT(said<rows::orientation>(exchanged), of_arguments);
   CHECK_THAT(said<rows::orientation>(mirrored), of_frame);
@@ -160,6 +163,34 @@ TEST_CASE("hints: wrong in long lists alone") {
   const auto is_said = ContainsSubstring("has something room for fewer");
   CHECK_THAT(said<rows::momentum>(first_eight), is_said);
   CHECK_THAT(said<rows::momentum>(first_two), !is_said);
+}
+
+TEST_CASE("hints: formulas in double have wrong answers by rounding, too, and these hide no bug") {
+  const auto sides = [](const Point2d& a, const Point2d& b, const Point2d& p) {
+    return reference::orientation(a, b, p);
+  };
+  const auto mirrored = [&](const Point2d& a, const Point2d& b, const Point2d& p) {
+    return sides(y_down(a), y_down(b), y_down(p));
+  };
+  says_nothing_of<rows::orientation>(sides);
+  CHECK_THAT(said<rows::orientation>(mirrored), ContainsSubstring("is y down"));
+
+  const auto reaches = [](const Sphere3d& s, const Plane3d& p) { return reference::sphere_plane(s, p); };
+  const auto open = [&](const Sphere3d& s, const Plane3d& p) { return reaches(s, p) == Contact::overlapping; };
+  says_nothing_of<rows::sphere_plane>(reaches);
+  CHECK_THAT(said<rows::sphere_plane>(open), ContainsSubstring("`<` where `<=` belongs"));
+
+  const auto slabs = [](const auto& ray, const auto& box) { return reference::ray_aabb(ray, box); };
+  const auto divides = [&](const auto& ray, const auto& box) {  // on a side, and along it: 0/0
+    const auto undefined = [](double from, double way, double min, double max) {
+      return way == 0 && (from == min || from == max);
+    };
+    const bool none = undefined(ray.origin.x, ray.direction.x, box.min.x, box.max.x) ||
+                      undefined(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
+    return none ? Passage<double>{PassageRelation::none, {}, {}} : slabs(ray, box);
+  };
+  says_nothing_of<rows::ray_aabb>(slabs);
+  CHECK_THAT(said<rows::ray_aabb>(divides), ContainsSubstring("a component is 0") && !ContainsSubstring("`<=`"));
 }
 
 TEST_CASE("hints: none for the textbook formulas, whose findings are explained otherwise") {
