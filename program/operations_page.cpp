@@ -84,6 +84,12 @@ void print_operation(const Operation& operation, std::ostream& out) {
   for (const TrackedFormula& formula : operation.row().standard)
     formulas += (formulas.empty() ? "" : "; ") + std::string(formula.name);
   if (!formulas.empty()) out << "\nOther formulas: " << formulas << ".\n";
+  std::vector<std::string> methods;
+  for (const Operation* other : all_operations())
+    if (other->metadata().implementation_of == operation.name()) methods.push_back(other->name());
+  if (!methods.empty())
+    out << "\nBy a certain method, with the same input and answer: " << in_code(methods) << ". Engines are asked `"
+        << operation.name() << "` alone.\n";
   std::vector<std::string> plain;
   plain_words(operation.answer_shape(), plain);
   if (operation.words().empty()) return;

@@ -122,6 +122,7 @@ SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b); 
   for (const Operation* operation : all_operations()) {
     const bool listed = page.find("\n### `" + operation->name() + "`\n") != std::string::npos;
     CHECK(listed != operation->metadata().is_implementation());
+    CHECK_THAT(page, ContainsSubstring("`" + operation->name() + "`"));
   }
 }
 
