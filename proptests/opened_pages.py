@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Opens every page in Chromium: nothing may be written to the console, as many figures must be drawn as the page has, each
-can be saved, and nothing is wider than the window.
+can be saved by a button within its frame, and nothing is wider than the window.
 
   opened_pages.py --program PATH   a report of all operations, the deck, and the player of each scene
   opened_pages.py PAGE...          these pages
@@ -53,6 +53,11 @@ COUNT = """(async () => {
     'figures to drag': all('[data-drag] .moving').filter(drawn).length,
     'figures to save': all('.view > svg').filter(saved).length,
     'wider than the window': document.documentElement.scrollWidth > innerWidth ? 1 : 0,
+    'buttons across a frame': all('.view').filter(view => {
+      const [button, frame] = ['.save', '.frame'].map(part => view.querySelector(part)?.getBoundingClientRect());
+      return button?.width && frame?.width &&
+          (button.left < frame.left || button.right > frame.right || button.top < frame.top || button.bottom > frame.bottom);
+    }).length,
     'failure maps': all('[data-map] .map img').filter(image => image.naturalWidth > 0).length,
     'views of a map': all('[data-map] .lens-view image').length,
     'other figures': all('svg.fig[role=img]:not(.plot)').filter(drawn).length,
@@ -241,6 +246,8 @@ DEFECTS = {
     '<svg class="fig" role="img"><path d="M0 0h9"/></svg>': "figures to save: 0, the page has 1",
     '<div data-drag="{}"><svg><g class="moving"></g></svg></div>': "figures to drag: 0, the page has 1",
     '<p style="width:9000px">wide</p>': "wider than the window: 1, the page has 0",
+    '<div class="view"><svg><rect class="frame" width="9" height="9"/></svg><button class="save">SVG</button></div>':
+        "buttons across a frame: 1, the page has 0",
     '<p class="failed"></p>': "said to have failed: 1, the page has 0",
 }
 

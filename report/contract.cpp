@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "report/formula.h"
+#include "report/html_parts.h"
 #include "report/labels.h"
 
 namespace touchstone::report {
@@ -24,17 +25,6 @@ std::vector<std::string> contract_of(const std::string& operation) {
     else paragraphs.push_back(line);
   }
   return paragraphs;
-}
-
-/// Words between backquotes are code.
-static std::string words_in_html(const std::string& line) {
-  std::string html;
-  bool code = false;
-  for (const char c : escaped(line)) {
-    if (c == '`') html += (code = !code) ? "<code>" : "</code>";
-    else html += c;
-  }
-  return html + (code ? "</code>" : "");
 }
 
 std::string paragraph(const std::string& text) {

@@ -68,8 +68,8 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
     }
     text += fmt::format("<td data-label=\"all\">{}</td></tr>", grouped(all));
   }
-  return text + "</tbody></table><p class=\"small quiet\">Rows: what is true. Columns: what " + escaped(who) +
-         " answered. Where a pair is shaded the decision is right." +
+  return text + "</tbody></table><p class=\"small quiet\">Each number counts the cases of one truth to which " +
+         escaped(who) + " gave one answer. Where it is shaded, the decision is right." +
          (refused > 0 ? " Other pairs may be allowed by the convention or the tolerance that the engine declares."
                       : "") +
          "</p></div>";

@@ -215,7 +215,7 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
   std::string text =
       fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
                   badge(verdict, speaker), escaped(words), escaped(how_often),
-                  escaped(why(finding, &operation, speaker, declaration.binary32)));
+                  words_in_html(why(finding, &operation, speaker, declaration.binary32)));
   std::string margin, proof;
   Said said;
   Json truth;

@@ -83,6 +83,16 @@ std::string shell_line(const std::string& line) {
   return "<pre class=\"repeat\">" + with_breaks(line, ",:") + "</pre>";
 }
 
+std::string words_in_html(const std::string& text) {
+  std::string html;
+  bool in_code = false;
+  for (const char c : escaped(text)) {
+    if (c == '`') html += (in_code = !in_code) ? "<code>" : "</code>";
+    else html += c;
+  }
+  return html + (in_code ? "</code>" : "");
+}
+
 std::string badge(Verdict verdict, Speaker speaker) {
   return fmt::format("<span class=\"badge {0}\" title=\"{1}\">{0}</span>", name_of(verdict),
                      escaped(meaning(verdict, speaker)));

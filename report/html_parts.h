@@ -22,6 +22,8 @@ inline constexpr const char* player_opening = "<div class=\"player\" data-player
 std::string page(const std::string& title, const std::string& body);
 
 std::string code(const std::string& text);
+/// Words between backquotes are code.
+std::string words_in_html(const std::string& text);
 /// The name of a verdict with its colour.
 std::string badge(Verdict verdict, Speaker speaker);
 std::string swatch(const std::string& colour);

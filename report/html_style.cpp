@@ -58,14 +58,14 @@ code,pre{font:13px/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",
 code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:anywhere}
 pre{background:var(--code);border-radius:6px;padding:9px 12px;margin:4px 0 12px;white-space:pre-wrap;overflow-wrap:break-word}
 pre.repeat{user-select:all}
-.facts{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
+.facts{display:grid;grid-template-columns:fit-content(190px) 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
 .facts dt{color:var(--quiet)}.facts dd{margin:0;min-width:0}
 .facts dd code{display:inline-block}
 figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{font-size:14.5px;max-width:60ch;overflow-wrap:break-word}
 .searches{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(400px,100%),1fr));gap:0 28px}.searches figure{min-width:0;max-width:100%;overflow-x:auto}.key .fig.space .node.face{fill-opacity:.3}
 .beside{flex:1 1 100%;display:grid;grid-template-columns:repeat(2,minmax(0,1fr));gap:0 28px}.beside .to-lens{display:none}.views{display:flex;flex-wrap:wrap;gap:0 28px}.view{position:relative;min-width:0;width:fit-content;max-width:100%}
-.save{position:absolute;top:10px;right:14px;font:inherit;font-size:11px;color:var(--quiet);background:none;border:1px solid transparent;border-radius:4px;padding:1px 5px;cursor:pointer}.save:hover,.save:focus-visible{border-color:var(--faint);background:var(--paper)}
-.drag-figure{display:flex;flex-wrap:wrap;gap:4px 28px;margin:12px 0}.dragged{flex:1 1 340px}.drag{touch-action:none}.drag .area{fill:var(--c);fill-opacity:.1}.drag .grip{fill:transparent}.handle{cursor:grab}.handle:focus-visible .grip{stroke:var(--link);stroke-width:2}.handle:focus{outline:none}.drag .stroke{stroke-linejoin:round}.drag .truth.stroke{stroke-width:3}
+.save{position:absolute;top:11px;right:calc(var(--beyond,0%) + 4px);font:inherit;font-size:11px;line-height:1.2;color:var(--quiet);background:var(--paper);border:1px solid transparent;border-radius:4px;padding:1px 5px;cursor:pointer}.save:hover,.save:focus-visible{border-color:var(--faint)}
+.drag-figure{display:flex;flex-wrap:wrap;gap:4px 28px;margin:12px 0}.dragged{flex:1 1 340px}.drag{touch-action:none;overflow:visible}.drag .area{fill:var(--c);fill-opacity:.1}.drag .grip{fill:transparent}.handle{cursor:grab}.handle:focus-visible .grip{stroke:var(--link);stroke-width:2}.handle:focus{outline:none}.drag .stroke{stroke-linejoin:round}.drag .truth.stroke{stroke-width:3}
 .dragged button{font:inherit;font-size:14px;color:inherit;background:var(--paper);border:1px solid var(--faint);border-radius:6px;min-height:36px;padding:0 12px;cursor:pointer}
 .deck-contents ol{list-style:none;columns:3 260px;padding:0;margin:0 0 24px;font-size:14.5px}.deck-contents small{display:inline-block;min-width:58px;color:var(--quiet)}.deck-page h2{margin-top:0}.deck-page .card{border:0;padding:0}.breaks>summary{font-size:16px;font-weight:600}
 .formula{border:1px solid var(--line);border-left:4px solid var(--link);border-radius:6px;padding:8px 14px;margin:4px 0 12px;overflow-x:auto;font-size:17px;background:var(--code)}.formula math{text-align:left;margin:3px 0}
@@ -76,7 +76,7 @@ thead button{all:unset;cursor:pointer;text-decoration:underline dotted}thead but
 .apart{margin-top:14px}.question{font-weight:400;white-space:normal}td small{color:var(--quiet);font-weight:400}
 .confusion td{text-align:right}.confusion td small{display:block}.confusion td.right{background:var(--agree)}.confusion td.found{box-shadow:inset 4px 0 var(--rounding)}
 .walk pre{white-space:pre-wrap}
-.said{margin:8px 0 4px}.said td,.said th{white-space:normal;vertical-align:top}.said td:nth-child(2){text-align:left}
+.said{margin:8px 0 4px}.said th{width:30%}.said td,.said th{white-space:normal;vertical-align:top}.said td:nth-child(2){text-align:left}
 .said tr.truth th{color:var(--truth)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .maps{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:24px}
@@ -94,7 +94,7 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}
 .gallery a{min-width:0;text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
 .chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
-.runs{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:14px}.run{margin:0;background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:10px 12px;min-width:0}.run .fig{width:100%;height:auto}.run .facts{grid-template-columns:max-content 1fr;font-size:13.5px;gap:1px 12px;margin-top:6px;font-variant-numeric:tabular-nums}.run .facts dd{margin:0;text-align:right;overflow-wrap:anywhere}
+.runs{display:grid;grid-template-columns:repeat(auto-fit,minmax(220px,1fr));gap:14px}.run{margin:0;background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:10px 12px;min-width:0}.run .fig{width:100%;height:auto}.run .facts{grid-template-columns:max-content 1fr;font-size:13.5px;gap:1px 12px;margin-top:6px;font-variant-numeric:tabular-nums}.run .facts dd{margin:0;text-align:right;overflow-wrap:anywhere}
 .controls{display:flex;flex-wrap:wrap;gap:8px;align-items:center;margin:14px 0 4px}.controls label{display:inline-flex;gap:6px;align-items:center;min-height:40px}.controls output{margin-left:auto;font-variant-numeric:tabular-nums}
 .player button,.player select{font:inherit;color:inherit;background:var(--paper);border:1px solid var(--faint);border-radius:6px;min-height:40px;min-width:44px;padding:0 12px;cursor:pointer}.player .play{min-width:84px;font-weight:600}.player .scrub{width:100%;height:30px;margin:0;accent-color:var(--link)}
 .player .marks{display:flex;flex-wrap:wrap;gap:8px;list-style:none;margin:8px 0;padding:0}.player .marks button{border-color:var(--truth);font-size:14px;text-align:left}.key{margin-right:16px;white-space:nowrap}.key .fig{display:inline-block;vertical-align:2px;margin-right:6px}
@@ -113,21 +113,21 @@ table.stack td[data-label]{display:flex;justify-content:flex-end;align-items:bas
 table.stack td[data-label]::before{content:attr(data-label);color:var(--quiet);font-weight:400;text-align:left;margin-right:auto}
 table.stack.confusion td{padding:2px 8px;margin-bottom:1px}
 table.stack td.none{display:none}table.stack td.bar-cell{padding:4px 0;width:auto}table.stack td:empty{display:none}
-.said tr{display:block;border-bottom:1px solid var(--line);padding:5px 0}.said th,.said td{display:block;border:0;padding:1px 0;text-align:left}
+.said tr{display:block;border-bottom:1px solid var(--line);padding:5px 0}.said th,.said td{display:block;width:auto;border:0;padding:1px 0;text-align:left}
 .walk{display:block}.lenses{grid-template-columns:1fr 1fr}
 }
 @page{margin:13mm}
 @media print{
-body{background:#fff;font-size:10pt}nav,.screen,.save,.walk,.cross{display:none}
+body{background:#fff;font-size:10pt}nav,.screen,.save,.walk,.cross,.controls,.scrub,.player .marks{display:none}
 main,header,footer{max-width:none;padding:0}header{padding-top:0}h2{margin-top:24px}h2,h3,h4{break-after:avoid}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}
 .card{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
 p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a,.gallery img{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
-.card>h3,.card>h3+p,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
-.tile b{font-size:15pt}
+.finding>h3{break-inside:avoid}.card>h3,.card>h3+p,.deck-page>.lead,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
+thead{display:table-row-group}.tile b{font-size:15pt}figcaption,.contract details p,.small,.kicker{font-size:9pt}.formula{font-size:9pt;overflow:visible}
 .scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}td.wide{min-width:90px}.bar.thin{min-width:40px}
-.seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.with-lens,.magnified){flex-basis:100%}.with-lens .view{flex:0 1 45%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
-.maps{grid-template-columns:repeat(3,1fr);gap:16px}.maps li{break-inside:avoid}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
+.seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.with-lens,.magnified){flex-basis:100%}.seen .with-lens .view{flex:0 1 45%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
+.maps,.runs{grid-template-columns:repeat(3,1fr);gap:16px}.run,.plots section{break-inside:avoid}.run .facts{font-size:7.5pt}.maps li{break-inside:avoid}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
 .gallery{grid-template-columns:repeat(3,1fr)}
 details::details-content{content-visibility:visible;block-size:auto}
 }

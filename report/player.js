@@ -239,7 +239,7 @@ function markup(data, last) {
       `<label><input type="checkbox" class="velocities" checked> velocities</label>` +
       `<label><input type="checkbox" class="trails" checked> trails</label><output class="where"></output></div>` +
       `<input class="scrub" type="range" min="0" max="${last}" value="0" aria-label="frame">` +
-      `<p class="small quiet">Space plays and pauses, the arrow keys step, a drag turns the view. Rings are contacts.` +
+      `<p class="small quiet screen">Space plays and pauses, the arrow keys step, a drag turns the view. Rings are contacts.` +
       `</p>` +
       (parts.length ? `<ul class="marks">${parts.join('')}</ul>` : '') +
       `<div class="plots"><section><h2>Energy</h2><div class="energy"></div>${legend(names)}</section>` +

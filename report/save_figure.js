@@ -11,8 +11,17 @@ function figureAsSvg(svg) {
   return new XMLSerializer().serializeToString(copy);
 }
 
+// How far the view goes on to the right of its frame, in percent of its width.
+function beyondFrame(svg) {
+  const frame = svg.querySelector('.frame'), {x, width} = svg.viewBox.baseVal;
+  if (!frame || !width) return 0;
+  const shift = frame.closest('[transform]')?.transform.baseVal.consolidate()?.matrix.e ?? 0;
+  return 100 - 100 * (shift + frame.x.baseVal.value + frame.width.baseVal.value - x) / width;
+}
+
 document.querySelectorAll('.view').forEach((view, i) => {
   view.insertAdjacentHTML('beforeend', '<button class="save screen" type="button" title="Save as SVG">SVG</button>');
+  view.style.setProperty('--beyond', beyondFrame(view.querySelector('svg')) + '%');
   view.querySelector('.save').addEventListener('click', () => {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(new Blob([figureAsSvg(view.querySelector('svg'))], {type: 'image/svg+xml'}));

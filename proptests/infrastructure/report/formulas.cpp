@@ -3,6 +3,7 @@
 #include "proptests/uses.h"
 #include "report/contract.h"
 #include "report/formula.h"
+#include "report/html_parts.h"
 
 /// Formulas of contracts in MathML; what is expected is written by hand.
 namespace touchstone::proptests::formula_tests {
@@ -64,6 +65,11 @@ TEST_CASE(
   // Elsewhere words may stand beside it.
   CHECK(paragraph("Rounding:\n    e = u |N| bounds the error\n    of both") ==
         "<p>Rounding:</p><pre>e = u |N| bounds the error</pre><p>    of both</p>");
+}
+
+TEST_CASE("formulas: words between backquotes are code") {
+  CHECK(words_in_html("a `b<c` d") == "a <code>b&lt;c</code> d");
+  CHECK(words_in_html("a `b") == "a <code>b</code>");
 }
 
 TEST_CASE("formulas: of a contract's second paragraph the formula and its sentence are shown, the rest is folded") {
