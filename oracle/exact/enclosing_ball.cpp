@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "oracle/exact/space.h"
+
 namespace touchstone::oracle {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "oracle/exact/linear_program.h"
+#include "oracle/exact/space.h"
 
 namespace touchstone::oracle {
 namespace {
