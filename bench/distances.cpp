@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "bench/timing.h"
-#include "robust/kernel/solid_distance.h"
+#include "robust/kernel/solids/solid_distance.h"
 #include "robust/mixed/convex_distance.h"
 #include "robust/volumes/convex_hull.h"
 

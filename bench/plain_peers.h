@@ -4,7 +4,7 @@
 #include <gmpxx.h>
 
 #include "catalogue/catalogue.h"
-#include "oracle/exact/elimination.h"
+#include "oracle/exact/systems/elimination.h"
 
 /// The decisions of the chapter as ints, so that all peers answer alike: ours, and plain formulas over any number type.
 namespace touchstone::bench {

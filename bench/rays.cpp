@@ -26,9 +26,9 @@
 
 #include "catalogue/codec/nearest_double.h"
 #include "catalogue/families/draw_stream.h"
-#include "catalogue/families/named_meshes.h"
-#include "robust/kernel/integers.h"
-#include "robust/kernel/plane.h"
+#include "catalogue/families/meshes/named_meshes.h"
+#include "robust/kernel/integers/integers.h"
+#include "robust/kernel/shapes/plane.h"
 #include "robust/mixed/ray_triangle.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 

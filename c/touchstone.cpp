@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "catalogue/codec/did_you_mean.h"
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "oracle/certificates/check.h"
-#include "program/drawn_questions.h"
+#include "program/commands/drawn_questions.h"
 #include "robust/c/answered.h"
 
 namespace touchstone::c {

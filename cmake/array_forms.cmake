@@ -4,7 +4,7 @@
 #   array_forms.h               their names, for a binding
 #   _decisions.py, arrays.py    functions and enumerators of the Python module, and what its help() says of them
 #
-# An operand is a struct of robust/batch/columns.h, Polygon2d or Meshd. The comment of a declaration says "its Side:", the enumeration of
+# An operand is a struct of robust/batch/isa/columns.h, Polygon2d or Meshd. The comment of a declaration says "its Side:", the enumeration of
 # the answers, which is looked up in geometry/. Overloads are those of the plane and of space; C has no overloads, and calls them _2 and _3.
 
 set(array_folder ${PROJECT_SOURCE_DIR}/robust/batch)
@@ -39,7 +39,7 @@ set(python_shape_of_Meshd MESH)
 set(shapes_in_c "")
 set(shapes_in_python "")
 set(operands "")
-touchstone_read_text(text ${array_folder}/columns.h)
+touchstone_read_text(text ${array_folder}/isa/columns.h)
 string(REGEX REPLACE "//[^\n]*" "" text "${text}")
 string(REGEX MATCHALL "struct [A-Za-z0-9]+ {[^}]*}" structs "${text}")
 foreach(struct ${structs})
@@ -66,7 +66,7 @@ foreach(struct ${structs})
     string(REGEX REPLACE "^([A-Za-z0-9]+) ([a-z_, ]+)$" "\\1" type "${member}")
     set(fields ${CMAKE_MATCH_2})
     if(NOT c_type_of_${type})
-      message(FATAL_ERROR "robust/batch/columns.h: ${name}: expected columns, or structs that stand above, found: ${member}")
+      message(FATAL_ERROR "robust/batch/isa/columns.h: ${name}: expected columns, or structs that stand above, found: ${member}")
     endif()
     string(APPEND in_c "  ${c_type_of_${type}} ${fields};\n")
     string(REPLACE ", " ";" fields "${fields}")
@@ -195,9 +195,6 @@ set(decisions_in_help "")
 set(masks_in_help "")
 foreach(header ${array_headers})
   cmake_path(GET header STEM name)
-  if(name STREQUAL columns)
-    continue()
-  endif()
   touchstone_read_text(text ${header})
   set(declaration "void ${name}\\(([^)]*),[ \n]*std::size_t count,[ \n]*std::uint8_t\\* [a-z]+[^)]*\\)<end>")
   if(NOT text MATCHES "((///[^\n]*\n)+)${declaration}")

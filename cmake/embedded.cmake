@@ -3,8 +3,8 @@
 # scripts in themselves, and the program prints its completion.
 
 set(scripts "")
-foreach(file report/drawn_alone.js report/viewer.js report/player.js report/map.js report/save_figure.js report/sort.js
-             report/drag.js report/drag_trees.js report/drag_figures.js report/deck.json program/completion.bash)
+file(GLOB scripts_of_pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/report/scripts/*.js)
+foreach(file ${scripts_of_pages} report/pages/deck.json program/completion.bash)
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
   file(READ ${PROJECT_SOURCE_DIR}/${file} script)
   cmake_path(GET file STEM name)
@@ -18,7 +18,7 @@ namespace touchstone::report {
 @scripts@
 }  // namespace touchstone::report
 ]])
-set_source_files_properties(${PROJECT_SOURCE_DIR}/report/html_parts.cpp ${PROJECT_SOURCE_DIR}/report/deck_page.cpp
+set_source_files_properties(${PROJECT_SOURCE_DIR}/report/pages/html_parts.cpp ${PROJECT_SOURCE_DIR}/report/pages/deck_page.cpp
                             ${PROJECT_SOURCE_DIR}/program/documentation.cpp
                             PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/embedded)
 
@@ -49,5 +49,5 @@ constexpr struct {
 
 }  // namespace touchstone::report
 ]])
-set_source_files_properties(${PROJECT_SOURCE_DIR}/report/contract.cpp
+set_source_files_properties(${PROJECT_SOURCE_DIR}/report/pages/contract.cpp
                             PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/embedded)

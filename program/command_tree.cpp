@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "catalogue/codec/did_you_mean.h"
-#include "program/commands.h"
+#include "program/commands/commands.h"
 
 namespace touchstone::program {
 namespace {

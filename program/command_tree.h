@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "program/uses.h"
+#include "program/terminal/uses.h"
 
 /// The commands and options of the program as data: what may be typed.
 namespace touchstone::program {

@@ -8,7 +8,7 @@
 
 #include "catalogue/codec/did_you_mean.h"
 #include "program/command_tree.h"
-#include "program/commands.h"
+#include "program/commands/commands.h"
 
 namespace touchstone::program {
 namespace {

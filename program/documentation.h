@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "program/uses.h"
+#include "program/terminal/uses.h"
 
 /// What documents the program, from the same tree of commands and options as --help.
 namespace touchstone::program {

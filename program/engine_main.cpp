@@ -11,7 +11,7 @@
 
 #include "audit/engines/process.h"
 #include "audit/shell_quoted.h"
-#include "program/commands.h"
+#include "program/commands/commands.h"
 #include "program/program.h"
 
 namespace touchstone::program {

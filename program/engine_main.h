@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audit/engines/adapter.h"
-#include "program/uses.h"
+#include "program/terminal/uses.h"
 
 namespace touchstone::program {
 

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "audit/meshes/merged.h"
-#include "program/commands.h"
-#include "program/exit_codes.h"
+#include "program/commands/commands.h"
+#include "program/terminal/exit_codes.h"
 
 namespace touchstone::program {
 namespace {

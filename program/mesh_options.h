@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "audit/meshes/prepared.h"
-#include "program/uses.h"
+#include "program/terminal/uses.h"
 
 namespace touchstone::program {
 

@@ -10,11 +10,11 @@
 #include "audit/engines/engine.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/command_tree.h"
-#include "program/commands.h"
+#include "program/commands/commands.h"
+#include "program/commands/map.h"
 #include "program/documentation.h"
-#include "program/map.h"
 #include "program/mesh_options.h"
-#include "program/regression_test.h"
+#include "program/terminal/regression_test.h"
 
 namespace touchstone::program {
 namespace {
@@ -170,8 +170,8 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
   command
       ->add_option("--report-seconds", options->report_seconds,
-                   "Make the failure maps of the report finer for so long; without it they ask at most "
-                   "--cases, and the same arguments give the same bytes")
+                   "Make the failure maps of the report finer for so long; without it a map has at most "
+                   "--cases squares, and the same arguments give the same bytes")
       ->check(positive)
       ->default_str("none");
   command->add_option("--before", options->before,

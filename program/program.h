@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "program/exit_codes.h"
+#include "program/terminal/exit_codes.h"
 
 namespace touchstone::program {
 

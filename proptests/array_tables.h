@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "catalogue/operation/operation.h"
-#include "robust/batch/columns.h"
+#include "robust/batch/isa/columns.h"
 
 /// Tables of questions for the tests of arrays.
 namespace touchstone::proptests::arrays_tests {

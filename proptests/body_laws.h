@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "catalogue/families/body_draws.h"
+#include "catalogue/families/bodies/body_draws.h"
 #include "proptests/response_laws.h"
 
 /// Laws of lists of bodies.

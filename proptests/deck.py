@@ -23,7 +23,7 @@ touchstone's; a page that is not listed asks no question of its own.
 case that breaks the formula, and a scene that plays. It stands alone: nothing is fetched.
 
 This page is written by `proptests/deck.py --program build/release/touchstone --write` from the catalogue, the scenes and
-[report/deck.json](../report/deck.json); do not edit it.
+[report/pages/deck.json](../report/pages/deck.json); do not edit it.
 
 | p. | title | operations | scenes |
 |---|---|---|---|
@@ -72,15 +72,15 @@ def defects_of(sections, asked, scenes):
         pages = numbers(section["pages"])
         for name in section["operations"]:
             if not pages & known.get(name, set()):
-                yield f"report/deck.json: p. {section['pages']}: {name} is not asked there"
+                yield f"report/pages/deck.json: p. {section['pages']}: {name} is not asked there"
         scene = section.get("scene")
         if scene is not None and not pages & set(scenes.get(scene, ())):
-            yield f"report/deck.json: p. {section['pages']}: {scene} is no scene of these pages"
+            yield f"report/pages/deck.json: p. {section['pages']}: {scene} is no scene of these pages"
     named = {name for section in sections for name in section["operations"]}
-    yield from (f"report/deck.json: {name} is in no section" for name in sorted(known.keys() - named))
+    yield from (f"report/pages/deck.json: {name} is in no section" for name in sorted(known.keys() - named))
     pages = [page for section in sections for page in sorted(numbers(section["pages"]))]
     if pages != sorted(set(pages)):
-        yield "report/deck.json: pages are not in order, or named twice"
+        yield "report/pages/deck.json: pages are not in order, or named twice"
 
 
 def asked_and_beside(operations, root):
@@ -125,7 +125,7 @@ def main():
         listing = subprocess.run([options.program, "ops", "--json"], check=True, capture_output=True, text=True).stdout
         scenes = {file.stem: json.loads(file.read_text(encoding="utf-8")).get("deck_pages", [])
                   for file in (ROOT / "simulate/scenes").glob("*.json")}
-        sections = json.loads((ROOT / "report/deck.json").read_text(encoding="utf-8"))
+        sections = json.loads((ROOT / "report/pages/deck.json").read_text(encoding="utf-8"))
         asked, beside = asked_and_beside(json.loads(listing), ROOT)
         made, page = page_of(sections, asked, beside, scenes), ROOT / "docs/deck.md"
         if options.write:

@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "oracle/certificates/check.h"
 #include "proptests/forward_error.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <bit>
 
-#include "catalogue/operation/explained.h"
 #include "catalogue/operation/judgement.h"
-#include "catalogue/operation/symmetries.h"
+#include "catalogue/operation/probes/explained.h"
+#include "catalogue/operation/probes/symmetries.h"
 #include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {

@@ -11,7 +11,7 @@
 
 #include "proptests/drawn.h"
 #include "proptests/robust_bits.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 /// Laws, worked examples and refusals of one operation, in its types.
 namespace touchstone::proptests {

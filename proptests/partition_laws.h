@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "oracle/certificates/check.h"
 #include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/rays.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "proptests/forward_error.h"
 
 /// Laws of a ray or a segment and a solid, in the plane and in space.

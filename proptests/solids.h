@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "catalogue/families/cube_surface.h"
+#include "catalogue/families/meshes/cube_surface.h"
 
 /// Closed meshes for worked examples, and what laws do to them.
 namespace touchstone::proptests::solids {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulate/step.h"
+#include "simulate/world/step.h"
 
 /// What is said to an engine that makes the steps of a scene, and what it answers (docs/simulate.md).
 namespace touchstone::simulate {

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "simulate/hash.h"
+#include "simulate/world/hash.h"
 
 namespace touchstone::simulate {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "simulate/energy.h"
-#include "simulate/step.h"
+#include "simulate/world/energy.h"
+#include "simulate/world/step.h"
 
 namespace touchstone::simulate {
 

@@ -7,7 +7,7 @@
 #include "catalogue/codec/expected.h"
 #include "geometry/validation.h"
 #include "simulate/fields.h"
-#include "simulate/overlaps.h"
+#include "simulate/world/overlaps.h"
 
 namespace touchstone::simulate {
 namespace {

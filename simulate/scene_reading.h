@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulate/scene.h"
+#include "simulate/world/scene.h"
 
 namespace touchstone::simulate {
 

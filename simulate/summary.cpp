@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "catalogue/numbers/ulps.h"
-#include "simulate/hash.h"
+#include "simulate/world/hash.h"
 
 namespace touchstone::simulate {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/trajectory.h"
 
-#include "simulate/hash.h"
+#include "simulate/world/hash.h"
 
 namespace touchstone::simulate {
 namespace {

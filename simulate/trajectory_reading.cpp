@@ -2,8 +2,8 @@
 #include <istream>
 
 #include "catalogue/codec/expected.h"
-#include "simulate/hash.h"
 #include "simulate/trajectory.h"
+#include "simulate/world/hash.h"
 
 namespace touchstone::simulate {
 namespace {

@@ -6,10 +6,10 @@
 #include <tuple>
 #include <variant>
 
-#include "audit/tally.h"
+#include "audit/counting/tally.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/codec/did_you_mean.h"
-#include "catalogue/operation/shrink.h"
+#include "catalogue/operation/probes/shrink.h"
 #include "testing/drawn.h"
 
 /// Questions of an operation as the shapes of geometry/, for users' own tests; no test framework is needed.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "audit/engines/adapter.h"
 #include "testing/asked.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/operation/symmetries.h"
+#include "catalogue/operation/probes/symmetries.h"
 #include "testing/asked.h"
 
 /// The exact symmetries of an operation, asked of somebody's function: no truth is needed.

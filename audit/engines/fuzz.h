@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "audit/engines/adapter.h"
-#include "catalogue/operation/fitted.h"
+#include "catalogue/operation/probes/fitted.h"
 
 namespace touchstone::audit {
 

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "audit/counted.h"
+#include "audit/counting/repeat.h"
 #include "audit/gate/shown.h"
-#include "audit/repeat.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "geometry/invalid_input.h"
 

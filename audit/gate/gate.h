@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/tally.h"
+#include "audit/counting/tally.h"
 
 /// Whether an audit passes in a test run: which findings fail it, and which are known and accepted.
 namespace touchstone::audit {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "audit/counting/repeat.h"
 #include "audit/gate/shown.h"
-#include "audit/repeat.h"
 #include "audit/version.h"
 #include "catalogue/codec/plain.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "audit/counted.h"
-#include "audit/repeat.h"
+#include "audit/counting/repeat.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/plain.h"
 

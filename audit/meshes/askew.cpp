@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::audit {

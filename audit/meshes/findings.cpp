@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "audit/counted.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/structures/embedded_mesh.h"
 #include "robust/structures/polygon_mesh.h"
 

@@ -8,8 +8,8 @@
 #include <regex>
 
 #include "audit/counted.h"
+#include "audit/meshes/formats/reading.h"
 #include "audit/meshes/merged.h"
-#include "audit/meshes/reading.h"
 
 namespace touchstone::audit {
 namespace {

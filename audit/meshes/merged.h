@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "audit/meshes.h"
+#include "audit/meshes/formats/mesh_file.h"
 
 /// Vertices of a mesh that are one by their positions.
 namespace touchstone::audit {

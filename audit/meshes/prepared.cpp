@@ -9,11 +9,11 @@
 
 #include "audit/counted.h"
 #include "audit/meshes/askew.h"
+#include "audit/meshes/formats/reading.h"
 #include "audit/meshes/merged.h"
-#include "audit/meshes/reading.h"
 #include "catalogue/codec/json.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::audit {

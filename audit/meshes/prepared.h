@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "audit/meshes.h"
-#include "audit/meshes/places.h"
+#include "audit/meshes/formats/mesh_file.h"
+#include "audit/meshes/formats/places.h"
 
 namespace touchstone::audit {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/solids/polygon_faces.h"
 
 namespace touchstone::audit::meshes {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "audit/vectors/named_files.h"
 #include "catalogue/codec/json.h"
-#include "catalogue/operation/fitted.h"
+#include "catalogue/operation/probes/fitted.h"
 
 namespace touchstone::audit {
 
@@ -32,9 +32,12 @@ std::vector<VectorQuestions::Answered> VectorQuestions::ask(Engine& engine) cons
     engine.ask_each(operation, questions, [&](std::size_t i, const Reply& reply) {
       const Pending& vector = pending_[first + i];
       const auto examination = operation.examine(vector.question);
-      all[first + i] = {vector.number,           vector.id,
-                        vector.family,           &operation,
-                        vector.question,         examination->outcome(),
+      all[first + i] = {vector.number,
+                        vector.id,
+                        vector.family,
+                        &operation,
+                        vector.question,
+                        examination->outcome(),
                         judged_and_kept(reply, *examination, engine.declaration())};
     });
     first += questions.size();

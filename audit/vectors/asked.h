@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/judged.h"
+#include "audit/counting/judged.h"
 
 /// Test vectors as questions to an engine.
 namespace touchstone::audit {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/families/named_meshes.h"
+#include "catalogue/families/meshes/named_meshes.h"
 #include "catalogue/shape/described_shapes.h"
 #include "oracle/certificates/named_file.h"
 

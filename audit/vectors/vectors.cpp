@@ -6,14 +6,14 @@
 #include <limits>
 #include <map>
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "audit/vectors/flags.h"
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
 #include "catalogue/judge/environment.h"
-#include "catalogue/operation/array_mismatch.h"
-#include "catalogue/operation/explained.h"
-#include "catalogue/operation/not_finite.h"
+#include "catalogue/operation/probes/array_mismatch.h"
+#include "catalogue/operation/probes/explained.h"
+#include "catalogue/operation/probes/not_finite.h"
 #include "oracle/certificates/check.h"
 
 namespace touchstone::audit {

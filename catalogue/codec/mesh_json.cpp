@@ -9,7 +9,7 @@
 
 #include "catalogue/codec/expected.h"
 #include "geometry/validation.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::catalogue {

@@ -7,7 +7,7 @@
 
 /// Points whose differences are rounded by nearly a unit in the last place, all to the side that makes a determinant
 /// wrong. With u that unit of 1, it is off by 5 u upwards (4 u where FMA leaves a product unrounded) and by 4 u
-/// downwards; the bound of cross_sign (robust/kernel/filters.h) is 6 u, half of it 3 u.
+/// downwards; the bound of cross_sign (robust/kernel/filters/filters.h) is 6 u, half of it 3 u.
 namespace touchstone::catalogue {
 
 /// A point and, nearly opposite as seen from it, the ends of a segment.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/shape/encoded_value.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 
 namespace touchstone::catalogue {
 

@@ -8,7 +8,7 @@
 #include "catalogue/operation/row.h"
 #include "geometry/rays.h"
 #include "geometry/triangles.h"
-#include "robust/batch/columns.h"
+#include "robust/batch/isa/columns.h"
 
 /// The array form of a row: its arguments of a fixed size as columns, the others shared by all rows of the arrays.
 namespace touchstone::catalogue {

@@ -6,7 +6,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/validation.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::catalogue {

@@ -18,8 +18,8 @@
 #include "catalogue/operation/metadata.h"
 #include "catalogue/shape/shape.h"
 #include "oracle/truth.h"
-#include "robust/batch/columns.h"
-#include "robust/kernel/staged.h"
+#include "robust/batch/isa/columns.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::catalogue {
 
@@ -44,7 +44,7 @@ struct World {
   Question (*at)(int size, std::uint64_t index);
 };
 
-/// The stages of an answer or of a decision alone (robust/kernel/staged.h). Of valid questions only.
+/// The stages of an answer or of a decision alone (robust/kernel/filters/staged.h). Of valid questions only.
 struct StageFunctions {
   struct One {
     robust::Stage stage;
@@ -54,7 +54,7 @@ struct StageFunctions {
   robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
 };
 
-/// Decisions over arrays (robust/batch/columns.h): enumerators, a byte each.
+/// Decisions over arrays (robust/batch/isa/columns.h): enumerators, a byte each.
 struct ArrayFunctions {
   /// On `count` questions, all like `shared` but for the numbers of which there are columns. nullptr: robust does not
   /// answer arrays.

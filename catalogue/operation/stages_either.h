@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::catalogue {
 

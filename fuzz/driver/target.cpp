@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "catalogue/judge/environment.h"
-#include "catalogue/operation/array_mismatch.h"
-#include "catalogue/operation/explained.h"
 #include "catalogue/operation/judgement.h"
+#include "catalogue/operation/probes/array_mismatch.h"
+#include "catalogue/operation/probes/explained.h"
 
 namespace touchstone::fuzz {
 namespace {

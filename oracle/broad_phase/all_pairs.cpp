@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/whole_list.h"
-#include "oracle/exact/wide.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/wide.h"
+#include "oracle/exact/shapes/whole_list.h"
 
 namespace touchstone::oracle {
 namespace {

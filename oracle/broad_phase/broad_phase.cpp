@@ -8,8 +8,8 @@
 #include "geometry/validation_of_commands.h"
 #include "geometry/validation_of_rays.h"
 #include "oracle/broad_phase/all_pairs.h"
-#include "oracle/exact/queries_of_boxes.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/queries_of_boxes.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/explicit_line.h"
 
-#include "oracle/exact/decode.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/decode.h"
+#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

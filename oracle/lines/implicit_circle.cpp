@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/implicit_circle.h"
 
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "oracle/exact/circular.h"
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/nearest_double.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/circular.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/nearest_double.h"
+#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "oracle/exact/common_points.h"
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/systems/common_points.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -4,13 +4,13 @@
 #include "geometry/closest.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: the point of the segment of least squared distance, in rationals, by the conditions of Karush, Kuhn and
-/// Tucker (oracle/exact/nearest_pair.h). The distance is the root of a rational. Nothing is decided: there
+/// Tucker (oracle/exact/shapes/nearest_pair.h). The distance is the root of a rational. Nothing is decided: there
 /// is no margin.
 ///
 /// Certificate: "root": `weights` of the segment's ends, which give the point; the conditions hold with it. Where the

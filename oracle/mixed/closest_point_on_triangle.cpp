@@ -2,8 +2,8 @@
 #include "oracle/mixed/closest_point_on_triangle.h"
 
 #include "geometry/validation_of_triangles.h"
-#include "oracle/exact/nearest_pair.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/nearest_pair.h"
 
 namespace touchstone::oracle {
 namespace {

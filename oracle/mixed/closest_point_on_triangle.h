@@ -3,13 +3,13 @@
 
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: the point of the triangle of least squared distance, in rationals, by the conditions of Karush, Kuhn and
-/// Tucker (oracle/exact/nearest_pair.h). The distance is as closest_point_on_segment has it. Nothing is decided: there
+/// Tucker (oracle/exact/shapes/nearest_pair.h). The distance is as closest_point_on_segment has it. Nothing is decided: there
 /// is no margin.
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `weights` of the three corners.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/convex_distance.h"
 
-#include "oracle/exact/meeting_solids.h"
-#include "oracle/exact/nearest_pair.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/solid_distance.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/nearest_pair.h"
+#include "oracle/exact/solids/meeting_solids.h"
+#include "oracle/exact/solids/solid_distance.h"
 
 namespace touchstone::oracle {
 namespace {

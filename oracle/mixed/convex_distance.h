@@ -3,7 +3,7 @@
 
 #include "geometry/closest.h"
 #include "geometry/polyhedra.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "geometry/validation_of_rays.h"
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/triangles.h"
-#include "oracle/exact/whole_cloud.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/whole_cloud.h"
+#include "oracle/exact/solids/triangles.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -2,8 +2,8 @@
 #include "oracle/mixed/segment_aabb.h"
 
 #include "geometry/validation_of_rays.h"
-#include "oracle/exact/passage.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/passage.h"
 
 namespace touchstone::oracle {
 namespace {

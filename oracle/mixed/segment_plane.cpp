@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "geometry/validation_of_triangles.h"
-#include "oracle/exact/line_plane.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/space.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/space.h"
+#include "oracle/exact/shapes/line_plane.h"
 
 namespace touchstone::oracle {
 namespace {

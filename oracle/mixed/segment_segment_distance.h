@@ -4,13 +4,13 @@
 #include "geometry/closest.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: points of both segments of least squared distance, in rationals, by the conditions of Karush, Kuhn and Tucker
-/// (oracle/exact/nearest_pair.h); of all pairs that satisfy them the one with the least parameter on a. The distance is
+/// (oracle/exact/shapes/nearest_pair.h); of all pairs that satisfy them the one with the least parameter on a. The distance is
 /// as closest_point_on_segment has it. Nothing is decided: there is no margin.
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `on_a` and `on_b`, the weights of

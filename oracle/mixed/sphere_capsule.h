@@ -9,7 +9,7 @@
 namespace touchstone::oracle {
 
 /// Truth: the point of the segment that is nearest to the center, by the conditions of Karush, Kuhn and Tucker in
-/// rationals (oracle/exact/nearest_pair.h); its squared distance against that of the sum of the radii.
+/// rationals (oracle/exact/shapes/nearest_pair.h); its squared distance against that of the sum of the radii.
 ///
 /// Margin: |S - R^2|, S being the squared distance and R the sum; where they meet, also R^2 less the square of either
 /// radius: 0 for tangent solids, and where a radius is 0 and they meet.

@@ -2,8 +2,8 @@
 #include "oracle/mixed/sphere_triangle.h"
 
 #include "geometry/validation_of_triangles.h"
-#include "oracle/exact/contact_of_nearest.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/contact_of_nearest.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -9,7 +9,7 @@
 namespace touchstone::oracle {
 
 /// Truth: the point of the triangle that is nearest to the center, by the conditions of Karush, Kuhn and Tucker in
-/// rationals (oracle/exact/nearest_pair.h); its squared distance against that of the radius.
+/// rationals (oracle/exact/shapes/nearest_pair.h); its squared distance against that of the radius.
 ///
 /// Margin: |S - r^2|, S being the squared distance: 0 for a tangent ball, and for a point in the triangle.
 ///

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "geometry/validation_of_triangles.h"
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/linear_program.h"
-#include "oracle/exact/plane_between.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/solids/plane_between.h"
+#include "oracle/exact/systems/linear_program.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/planes/point_plane.h"
 
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/space.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/space.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/common_points.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/systems/common_points.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 

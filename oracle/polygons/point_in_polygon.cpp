@@ -4,8 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "oracle/exact/common_points.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/systems/common_points.h"
 #include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {

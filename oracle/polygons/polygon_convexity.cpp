@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/common_points.h"
-#include "oracle/exact/elimination.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/systems/common_points.h"
+#include "oracle/exact/systems/elimination.h"
 #include "oracle/lines/segment_segment.h"
 #include "oracle/rings/boxes.h"
 #include "oracle/rings/simple.h"

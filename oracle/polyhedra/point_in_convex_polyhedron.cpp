@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/convex_mesh.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/wide.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/wide.h"
+#include "oracle/exact/solids/convex_mesh.h"
 
 namespace touchstone::oracle {
 namespace {

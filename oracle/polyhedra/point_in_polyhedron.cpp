@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "oracle/exact/closed_mesh.h"
-#include "oracle/exact/polygon_faces.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/solid.h"
-#include "oracle/exact/whole_cloud.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/whole_cloud.h"
+#include "oracle/exact/solids/closed_mesh.h"
+#include "oracle/exact/solids/polygon_faces.h"
+#include "oracle/exact/solids/solid.h"
 
 namespace touchstone::oracle {
 namespace {

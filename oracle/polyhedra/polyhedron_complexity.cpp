@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/near_triangles.h"
-#include "oracle/exact/polygon_faces.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/solid.h"
-#include "oracle/exact/two_faces.h"
-#include "oracle/exact/whole_cloud.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/whole_cloud.h"
+#include "oracle/exact/solids/near_triangles.h"
+#include "oracle/exact/solids/polygon_faces.h"
+#include "oracle/exact/solids/solid.h"
+#include "oracle/exact/solids/two_faces.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/closed_mesh.h"
-#include "oracle/exact/common_dimension.h"
-#include "oracle/exact/plane_between.h"
-#include "oracle/exact/polygon_faces.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/solid.h"
-#include "oracle/exact/space_partition.h"
-#include "oracle/exact/whole_cloud.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/whole_cloud.h"
+#include "oracle/exact/solids/closed_mesh.h"
+#include "oracle/exact/solids/common_dimension.h"
+#include "oracle/exact/solids/plane_between.h"
+#include "oracle/exact/solids/polygon_faces.h"
+#include "oracle/exact/solids/solid.h"
+#include "oracle/exact/solids/space_partition.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "geometry/validation_of_triangles.h"
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/triangles.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/solids/triangles.h"
 
 namespace touchstone::oracle {
 namespace {

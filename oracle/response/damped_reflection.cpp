@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/damped_reflection.h"
 
-#include "oracle/exact/impact.h"
+#include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -7,11 +7,11 @@
 #include <numeric>
 #include <set>
 
-#include "oracle/exact/around_balls.h"
-#include "oracle/exact/impulses_at_a_root.h"
-#include "oracle/exact/nearest_double.h"
-#include "oracle/exact/rational_validation_of_steps.h"
-#include "oracle/exact/space.h"
+#include "oracle/exact/numbers/nearest_double.h"
+#include "oracle/exact/numbers/rational_validation_of_steps.h"
+#include "oracle/exact/numbers/space.h"
+#include "oracle/exact/shapes/around_balls.h"
+#include "oracle/exact/systems/impulses_at_a_root.h"
 #include "oracle/response/simultaneous_collisions.h"
 
 namespace touchstone::oracle {

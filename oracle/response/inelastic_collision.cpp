@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "oracle/exact/impact.h"
+#include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
 namespace {

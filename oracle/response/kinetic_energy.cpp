@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "oracle/exact/many_bodies.h"
+#include "oracle/exact/shapes/many_bodies.h"
 
 namespace touchstone::oracle {
 namespace {

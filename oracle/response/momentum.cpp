@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/momentum.h"
 
-#include "oracle/exact/many_bodies.h"
+#include "oracle/exact/shapes/many_bodies.h"
 
 namespace touchstone::oracle {
 namespace {

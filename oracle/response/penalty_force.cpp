@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "oracle/exact/impact.h"
-#include "oracle/exact/normal_frame.h"
-#include "oracle/exact/space.h"
+#include "oracle/exact/numbers/normal_frame.h"
+#include "oracle/exact/numbers/space.h"
+#include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
 namespace {

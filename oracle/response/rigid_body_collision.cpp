@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "oracle/exact/impact.h"
+#include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "oracle/exact/guessed_complement.h"
-#include "oracle/exact/principal_pivots.h"
-#include "oracle/exact/rational_validation_of_bodies.h"
-#include "oracle/exact/whole_list.h"
+#include "oracle/exact/numbers/rational_validation_of_bodies.h"
+#include "oracle/exact/shapes/whole_list.h"
+#include "oracle/exact/systems/guessed_complement.h"
+#include "oracle/exact/systems/principal_pivots.h"
 
 namespace touchstone::oracle {
 namespace {

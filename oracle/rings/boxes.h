@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/thin_shapes.h"
-#include "oracle/exact/common_points.h"
+#include "oracle/exact/systems/common_points.h"
 
 namespace touchstone::oracle {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "oracle/exact/elimination.h"
+#include "oracle/exact/systems/elimination.h"
 #include "oracle/rings/boxes.h"
 
 namespace touchstone::oracle {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <numeric>
 
-#include "oracle/exact/common_scale.h"
+#include "oracle/exact/numbers/common_scale.h"
 
 namespace touchstone::oracle {
 

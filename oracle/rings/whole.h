@@ -6,7 +6,7 @@
 
 #include "geometry/polygons.h"
 #include "geometry/thin_shapes.h"
-#include "oracle/exact/decode.h"
+#include "oracle/exact/numbers/decode.h"
 
 namespace touchstone::oracle {
 

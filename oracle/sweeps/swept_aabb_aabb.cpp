@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/linear_program.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/systems/linear_program.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/meeting_solids.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/solids/meeting_solids.h"
 
 namespace touchstone::oracle {
 namespace {

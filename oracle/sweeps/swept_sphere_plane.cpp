@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "oracle/exact/parabola.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/space.h"
+#include "oracle/exact/numbers/parabola.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {
 namespace {

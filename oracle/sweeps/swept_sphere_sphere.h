@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "oracle/exact/decode.h"
-#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/numbers/decode.h"
+#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -6,12 +6,12 @@
 #include <limits>
 #include <utility>
 
-#include "oracle/exact/enclosing_ball.h"
-#include "oracle/exact/nearest_double.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/space.h"
-#include "oracle/exact/whole_list.h"
-#include "oracle/exact/wide.h"
+#include "oracle/exact/numbers/nearest_double.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/numbers/space.h"
+#include "oracle/exact/numbers/wide.h"
+#include "oracle/exact/shapes/enclosing_ball.h"
+#include "oracle/exact/shapes/whole_list.h"
 
 namespace touchstone::oracle {
 namespace {

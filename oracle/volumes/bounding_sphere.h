@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {

@@ -7,7 +7,7 @@
 namespace touchstone::oracle {
 
 /// Truth: the point of the box of least squared distance, a sum over the axes, so that on each the conditions of
-/// Karush, Kuhn and Tucker find it (oracle/exact/nearest_in_interval.h). On integers. Nothing is decided, and nothing
+/// Karush, Kuhn and Tucker find it (oracle/exact/numbers/nearest_in_interval.h). On integers. Nothing is decided, and nothing
 /// is rounded: there is no margin.
 ///
 /// Certificate: "multipliers": `lower` and `upper`, by axis; the conditions hold with them.

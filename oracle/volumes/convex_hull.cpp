@@ -7,7 +7,7 @@
 #include <set>
 
 #include "geometry/validation.h"
-#include "oracle/exact/whole_cloud.h"
+#include "oracle/exact/shapes/whole_cloud.h"
 
 namespace touchstone::oracle {
 namespace {

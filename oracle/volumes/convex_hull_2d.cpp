@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/validation.h"
-#include "oracle/exact/wide.h"
+#include "oracle/exact/numbers/wide.h"
 #include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {

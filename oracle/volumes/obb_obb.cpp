@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "oracle/exact/zonotope.h"
+#include "oracle/exact/systems/zonotope.h"
 
 namespace touchstone::oracle {
 namespace {

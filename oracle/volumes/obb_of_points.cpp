@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
-#include "oracle/exact/box_around.h"
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/whole_cloud.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/box_around.h"
+#include "oracle/exact/shapes/whole_cloud.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/rational_validation.h"
-#include "oracle/exact/whole_list.h"
+#include "oracle/exact/numbers/rational_validation.h"
+#include "oracle/exact/shapes/whole_list.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "oracle/exact/common_scale.h"
-#include "oracle/exact/zonotope.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/systems/zonotope.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <map>
 
-#include "audit/judged.h"
+#include "audit/counting/judged.h"
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
 #include "audit/vectors/vectors.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numeric>
 
-#include "catalogue/operation/explained.h"
 #include "catalogue/operation/judgement.h"
+#include "catalogue/operation/probes/explained.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/each_operation.h"
 #include "proptests/property.h"

@@ -5,7 +5,7 @@
 #include <regex>
 #include <set>
 
-#include "audit/tally.h"
+#include "audit/counting/tally.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 #include "proptests/property.h"
@@ -75,7 +75,9 @@ Reached reached_by(const Operation& operation, std::size_t family, const std::st
   const auto decided_by = told_stages(operation.row()).decided_by;
   const bool cheap = operation.metadata().cost == 1;
   const bool is_very_dear = operation.metadata().cost >= static_cast<int>(very_dear);
-  const std::uint64_t cases = cheap ? drawn : is_very_dear ? drawn_very_dear : drawn_dear,
+  const std::uint64_t cases = cheap          ? drawn
+                              : is_very_dear ? drawn_very_dear
+                                             : drawn_dear,
                       judge = cheap ? judged : judged_dear;
   std::uint64_t numbers = 0;
   std::size_t found = 0;

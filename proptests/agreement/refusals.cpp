@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "catalogue/operation/not_finite.h"
+#include "catalogue/operation/probes/not_finite.h"
 #include "oracle/certificates/check.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"

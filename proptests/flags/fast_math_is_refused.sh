@@ -23,11 +23,11 @@ refused() {
 
 refused -ffast-math $headers
 # So they all include what refuses; whatever else it refuses is asked of that alone.
-for flags in -Ofast -ffinite-math-only; do refused "$flags" robust/kernel/strict_math.h; done
+for flags in -Ofast -ffinite-math-only; do refused "$flags" robust/kernel/filters/strict_math.h; done
 for flags in -funsafe-math-optimizations "-fassociative-math -fno-signed-zeros -fno-trapping-math" -freciprocal-math; do
   # Not every compiler says that it was given these.
   if "$compiler" $flags -dM -E -x c++ /dev/null | grep -qE '__(ASSOCIATIVE|RECIPROCAL)_MATH__'; then
-    refused "$flags" robust/kernel/strict_math.h
+    refused "$flags" robust/kernel/filters/strict_math.h
   fi
 done
 if "$compiler" --version | grep -q 'Free Software Foundation'; then

@@ -26,12 +26,12 @@ HELD = [
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/rows)/{CHAPTER}/\w+\.h",
     r"include/touchstone/reference/standard/\w+\.h",
-    r"include/touchstone/robust/(masked_exceptions|(kernel|batch|structures)/\w+)\.h",
-    r"include/touchstone/oracle/(truth|(exact|rings)/\w+|certificates/(certificate|check))\.h",
-    r"include/touchstone/catalogue/((shape|numbers|codec|draw|families|judge|operation)/)?\w+\.h",
+    r"include/touchstone/robust/(masked_exceptions|(kernel/\w+|batch|batch/isa|structures)/\w+)\.h",
+    r"include/touchstone/oracle/(truth|(exact/\w+|rings)/\w+|certificates/(certificate|check))\.h",
+    r"include/touchstone/catalogue/((shape|numbers|codec|draw|families(/\w+)?|judge|operation(/\w+)?)/)?\w+\.h",
     r"include/touchstone/catalogue/rows/(all|declared)\.h",
-    r"include/touchstone/audit/(\w+/)?\w+\.h",
-    r"include/touchstone/program/(engine_main|uses)\.h",
+    r"include/touchstone/audit/([\w/]+/)?\w+\.h",
+    r"include/touchstone/program/(engine_main|terminal/uses)\.h",
     r"include/touchstone/testing/(rapidcheck|catch2|fuzzed_data)\.h",
     r"include/touchstone/testing/\w+\.h",
     r"share/touchstone/vectors/[a-z_0-9]+\.jsonl",
@@ -99,7 +99,7 @@ def defects(source, prefix):
 
 def right_listing():
     config = "touchstone-config.cmake touchstone-robust-release.cmake components.cmake".split()
-    include = """geometry/points.h reference/lines/touch.h robust/kernel/staged.h oracle/truth.h catalogue/operation/row.h
+    include = """geometry/points.h reference/lines/touch.h robust/kernel/filters/staged.h oracle/truth.h catalogue/operation/row.h
         reference/standard/slabs.h catalogue/rows/all.h audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +
@@ -122,7 +122,7 @@ def self_check():
             wrong.append(f"that {file} is missing was not noticed")
     files = {"include/touchstone/geometry/points.h"}
     for text, count in (("#include <touchstone/geometry/points.h>\n#include <vector>\n", 0), ('#include "geometry/points.h"\n', 1),
-                        ("#include <touchstone/report/html.h>\n", 1)):
+                        ("#include <touchstone/report/pages/html.h>\n", 1)):
         if len(list(defects_of_header("here.h", text, files))) != count:
             wrong.append(f"{text.strip()}: another number of defects than {count}")
     return wrong

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "proptests/each_operation.h"
 #include "proptests/mutation/growing.h"
 

@@ -6,8 +6,8 @@
 #include "geometry/validation.h"
 #include "robust/batch/isa/faces.h"
 #include "robust/batch/isa/run.h"
-#include "robust/kernel/convex_mesh.h"
-#include "robust/kernel/face_side.h"
+#include "robust/kernel/shapes/face_side.h"
+#include "robust/kernel/solids/convex_mesh.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::robust::batch {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/polyhedra.h"
-#include "robust/batch/columns.h"
+#include "robust/batch/isa/columns.h"
 
 namespace touchstone::robust::batch {
 

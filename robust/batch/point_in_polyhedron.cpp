@@ -4,7 +4,7 @@
 #include "geometry/validation.h"
 #include "robust/batch/isa/faces.h"
 #include "robust/batch/isa/run.h"
-#include "robust/kernel/closed_mesh.h"
+#include "robust/kernel/solids/closed_mesh.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 
 namespace touchstone::robust::batch {

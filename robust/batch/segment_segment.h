@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/batch/columns.h"
+#include "robust/batch/isa/columns.h"
 
 namespace touchstone::robust::batch {
 

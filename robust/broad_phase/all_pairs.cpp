@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "robust/kernel/spheres.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/spheres.h"
+#include "robust/kernel/shapes/valid_space.h"
 #include "robust/structures/pair_tree.h"
 #include "robust/structures/sort_and_sweep.h"
 

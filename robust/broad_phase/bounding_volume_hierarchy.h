@@ -5,7 +5,7 @@
 
 #include "geometry/commands.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 #include "touchstone_robust.h"
 
 /// What the functions for C share: nothing is thrown out of them.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robust/kernel/lattice.h"
+#include "robust/kernel/integers/lattice.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::robust::hulls {

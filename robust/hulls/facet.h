@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robust/hulls/frame.h"
-#include "robust/kernel/face_side.h"
+#include "robust/kernel/shapes/face_side.h"
 
 namespace touchstone::robust::hulls {
 

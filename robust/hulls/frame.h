@@ -8,7 +8,7 @@
 
 #include "geometry/polygons.h"
 #include "geometry/space.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 /// Hulls of many points in space. All arithmetic here is IEEE's, rounded to nearest (kernel/control_word.h): the bounds
 /// below use that, u = 2^-53 and gradual underflow.

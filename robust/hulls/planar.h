@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/explicit_line.h"
 
-#include "robust/kernel/lessened.h"
-#include "robust/kernel/plane.h"
-#include "robust/kernel/term_sum.h"
-#include "robust/kernel/valid.h"
+#include "robust/kernel/filters/lessened.h"
+#include "robust/kernel/integers/term_sum.h"
+#include "robust/kernel/shapes/plane.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

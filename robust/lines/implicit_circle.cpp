@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/implicit_circle.h"
 
-#include "robust/kernel/plane.h"
-#include "robust/kernel/valid.h"
+#include "robust/kernel/shapes/plane.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

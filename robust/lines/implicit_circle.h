@@ -3,9 +3,9 @@
 
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/decode.h"
-#include "robust/kernel/filters.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/decode.h"
+#include "robust/kernel/filters/filters.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_line.h"
 
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/plane.h"
-#include "robust/kernel/valid.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/shapes/plane.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

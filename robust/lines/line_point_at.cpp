@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_point_at.h"
 
-#include "robust/kernel/push.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/term_sum.h"
-#include "robust/kernel/valid.h"
-#include "robust/kernel/window.h"
+#include "robust/kernel/enclosed/push.h"
+#include "robust/kernel/enclosed/window.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/integers/term_sum.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

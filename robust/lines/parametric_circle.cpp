@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/parametric_circle.h"
 
-#include "robust/kernel/enclosed_angles.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/sine_cosine.h"
-#include "robust/kernel/term_sum.h"
-#include "robust/kernel/valid.h"
-#include "robust/kernel/window.h"
+#include "robust/kernel/enclosed/window.h"
+#include "robust/kernel/integers/enclosed_angles.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/integers/sine_cosine.h"
+#include "robust/kernel/integers/term_sum.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 

@@ -3,8 +3,8 @@
 
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/filters.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/filters.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

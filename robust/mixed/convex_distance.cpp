@@ -2,8 +2,8 @@
 #include "robust/mixed/convex_distance.h"
 
 #include "geometry/validation.h"
-#include "robust/kernel/convex_mesh.h"
-#include "robust/kernel/solid_distance.h"
+#include "robust/kernel/solids/convex_mesh.h"
+#include "robust/kernel/solids/solid_distance.h"
 
 namespace touchstone::robust {
 

@@ -2,8 +2,8 @@
 #include "robust/mixed/ray_plane.h"
 
 #include "geometry/validation_of_rays.h"
-#include "robust/kernel/plane_crossing.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/plane_crossing.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

@@ -2,7 +2,7 @@
 #include "robust/mixed/ray_sphere.h"
 
 #include "geometry/validation_of_rays.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/ball_passage.h"
-#include "robust/kernel/passage_filter.h"
+#include "robust/kernel/filters/passage_filter.h"
+#include "robust/kernel/solids/ball_passage.h"
 
 namespace touchstone::robust {
 

@@ -2,12 +2,12 @@
 #include "robust/mixed/ray_triangle.h"
 
 #include "geometry/validation_of_rays.h"
-#include "robust/kernel/enclosed_crossing.h"
-#include "robust/kernel/integers.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/small_hulls.h"
-#include "robust/kernel/triangle_clip.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/enclosed/enclosed_crossing.h"
+#include "robust/kernel/integers/integers.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/triangle_clip.h"
+#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/solids/small_hulls.h"
 
 namespace touchstone::robust {
 namespace {

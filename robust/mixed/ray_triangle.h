@@ -3,8 +3,8 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/rays.h"
-#include "robust/kernel/ray_filter.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/ray_filter.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

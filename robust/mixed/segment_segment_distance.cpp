@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/segment_segment_distance.h"
 
-#include "robust/kernel/enclosed_nearest.h"
-#include "robust/kernel/nearest_points.h"
-#include "robust/kernel/valid_capsules.h"
+#include "robust/kernel/enclosed/enclosed_nearest.h"
+#include "robust/kernel/shapes/nearest_points.h"
+#include "robust/kernel/shapes/valid_capsules.h"
 
 namespace touchstone::robust {
 namespace {

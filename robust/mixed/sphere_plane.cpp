@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/sphere_plane.h"
 
-#include "robust/kernel/height_filter.h"
-#include "robust/kernel/plane_filter.h"
-#include "robust/kernel/plane_terms.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/height_filter.h"
+#include "robust/kernel/filters/plane_filter.h"
+#include "robust/kernel/integers/plane_terms.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/sphere_triangle.h"
 
-#include "robust/kernel/around_box_filter.h"
-#include "robust/kernel/enclosed_nearest.h"
-#include "robust/kernel/nearest_points.h"
-#include "robust/kernel/valid_capsules.h"
+#include "robust/kernel/enclosed/enclosed_nearest.h"
+#include "robust/kernel/filters/around_box_filter.h"
+#include "robust/kernel/shapes/nearest_points.h"
+#include "robust/kernel/shapes/valid_capsules.h"
 
 namespace touchstone::robust {
 namespace {

@@ -6,9 +6,9 @@
 #include <type_traits>
 
 #include "geometry/validation_of_triangles.h"
-#include "robust/kernel/face_filter.h"
-#include "robust/kernel/parallelepiped.h"
-#include "robust/kernel/valid_capsules.h"
+#include "robust/kernel/filters/face_filter.h"
+#include "robust/kernel/shapes/valid_capsules.h"
+#include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {
 namespace {

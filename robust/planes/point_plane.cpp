@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/point_plane.h"
 
-#include "robust/kernel/cgal_predicates.h"
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/lessened.h"
-#include "robust/kernel/plane_terms.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/filters/lessened.h"
+#include "robust/kernel/integers/plane_terms.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/cgal_predicates.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/plane_filter.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/plane_filter.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

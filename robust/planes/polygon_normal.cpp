@@ -2,9 +2,9 @@
 #include "robust/planes/polygon_normal.h"
 
 #include "geometry/validation.h"
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/plane.h"
-#include "robust/kernel/points_in_space.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/shapes/plane.h"
+#include "robust/kernel/shapes/points_in_space.h"
 
 namespace touchstone::robust {
 namespace {

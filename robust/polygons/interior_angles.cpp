@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polygons/interior_angles.h"
 
-#include "robust/kernel/arc_tangent.h"
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/enclosed_angles.h"
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/integers.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/integers/arc_tangent.h"
+#include "robust/kernel/integers/enclosed_angles.h"
+#include "robust/kernel/integers/integers.h"
 #include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
 

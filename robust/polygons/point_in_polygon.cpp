@@ -6,9 +6,9 @@
 #include <cstring>
 #include <limits>
 
-#include "robust/kernel/filters.h"
-#include "robust/kernel/plane.h"
-#include "robust/kernel/valid.h"
+#include "robust/kernel/filters/filters.h"
+#include "robust/kernel/shapes/plane.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::robust {

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polygons/polygon_convexity.h"
 
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/valid.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/validation.h"
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
 

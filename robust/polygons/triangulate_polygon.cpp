@@ -2,7 +2,7 @@
 #include "robust/polygons/triangulate_polygon.h"
 
 #include "geometry/validation.h"
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/rings/simple.h"
 #include "robust/rings/sweep.h"
 

@@ -2,8 +2,8 @@
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 
 #include "geometry/validation.h"
-#include "robust/kernel/convex_mesh.h"
-#include "robust/kernel/face_side.h"
+#include "robust/kernel/shapes/face_side.h"
+#include "robust/kernel/solids/convex_mesh.h"
 
 namespace touchstone::robust {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "geometry/validation.h"
-#include "robust/kernel/closed_mesh.h"
-#include "robust/kernel/face_side.h"
-#include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/face_side.h"
+#include "robust/kernel/solids/closed_mesh.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::robust {

@@ -6,7 +6,7 @@
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "geometry/validation.h"
-#include "robust/kernel/ordered_bits.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/structures/connected_mesh.h"
 #include "robust/structures/embedded_mesh.h"

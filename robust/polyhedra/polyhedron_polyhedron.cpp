@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "geometry/validation.h"
-#include "robust/kernel/closed_mesh.h"
-#include "robust/kernel/common_interior.h"
-#include "robust/kernel/space_box.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/space_box.h"
+#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/solids/closed_mesh.h"
+#include "robust/kernel/solids/common_interior.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/triangle_triangle.h"
 #include "robust/structures/face_tree.h"

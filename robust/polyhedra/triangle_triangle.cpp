@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "geometry/validation_of_triangles.h"
-#include "robust/kernel/small_hulls.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/solids/small_hulls.h"
 
 namespace touchstone::robust {
 namespace {

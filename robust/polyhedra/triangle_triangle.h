@@ -3,8 +3,8 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/triangles.h"
-#include "robust/kernel/face_filter.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/face_filter.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* What the numbers of robust/kernel/enclosed.h are made of; enclosed.v, which extract.py writes from its text, says
+(* What the numbers of robust/kernel/enclosed/enclosed.h are made of; enclosed.v, which extract.py writes from its text, says
    what each function computes. *)
 From Coq Require Import Reals ZArith Bool.
 From Flocq Require Import Core.

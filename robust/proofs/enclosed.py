@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""robust/kernel/enclosed.h and push.h as Coq definitions: each function from its own text, operation by operation, a
+"""robust/kernel/enclosed/enclosed.h and push.h as Coq definitions: each function from its own text, operation by operation, a
 call of another function by that one's definition. What this does not understand is an error. See extract.py."""
 import re
 from fractions import Fraction
 
 from enclosed_text import HEADERS, Kernel, coq, field_name  # HEADERS: for others
 
-HEAD = """(* Written by extract.py from robust/kernel/enclosed.h, push.h, float_format.h and window.h. *)
+HEAD = """(* Written by extract.py from robust/kernel/enclosed/enclosed.h, push.h, float_format.h and window.h. *)
 From Coq Require Import Reals ZArith Bool.
 From Filters Require Import arithmetic.
 Open Scope R_scope.

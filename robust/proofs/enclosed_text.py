@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The text of robust/kernel/enclosed.h, push.h, float_format.h and window.h: constants, structs, functions. See
+"""The text of robust/kernel/enclosed/enclosed.h, push.h, float_format.h and window.h: constants, structs, functions. See
 enclosed.py."""
 import re
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Two boxes in a lane: the signs of differences, which rounding keeps or makes 0 (robust/kernel/box_differences.h). *)
+(* Two boxes in a lane: the signs of differences, which rounding keeps or makes 0 (robust/kernel/filters/box_differences.h). *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
 From Filters Require Import model constants steps format floats ghost lanes.

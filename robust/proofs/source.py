@@ -33,7 +33,7 @@ class Source:
 
     def __init__(self, root):
         self.functions, self.classes, self.structs, self.data = {}, {}, {}, {}
-        filters = cleaned((root / "robust/kernel/filters.h").read_text(encoding="utf-8"))
+        filters = cleaned((root / "robust/kernel/filters/filters.h").read_text(encoding="utf-8"))
         # Read as Coq just as it is.
         body = r"static Float relative\(\) \{\n    constexpr double c = ([-+*/ ()\w]+);\n"
         self.relative = re.search(body, filters)[1]

@@ -3,8 +3,8 @@
 
 #include <tuple>
 
-#include "robust/kernel/parallelepiped.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {
 namespace {

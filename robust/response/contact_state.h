@@ -3,8 +3,8 @@
 
 #include "geometry/bodies.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/contact_filter.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/contact_filter.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

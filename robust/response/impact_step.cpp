@@ -8,11 +8,11 @@
 #include <set>
 
 #include "geometry/validation_of_steps.h"
-#include "robust/kernel/dyadic.h"
-#include "robust/kernel/one_root.h"
-#include "robust/kernel/pushes_at_a_root.h"
-#include "robust/kernel/rational_pushes.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/contacts/pushes_at_a_root.h"
+#include "robust/kernel/contacts/rational_pushes.h"
+#include "robust/kernel/integers/dyadic.h"
+#include "robust/kernel/integers/one_root.h"
+#include "robust/kernel/shapes/valid_bodies.h"
 
 namespace touchstone::robust {
 namespace {

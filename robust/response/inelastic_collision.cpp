@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/inelastic_collision.h"
 
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/integers.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/integers/integers.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/valid_bodies.h"
 
 namespace touchstone::robust {
 namespace {

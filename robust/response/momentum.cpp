@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/momentum.h"
 
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/valid_bodies.h"
-#include "robust/kernel/whole_bodies.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/whole_bodies.h"
 
 namespace touchstone::robust {
 

@@ -5,7 +5,7 @@
 
 #include "geometry/bodies.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

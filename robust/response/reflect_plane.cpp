@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/reflect_plane.h"
 
-#include "robust/kernel/along_normal.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/contacts/along_normal.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

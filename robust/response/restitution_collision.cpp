@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/restitution_collision.h"
 
-#include "robust/kernel/impulse.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/contacts/impulse.h"
+#include "robust/kernel/shapes/valid_bodies.h"
 
 namespace touchstone::robust {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/rigid_body_collision.h"
 
-#include "robust/kernel/along_normal.h"
-#include "robust/kernel/dyadic.h"
-#include "robust/kernel/enclosed_inertia.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/contacts/along_normal.h"
+#include "robust/kernel/enclosed/enclosed_inertia.h"
+#include "robust/kernel/integers/dyadic.h"
+#include "robust/kernel/shapes/valid_bodies.h"
 
 namespace touchstone::robust {
 

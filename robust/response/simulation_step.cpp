@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "geometry/validation_of_steps.h"
-#include "robust/kernel/contact_system.h"
-#include "robust/kernel/dyadic.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/contacts/contact_system.h"
+#include "robust/kernel/integers/dyadic.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/valid_bodies.h"
 
 namespace touchstone::robust {
 namespace {

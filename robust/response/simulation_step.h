@@ -3,7 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/steps.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust {
 

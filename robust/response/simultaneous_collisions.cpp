@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "robust/kernel/contact_system.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/valid_bodies.h"
+#include "robust/kernel/contacts/contact_system.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/valid_bodies.h"
 
 namespace touchstone::robust {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/lines/segment_segment.h"
 #include "robust/rings/sweep.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "geometry/validation.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robust/kernel/dyadic.h"
+#include "robust/kernel/integers/dyadic.h"
 
 namespace touchstone::robust::structures {
 namespace {

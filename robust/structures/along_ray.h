@@ -8,7 +8,7 @@
 
 #include "geometry/rays.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 
 /// When a ray meets valid boxes, exactly. Ask while a kernel::ControlWord is in scope.
 namespace touchstone::robust::structures {

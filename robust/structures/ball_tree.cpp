@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "geometry/validation.h"
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/ordered_bits.h"
-#include "robust/kernel/spheres.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/spheres.h"
 #include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {

@@ -5,7 +5,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust {
 

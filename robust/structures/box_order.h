@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/volumes.h"
-#include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/filters/ordered_bits.h"
 
 /// Valid boxes compared by the order of their bits: right in every floating-point environment.
 namespace touchstone::robust::structures {

@@ -5,7 +5,7 @@
 
 #include "geometry/complexity.h"
 #include "geometry/polyhedra.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust::structures {
 

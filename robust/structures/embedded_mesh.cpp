@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "robust/kernel/face_side.h"
-#include "robust/kernel/ordered_bits.h"
-#include "robust/kernel/small_hulls.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/face_side.h"
+#include "robust/kernel/solids/small_hulls.h"
 #include "robust/lines/orientation.h"
 #include "robust/structures/near_faces.h"
 #include "robust/structures/sort_and_sweep.h"

@@ -5,7 +5,7 @@
 
 #include "geometry/polyhedra.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 /// Whether the faces of a valid mesh have areas, and meet in common edges and corners only. The words' meaning stands
 /// in reference/polyhedra/polyhedron_complexity.h.

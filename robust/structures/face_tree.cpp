@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 
 namespace touchstone::robust::structures {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/polyhedra.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust::structures {
 

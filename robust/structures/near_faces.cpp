@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/structures/box_order.h"
 #include "robust/structures/box_tree.h"
 #include "robust/structures/pair_tree.h"

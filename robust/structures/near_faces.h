@@ -6,7 +6,7 @@
 
 #include "geometry/polyhedra.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 /// Which triangles of a mesh are to be looked at in pairs, also where many of them share a vertex.
 namespace touchstone::robust::structures {

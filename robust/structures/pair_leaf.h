@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/filters/ordered_bits.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

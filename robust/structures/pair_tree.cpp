@@ -5,7 +5,7 @@
 #include <bit>
 #include <utility>
 
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/structures/box_order.h"
 #include "robust/structures/pair_cut.h"
 #include "robust/structures/pair_leaf.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 /// All pairs of boxes that meet, by a binary tree over the boxes.
 namespace touchstone::robust::structures {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/validation.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/solids/polygon_faces.h"
 
 namespace touchstone::robust {
 

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
-#include "robust/kernel/face_side.h"
-#include "robust/kernel/points_in_space.h"
+#include "robust/kernel/shapes/face_side.h"
+#include "robust/kernel/shapes/points_in_space.h"
 
 namespace touchstone::robust::structures {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/filters/ordered_bits.h"
 
 /// Sort and sweep: pairs of valid solids, from the order of their lower ends on one axis.
 namespace touchstone::robust::structures {

@@ -6,7 +6,7 @@
 
 #include "geometry/validation_of_commands.h"
 #include "geometry/validation_of_rays.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust::structures {
 

@@ -3,10 +3,10 @@
 
 #include <tuple>
 
-#include "robust/kernel/axis_times.h"
-#include "robust/kernel/box_differences.h"
-#include "robust/kernel/valid_space.h"
-#include "robust/kernel/window.h"
+#include "robust/kernel/enclosed/window.h"
+#include "robust/kernel/filters/box_differences.h"
+#include "robust/kernel/integers/axis_times.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

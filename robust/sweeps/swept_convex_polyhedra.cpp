@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "geometry/validation.h"
-#include "robust/kernel/axis_times.h"
-#include "robust/kernel/convex_mesh.h"
-#include "robust/kernel/points_in_space.h"
+#include "robust/kernel/integers/axis_times.h"
+#include "robust/kernel/shapes/points_in_space.h"
+#include "robust/kernel/solids/convex_mesh.h"
 
 namespace touchstone::robust {
 namespace {

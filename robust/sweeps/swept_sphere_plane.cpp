@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/sweeps/swept_sphere_plane.h"
 
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/height_filter.h"
-#include "robust/kernel/plane_terms.h"
-#include "robust/kernel/quadratic_root.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/filters/height_filter.h"
+#include "robust/kernel/integers/plane_terms.h"
+#include "robust/kernel/integers/quadratic_root.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

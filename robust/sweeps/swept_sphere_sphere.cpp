@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/sweeps/swept_sphere_sphere.h"
 
-#include "robust/kernel/enclosed_shapes.h"
-#include "robust/kernel/integers.h"
-#include "robust/kernel/quadratic_root.h"
-#include "robust/kernel/sweep_filter.h"
-#include "robust/kernel/term_sum.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/enclosed/enclosed_shapes.h"
+#include "robust/kernel/filters/sweep_filter.h"
+#include "robust/kernel/integers/integers.h"
+#include "robust/kernel/integers/quadratic_root.h"
+#include "robust/kernel/integers/term_sum.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "geometry/validation.h"
-#include "robust/kernel/ordered_bits.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

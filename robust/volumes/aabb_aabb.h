@@ -4,8 +4,8 @@
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/box_differences.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/box_differences.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

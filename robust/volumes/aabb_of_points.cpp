@@ -5,9 +5,9 @@
 #include <array>
 #include <tuple>
 
-#include "robust/kernel/box_differences.h"
-#include "robust/kernel/ordered_bits.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/box_differences.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

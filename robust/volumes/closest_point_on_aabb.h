@@ -3,7 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 

@@ -6,7 +6,7 @@
 #include "geometry/validation.h"
 #include "robust/hulls/planar.h"
 #include "robust/hulls/solid.h"
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::robust {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "robust/hulls/planar.h"
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/valid.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 

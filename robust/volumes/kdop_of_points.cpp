@@ -6,10 +6,10 @@
 #include <limits>
 #include <string>
 
-#include "robust/kernel/extreme_filter.h"
-#include "robust/kernel/outward.h"
-#include "robust/kernel/term_sum.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/extreme_filter.h"
+#include "robust/kernel/integers/outward.h"
+#include "robust/kernel/integers/term_sum.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

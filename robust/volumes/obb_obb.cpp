@@ -4,9 +4,9 @@
 #include <array>
 
 #include "geometry/validation.h"
-#include "robust/kernel/obb_filter.h"
-#include "robust/kernel/parallelepiped.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/obb_filter.h"
+#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {
 namespace {

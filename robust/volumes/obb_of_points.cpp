@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "geometry/validation.h"
-#include "robust/kernel/control_word.h"
-#include "robust/kernel/enclosing_ball.h"
-#include "robust/kernel/outward.h"
-#include "robust/kernel/rounding.h"
-#include "robust/kernel/term_sum.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/integers/outward.h"
+#include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/integers/term_sum.h"
+#include "robust/kernel/shapes/enclosing_ball.h"
+#include "robust/kernel/shapes/valid_space.h"
 #include "robust/volumes/point_in_obb.h"
 
 namespace touchstone::robust {

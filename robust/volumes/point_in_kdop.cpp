@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "robust/kernel/plane_terms.h"
-#include "robust/kernel/slab_filter.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/filters/slab_filter.h"
+#include "robust/kernel/integers/plane_terms.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "robust/kernel/parallelepiped.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {
 namespace {

@@ -4,8 +4,8 @@
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/obb_filter.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/obb_filter.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

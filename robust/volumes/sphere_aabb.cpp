@@ -2,8 +2,8 @@
 #include "robust/volumes/sphere_aabb.h"
 
 #include "geometry/validation.h"
-#include "robust/kernel/integers.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/integers/integers.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 namespace {

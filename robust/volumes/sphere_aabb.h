@@ -5,9 +5,9 @@
 #include "geometry/invalid_input.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/decode.h"
-#include "robust/kernel/sphere_box_filter.h"
-#include "robust/kernel/staged.h"
+#include "robust/kernel/filters/decode.h"
+#include "robust/kernel/filters/sphere_box_filter.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 

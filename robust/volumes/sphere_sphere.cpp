@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/volumes/sphere_sphere.h"
 
-#include "robust/kernel/spheres.h"
-#include "robust/kernel/valid_space.h"
+#include "robust/kernel/shapes/spheres.h"
+#include "robust/kernel/shapes/valid_space.h"
 
 namespace touchstone::robust {
 

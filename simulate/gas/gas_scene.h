@@ -18,7 +18,7 @@ struct GasScene {
   std::vector<Cube> cubes;
 };
 
-/// Whether the scene has a field `gas`: then it is one of these, and none of simulate/scene.h.
+/// Whether the scene has a field `gas`: then it is one of these, and none of simulate/world/scene.h.
 bool is_gas(const catalogue::Json& json);
 /// Strict as read_scene is. docs/simulate.md describes the fields.
 GasScene read_gas(const catalogue::Json& json);

@@ -11,7 +11,7 @@
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_commands.h"
 #include "oracle/broad_phase/broad_phase.h"
-#include "oracle/exact/queries_of_boxes.h"
+#include "oracle/exact/shapes/queries_of_boxes.h"
 #include "oracle/volumes/aabb_aabb.h"
 #include "reference/broad_phase/broad_phase.h"
 #include "robust/broad_phase/broad_phase.h"

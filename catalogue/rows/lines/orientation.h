@@ -6,7 +6,7 @@
 #include "catalogue/families/rounded_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
-#include "oracle/exact/elimination.h"
+#include "oracle/exact/systems/elimination.h"
 #include "oracle/lines/orientation.h"
 #include "reference/lines/orientation.h"
 #include "robust/batch/orientation.h"

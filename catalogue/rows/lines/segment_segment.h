@@ -4,7 +4,7 @@
 #include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
-#include "oracle/exact/elimination.h"
+#include "oracle/exact/systems/elimination.h"
 #include "oracle/lines/segment_segment.h"
 #include "reference/lines/segment_segment.h"
 #include "robust/batch/segment_segment.h"

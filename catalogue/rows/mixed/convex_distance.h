@@ -6,8 +6,8 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/families/list_draws.h"
-#include "catalogue/families/mesh_draws.h"
-#include "catalogue/families/polygon_draws.h"
+#include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/polygon_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"

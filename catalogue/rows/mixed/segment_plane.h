@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/line_plane_cases.h"
+#include "catalogue/families/passages/line_plane_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_rays.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/mesh_draws.h"
-#include "catalogue/families/polygon_draws.h"
+#include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/polygon_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/contact_mesh_draws.h"
-#include "catalogue/families/mesh_draws.h"
-#include "catalogue/families/polygon_draws.h"
-#include "catalogue/families/prism_draws.h"
-#include "catalogue/families/reported_meshes.h"
-#include "catalogue/families/solid_draws.h"
-#include "catalogue/families/wrong_cuts.h"
+#include "catalogue/families/meshes/contact_mesh_draws.h"
+#include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/polygon_draws.h"
+#include "catalogue/families/meshes/prism_draws.h"
+#include "catalogue/families/meshes/reported_meshes.h"
+#include "catalogue/families/meshes/solid_draws.h"
+#include "catalogue/families/meshes/wrong_cuts.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_complexity.h"

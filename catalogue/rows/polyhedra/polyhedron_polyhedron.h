@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "catalogue/families/cube_surface.h"
-#include "catalogue/families/mesh_draws.h"
-#include "catalogue/families/part_draws.h"
-#include "catalogue/families/polygon_draws.h"
-#include "catalogue/families/reported_meshes.h"
-#include "catalogue/families/solid_draws.h"
+#include "catalogue/families/meshes/cube_surface.h"
+#include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/part_draws.h"
+#include "catalogue/families/meshes/polygon_draws.h"
+#include "catalogue/families/meshes/reported_meshes.h"
+#include "catalogue/families/meshes/solid_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/families/coplanar_draws.h"
-#include "catalogue/families/reported_meshes.h"
+#include "catalogue/families/meshes/reported_meshes.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "catalogue/families/coplanar_draws.h"
+#include "catalogue/families/meshes/triangle_orbits.h"
 #include "catalogue/families/reported_triangles.h"
 #include "catalogue/families/triangle_draws.h"
-#include "catalogue/families/triangle_orbits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/triangle_triangle.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/contact_draws.h"
+#include "catalogue/families/bodies/contact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/contact_state.h"
 #include "reference/response/contact_state.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/impact_step_draws.h"
+#include "catalogue/families/bodies/impact_step_draws.h"
 #include "catalogue/numbers/kept_digits.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/impact_step.h"

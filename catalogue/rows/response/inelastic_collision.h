@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/impact_draws.h"
+#include "catalogue/families/bodies/impact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/inelastic_collision.h"
 #include "reference/response/inelastic_collision.h"

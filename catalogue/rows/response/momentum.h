@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/body_draws.h"
+#include "catalogue/families/bodies/body_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/momentum.h"
 #include "reference/response/momentum.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/bounce_draws.h"
+#include "catalogue/families/bodies/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/penalty_force.h"
 #include "reference/response/penalty_force.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/bounce_draws.h"
+#include "catalogue/families/bodies/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/reflect_plane.h"
 #include "reference/response/reflect_plane.h"

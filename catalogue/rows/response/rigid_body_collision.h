@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/rigid_draws.h"
+#include "catalogue/families/bodies/rigid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/rigid_body_collision.h"

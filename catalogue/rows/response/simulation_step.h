@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/step_draws.h"
+#include "catalogue/families/bodies/step_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/simulation_step.h"
 #include "reference/response/simulation_step.h"

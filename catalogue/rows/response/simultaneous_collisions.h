@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/simultaneous_draws.h"
+#include "catalogue/families/bodies/simultaneous_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/simultaneous_collisions.h"
 #include "reference/response/simultaneous_collisions.h"

@@ -5,9 +5,9 @@
 #include <array>
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/lattice_hull.h"
-#include "catalogue/families/mesh_draws.h"
-#include "catalogue/families/polygon_draws.h"
+#include "catalogue/families/meshes/lattice_hull.h"
+#include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/polygon_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"

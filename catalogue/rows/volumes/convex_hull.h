@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/families/cloud_draws.h"
 #include "catalogue/families/many_points.h"
+#include "catalogue/families/meshes/cloud_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/convex_hull.h"
 #include "reference/volumes/convex_hull.h"

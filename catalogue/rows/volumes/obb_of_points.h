@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/cloud_draws.h"
 #include "catalogue/families/many_points.h"
+#include "catalogue/families/meshes/cloud_draws.h"
 #include "catalogue/families/obb_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/obb_of_points.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "catalogue/families/numbers.h"
-#include "catalogue/operation/shrink.h"
+#include "catalogue/operation/probes/shrink.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 

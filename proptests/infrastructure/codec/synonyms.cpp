@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/operation/synonyms.h"
+#include "catalogue/operation/probes/synonyms.h"
 
 #include <algorithm>
 #include <set>

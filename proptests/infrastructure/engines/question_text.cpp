@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "proptests/catch.h"
 
 using namespace touchstone::audit;

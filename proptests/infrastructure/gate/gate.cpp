@@ -5,12 +5,12 @@
 
 #include <functional>
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "audit/gate/baseline.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
 #include "audit/gate/shown.h"
-#include "program/audit_gate.h"
+#include "program/runs/audit_gate.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <functional>
 
-#include "audit/audit_run.h"
-#include "audit/cases_of.h"
-#include "audit/generic.h"
-#include "audit/tally_json.h"
+#include "audit/counting/audit_run.h"
+#include "audit/counting/cases_of.h"
+#include "audit/counting/generic.h"
+#include "audit/counting/tally_json.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/table.h"
+#include "report/screen/table.h"
 
 namespace touchstone::proptests::audit_runs_tests {
 namespace {

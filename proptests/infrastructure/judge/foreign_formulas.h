@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "audit/judged.h"
-#include "catalogue/operation/fitted.h"
+#include "audit/counting/judged.h"
 #include "catalogue/operation/operation.h"
+#include "catalogue/operation/probes/fitted.h"
 #include "catalogue/operation/row.h"
 #include "proptests/uses.h"
 

@@ -5,7 +5,7 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
 #include "proptests/infrastructure/judge/usual_formulas.h"
-#include "report/table.h"
+#include "report/screen/table.h"
 
 /// Of several pairs of points that are as near as any an engine may name any, unless it declares the contract's.
 namespace touchstone::proptests::nearest_pairs_tests {

@@ -8,7 +8,7 @@
 
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/map_image.h"
+#include "report/maps/map_image.h"
 
 namespace touchstone::proptests::parallel_tests {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "audit/counting/tally_json.h"
 #include "audit/gate/gate.h"
-#include "audit/tally_json.h"
 #include "catalogue/rows/broad_phase/all_pairs.h"
 #include "catalogue/rows/planes/point_plane.h"
 #include "catalogue/rows/planes/polygon_normal.h"
@@ -15,7 +15,7 @@
 #include "catalogue/rows/volumes/sphere_sphere.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
-#include "report/table.h"
+#include "report/screen/table.h"
 
 /// Bugs that nobody may take for rounding: an audit counts them as wrong by the method, and its gate fails.
 namespace touchstone::proptests::planted_bugs_tests {

@@ -7,15 +7,15 @@
 #include <sstream>
 #include <vector>
 
-#include "audit/audit_run.h"
-#include "audit/tally_json.h"
+#include "audit/counting/audit_run.h"
+#include "audit/counting/tally_json.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/html.h"
-#include "report/palette.h"
-#include "report/svg.h"
-#include "report/wording.h"
+#include "report/figures/svg.h"
+#include "report/maps/palette.h"
+#include "report/pages/html.h"
+#include "report/words/wording.h"
 
 /// The report's pages as text: what a browser needs so that nothing is missing on the screen or on paper.
 namespace touchstone::proptests::reports_tests {

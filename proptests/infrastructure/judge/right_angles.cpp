@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "audit/easy_questions.h"
+#include "audit/counting/easy_questions.h"
 #include "audit/engines/protocol.h"
 #include "catalogue/families/obb_draws.h"
 #include "catalogue/rows/volumes/obb_obb.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/operation/sensitivity.h"
+#include "catalogue/operation/probes/sensitivity.h"
 
 #include <cmath>
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
+#include "audit/counting/shrink_examples.h"
+#include "audit/counting/tally_json.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
 #include "audit/gate/shown.h"
-#include "audit/shrink_examples.h"
-#include "audit/tally_json.h"
 #include "catalogue/judge/environment.h"
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/catch.h"
 #include "proptests/interrogation.h"
 #include "proptests/uses.h"
-#include "report/html.h"
-#include "report/table.h"
+#include "report/pages/html.h"
+#include "report/screen/table.h"
 
 /// A question is solved once, whatever is asked of it. Counted on an operation whose functions are those of
 /// orientation, and count.

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include "audit/audit_run.h"
-#include "audit/generic.h"
-#include "audit/tally_json.h"
+#include "audit/counting/audit_run.h"
+#include "audit/counting/generic.h"
+#include "audit/counting/tally_json.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 

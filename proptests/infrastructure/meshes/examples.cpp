@@ -3,7 +3,7 @@
 #include <fstream>
 #include <set>
 
-#include "audit/meshes.h"
+#include "audit/meshes/formats/mesh_file.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 
-#include "audit/meshes.h"
+#include "audit/meshes/formats/mesh_file.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/meshes.h"
+#include "audit/meshes/formats/mesh_file.h"
 #include "proptests/catch.h"
 
 namespace touchstone::proptests::mesh_files_tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/families/named_meshes.h"
+#include "catalogue/families/meshes/named_meshes.h"
 
 #include <gmpxx.h>
 

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/families/drawn_cut.h"
-#include "catalogue/families/polygon_draws.h"
-#include "catalogue/families/prism_draws.h"
-#include "catalogue/families/wrong_cuts.h"
-#include "oracle/exact/polygon_faces.h"
+#include "catalogue/families/meshes/drawn_cut.h"
+#include "catalogue/families/meshes/polygon_draws.h"
+#include "catalogue/families/meshes/prism_draws.h"
+#include "catalogue/families/meshes/wrong_cuts.h"
+#include "oracle/exact/solids/polygon_faces.h"
 #include "oracle/polyhedra/point_in_polyhedron.h"
 #include "proptests/drawn.h"
-#include "robust/kernel/polygon_faces.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/polyhedron_complexity.h"
 #include "robust/structures/polygon_mesh.h"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/families/polygon_draws.h"
-#include "catalogue/operation/fitted.h"
-#include "catalogue/operation/values_in.h"
+#include "catalogue/families/meshes/polygon_draws.h"
+#include "catalogue/operation/probes/fitted.h"
+#include "catalogue/operation/probes/values_in.h"
 #include "oracle/polyhedra/point_in_polyhedron.h"
 #include "oracle/polyhedra/polyhedron_complexity.h"
 #include "proptests/drawn.h"

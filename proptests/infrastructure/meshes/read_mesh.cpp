@@ -8,7 +8,8 @@
 #include <fstream>
 #include <limits>
 
-#include "audit/meshes.h"
+#include "audit/meshes/formats/mesh_file.h"
+#include "audit/meshes/prepared.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"
@@ -16,7 +17,9 @@
 namespace touchstone::proptests::read_mesh_tests {
 namespace {
 
-using audit::parse_mesh;
+Meshd parse_mesh(const std::string& name, std::string_view bytes) {
+  return audit::prepared(audit::parse_mesh_file(name, bytes), {}).mesh;
+}
 
 std::string refusal(const std::string& name, const std::string& bytes) {
   try {
@@ -115,7 +118,7 @@ TEST_CASE("meshes: what is no regular file is refused before it is read, and a f
   const auto path = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_endless.obj");
   const auto refused = [&] {
     try {
-      audit::read_mesh(path.string());
+      audit::read_mesh_file(path.string());
       return std::string("accepted");
     } catch (const InvalidInput& refused) {
       return refused.rule();

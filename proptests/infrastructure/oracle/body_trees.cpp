@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "oracle/broad_phase/broad_phase.h"
 #include "oracle/certificates/check.h"
 #include "proptests/catch.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/exact/circular.h"
+#include "oracle/exact/numbers/circular.h"
 
 #include <mpfr.h>
 
@@ -9,7 +9,7 @@
 #include "catalogue/codec/json.h"
 #include "catalogue/families/numbers.h"
 #include "oracle/certificates/check.h"
-#include "oracle/exact/nearest_double.h"
+#include "oracle/exact/numbers/nearest_double.h"
 #include "oracle/lines/parametric_circle.h"
 #include "proptests/catch.h"
 

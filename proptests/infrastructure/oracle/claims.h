@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "proptests/catch.h"
 
 /// The oracle's own claims as text, and programs in Python that judge them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/exact/linear_program.h"
+#include "oracle/exact/systems/linear_program.h"
 
 #include <cstdint>
 #include <type_traits>

@@ -3,8 +3,8 @@
 
 #include "catalogue/families/numbers.h"
 #include "oracle/broad_phase/all_pairs.h"
-#include "oracle/exact/guessed_complement.h"
-#include "oracle/exact/principal_pivots.h"
+#include "oracle/exact/systems/guessed_complement.h"
+#include "oracle/exact/systems/principal_pivots.h"
 #include "oracle/response/simultaneous_collisions.h"
 #include "oracle/volumes/convex_hull_2d.h"
 #include "proptests/catch.h"

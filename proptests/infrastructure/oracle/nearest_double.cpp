@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/exact/nearest_double.h"
+#include "oracle/exact/numbers/nearest_double.h"
 
 #include <mpfr.h>
 
@@ -9,7 +9,7 @@
 
 #include "catalogue/families/numbers.h"
 #include "catalogue/judge/environment.h"
-#include "oracle/exact/decode.h"
+#include "oracle/exact/numbers/decode.h"
 #include "proptests/catch.h"
 
 namespace touchstone::proptests::nearest_double_tests {

@@ -10,8 +10,8 @@
 #include "catalogue/rows/lines/point_on_segment.h"
 #include "catalogue/rows/lines/ray_segment.h"
 #include "catalogue/rows/lines/segment_segment.h"
-#include "oracle/exact/decode.h"
-#include "oracle/exact/nearest_double.h"
+#include "oracle/exact/numbers/decode.h"
+#include "oracle/exact/numbers/nearest_double.h"
 #include "oracle/lines/explicit_line.h"
 #include "proptests/catch.h"
 

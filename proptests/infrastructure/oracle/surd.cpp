@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/exact/surd.h"
+#include "oracle/exact/numbers/surd.h"
 
 #include <mpfr.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "catalogue/families/numbers.h"
-#include "oracle/exact/nearest_double.h"
-#include "oracle/exact/nearest_float.h"
+#include "oracle/exact/numbers/nearest_double.h"
+#include "oracle/exact/numbers/nearest_float.h"
 #include "proptests/catch.h"
 
 // Exact numbers p + q sqrt(r): by hand, by identities, and against MPFR with 6000 digits. Two of the numbers drawn here

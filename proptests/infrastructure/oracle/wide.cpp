@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/exact/wide.h"
+#include "oracle/exact/numbers/wide.h"
 
 #include <algorithm>
 
 #include "catalogue/families/draw_stream.h"
-#include "oracle/exact/linear_program.h"
+#include "oracle/exact/systems/linear_program.h"
 #include "proptests/catch.h"
 
 namespace touchstone::proptests::wide_tests {

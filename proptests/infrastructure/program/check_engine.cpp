@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "audit/easy_questions.h"
+#include "audit/counting/easy_questions.h"
 #include "audit/engines/protocol.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "program/commands.h"
+#include "program/commands/commands.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"
 

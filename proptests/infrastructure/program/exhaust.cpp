@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "geometry/invalid_input.h"
-#include "program/commands.h"
-#include "program/counted_run.h"
+#include "program/commands/commands.h"
 #include "program/program.h"
+#include "program/runs/counted_run.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 

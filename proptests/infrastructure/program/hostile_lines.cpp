@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/commands.h"
+#include "program/commands/commands.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"
 

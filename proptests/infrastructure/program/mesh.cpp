@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "audit/meshes.h"
+#include "audit/meshes/formats/mesh_file.h"
 #include "catalogue/codec/json.h"
-#include "program/commands.h"
+#include "program/commands/commands.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"
 

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <string>
 
-#include "audit/meshes.h"
-#include "program/commands.h"
+#include "audit/meshes/formats/mesh_file.h"
+#include "program/commands/commands.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"
 

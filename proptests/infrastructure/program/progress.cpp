@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/progress.h"
+#include "program/terminal/progress.h"
 
 #include <sstream>
 

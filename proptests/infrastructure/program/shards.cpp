@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "catalogue/codec/json.h"
-#include "program/exit_codes.h"
-#include "program/rounds.h"
-#include "program/shard.h"
+#include "program/runs/rounds.h"
+#include "program/runs/shard.h"
+#include "program/terminal/exit_codes.h"
 #include "proptests/infrastructure/program/called.h"
 
 /// Runs in parts: which part a process has, what is kept when it is stopped, and what merges.

@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "audit/counting/tally_json.h"
 #include "audit/engines/process.h"
-#include "audit/tally_json.h"
 #include "catalogue/codec/json.h"
 #include "program/engine_main.h"
 #include "proptests/infrastructure/program/called.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/html_finding.h"
-#include "report/phrases.h"
+#include "report/pages/html_finding.h"
+#include "report/words/phrases.h"
 
 /// Answers as sentences.
 namespace touchstone::proptests::answers_in_words_tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/coarse_mesh.h"
+#include "report/figures/coarse_mesh.h"
 
 #include <algorithm>
 

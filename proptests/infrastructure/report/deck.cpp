@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/deck_page.h"
-#include "report/html_parts.h"
+#include "report/pages/deck_page.h"
+#include "report/pages/html_parts.h"
 
 /// The deck as one page.
 namespace touchstone::proptests::deck_tests {

@@ -22,7 +22,7 @@ test('drag: exact numbers are the doubles themselves, and nothing is less or gre
 });
 
 test('drag: every figure of the deck is there, draws its start and answers', () => {
-  const sections = JSON.parse(readFileSync(new URL('../../../report/deck.json', import.meta.url), 'utf8'));
+  const sections = JSON.parse(readFileSync(new URL('../../../report/pages/deck.json', import.meta.url), 'utf8'));
   const wanted = sections.map(section => section.drag).filter(Boolean);
   assert.deepEqual([...wanted].sort(), Object.keys(figures).sort());
   for (const [name, figure] of Object.entries(figures)) {

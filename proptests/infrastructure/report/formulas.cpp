@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/contract.h"
-#include "report/formula.h"
-#include "report/html_parts.h"
+#include "report/pages/contract.h"
+#include "report/pages/html_parts.h"
+#include "report/words/formula.h"
 
 /// Formulas of contracts in MathML; what is expected is written by hand.
 namespace touchstone::proptests::formula_tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/hints.h"
+#include "report/words/hints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "catalogue/rows/mixed/ray_aabb.h"
 #include "catalogue/rows/mixed/sphere_plane.h"
 #include "catalogue/rows/planes/point_ground_plane.h"
+#include "catalogue/rows/polygons/interior_angles.h"
 #include "catalogue/rows/response/momentum.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
@@ -107,6 +108,21 @@ TEST_CASE("hints: an angle in degrees") {
   says_nothing_of<rows::parametric_circle>(right);
   CHECK_THAT(said<rows::parametric_circle>(degrees), is_said);
   CHECK_THAT(said<rows::parametric_circle>(backwards), !is_said);
+}
+
+TEST_CASE("hints: angles answered in degrees") {
+  const auto right = [](const Polygon2d& polygon) { return robust::interior_angles(polygon); };
+  const auto times = [&](double factor) {
+    return [&right, factor](const Polygon2d& polygon) {
+      std::vector<double> angles = right(polygon);
+      for (double& angle : angles) angle *= factor;
+      return angles;
+    };
+  };
+  const auto is_said = ContainsSubstring("are they in degrees?");
+  says_nothing_of<rows::interior_angles>(right);
+  CHECK_THAT(said<rows::interior_angles>(times(180 / 3.14159265358979323846)), is_said);
+  CHECK_THAT(said<rows::interior_angles>(times(200 / 3.14159265358979323846)), !is_said);
 }
 
 TEST_CASE("hints: wrong where a component of the direction is 0") {

@@ -12,7 +12,7 @@
 #include "catalogue/codec/json.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/html.h"
+#include "report/pages/html.h"
 
 /// Scripts of pages, run in node.
 namespace touchstone::proptests {

@@ -3,10 +3,10 @@
 
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/html.h"
-#include "report/html_map.h"
-#include "report/html_parts.h"
-#include "report/wording.h"
+#include "report/pages/html.h"
+#include "report/pages/html_map.h"
+#include "report/pages/html_parts.h"
+#include "report/words/wording.h"
 
 /// Failure maps: where they are centred, and what their legends say.
 namespace touchstone::proptests::maps_tests {
@@ -106,8 +106,15 @@ TEST_CASE("maps: a coarse map asks fewer questions, those that a fine one asks t
 }
 
 TEST_CASE("maps: how many questions follows from those of the audit, at least 16 x 16, at most the whole grid") {
-  for (const auto& [cases, side] :
-       {std::pair(1, 16), {60, 16}, {1023, 16}, {1024, 32}, {2000, 32}, {4096, 64}, {20000, 128}, {65536, 256}, {200000, 256}})
+  for (const auto& [cases, side] : {std::pair(1, 16),
+                                    {60, 16},
+                                    {1023, 16},
+                                    {1024, 32},
+                                    {2000, 32},
+                                    {4096, 64},
+                                    {20000, 128},
+                                    {65536, 256},
+                                    {200000, 256}})
     CHECK(MapEffort::of(static_cast<std::uint64_t>(cases)).side == side);
 }
 

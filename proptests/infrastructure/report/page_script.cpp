@@ -2,10 +2,10 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/report/in_node.h"
 #include "proptests/uses.h"
-#include "report/html.h"
-#include "report/map_image.h"
-#include "report/phrases.h"
-#include "report/wording.h"
+#include "report/maps/map_image.h"
+#include "report/pages/html.h"
+#include "report/words/phrases.h"
+#include "report/words/wording.h"
 
 /// The script of a page with failure maps, run in node: what it shows of a pixel is what the catalogue says of it.
 namespace touchstone::proptests::page_script_tests {

@@ -2,20 +2,20 @@
 #include <filesystem>
 #include <fstream>
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/answered.h"
-#include "report/contract.h"
-#include "report/html.h"
-#include "report/html_compare.h"
-#include "report/html_confusion.h"
-#include "report/html_finding.h"
-#include "report/html_footer.h"
-#include "report/html_parts.h"
-#include "report/phrases.h"
-#include "report/svg.h"
+#include "report/figures/svg.h"
+#include "report/pages/contract.h"
+#include "report/pages/html.h"
+#include "report/pages/html_compare.h"
+#include "report/pages/html_confusion.h"
+#include "report/pages/html_finding.h"
+#include "report/pages/html_footer.h"
+#include "report/pages/html_parts.h"
+#include "report/words/answered.h"
+#include "report/words/phrases.h"
 
 /// What the pages of a report say, from tallies made by hand.
 namespace touchstone::proptests::pages_tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/palette.h"
+#include "report/maps/palette.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/html_style.h"
+#include "report/pages/html_style.h"
 
 /// Colours by the formulas of WCAG 2.1 (relative luminance, contrast ratio) and CIE 1976 (L*a*b*).
 namespace touchstone::proptests::palette_tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What report/player.js shows of runs, and how it plays them.
+// What report/scripts/player.js shows of runs, and how it plays them.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {Element, defined, documentOf, plain} from './browser.mjs';

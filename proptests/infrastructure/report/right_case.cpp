@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/generic.h"
+#include "audit/counting/generic.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/html_finding.h"
+#include "report/pages/html_finding.h"
 
 namespace touchstone::proptests::right_case_tests {
 

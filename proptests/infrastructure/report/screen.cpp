@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/screen.h"
+#include "report/screen/screen.h"
 
 #include <algorithm>
 #include <set>
 #include <sstream>
 
-#include "audit/audit_run.h"
+#include "audit/counting/audit_run.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/ways.h"
+#include "report/words/ways.h"
 
 namespace touchstone::proptests::screen_tests {
 namespace {

@@ -8,10 +8,10 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/report/in_node.h"
 #include "proptests/uses.h"
-#include "report/html_parts.h"
-#include "report/html_search.h"
-#include "report/space_model.h"
-#include "report/svg.h"
+#include "report/figures/space_model.h"
+#include "report/figures/svg.h"
+#include "report/pages/html_parts.h"
+#include "report/pages/html_search.h"
 
 /// Searches in structures over bodies, as they are drawn and counted.
 namespace touchstone::proptests::search_figures_tests {

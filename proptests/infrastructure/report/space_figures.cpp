@@ -8,9 +8,9 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/report/in_node.h"
 #include "proptests/uses.h"
-#include "report/answered.h"
-#include "report/html_parts.h"
-#include "report/space_model.h"
+#include "report/figures/space_model.h"
+#include "report/pages/html_parts.h"
+#include "report/words/answered.h"
 
 /// Scenes in space as a page holds them; what its script draws of them: viewer.mjs.
 namespace touchstone::proptests::space_figures_tests {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/table.h"
+#include "report/screen/table.h"
 
 #include <map>
 #include <sstream>
 
-#include "audit/audit_run.h"
-#include "audit/tally_json.h"
+#include "audit/counting/audit_run.h"
+#include "audit/counting/tally_json.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What report/viewer.js draws of a model, and how it turns. Expected places follow from its projection: from before, x
+// What report/scripts/viewer.js draws of a model, and how it turns. Expected places follow from its projection: from before, x
 // is to the right and y up, and what is farthest from the middle is 134 pixels from it.
 import assert from 'node:assert/strict';
 import test from 'node:test';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/kernel/enclosed_angles.h"
+#include "robust/kernel/integers/enclosed_angles.h"
 
 #include <mpfr.h>
 

@@ -2,7 +2,7 @@
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 
 namespace touchstone::proptests::environments_tests {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/kernel/quadratic_root.h"
+#include "robust/kernel/integers/quadratic_root.h"
 
 #include <mpfr.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/kernel/rounding.h"
+#include "robust/kernel/integers/rounding.h"
 
 #include <mpfr.h>
 

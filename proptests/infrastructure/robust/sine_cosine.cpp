@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/kernel/sine_cosine.h"
+#include "robust/kernel/integers/sine_cosine.h"
 
 #include <mpfr.h>
 

@@ -6,7 +6,7 @@
 #include "catalogue/families/draw_stream.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/robust/narrow_float.h"
-#include "robust/kernel/enclosed.h"
+#include "robust/kernel/enclosed/enclosed.h"
 
 // The number kernel on formats of 12 and 13 digits, where every truth is known: no enclosure misses it, no rounded
 // number is another, and most are found. Quotients and roots of single numbers are tried on all of them.

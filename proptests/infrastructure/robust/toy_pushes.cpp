@@ -4,9 +4,9 @@
 #include "catalogue/families/draw_stream.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/robust/narrow_float.h"
-#include "robust/kernel/along_normal.h"
+#include "robust/kernel/contacts/along_normal.h"
 
-// The one bound of robust/kernel/along_normal.h and push.h on formats of 12, 13 and 20 digits: a velocity v that
+// The one bound of robust/kernel/contacts/along_normal.h and push.h on formats of 12, 13 and 20 digits: a velocity v that
 // changes by t n, t = (1 + e) m (d . n) / ((m + l) n . n), d a difference that may cancel, along n or before; and a t
 // that is exact.
 namespace touchstone::proptests::toy_pushes_tests {

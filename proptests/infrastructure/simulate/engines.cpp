@@ -5,7 +5,7 @@
 
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/infrastructure/simulate/scene_text.h"
-#include "report/simulation_page.h"
+#include "report/pages/simulation_page.h"
 
 /// Foreign engines beside the runs of a scene.
 namespace touchstone::proptests::engines_tests {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "simulate/flights.h"
+#include "simulate/world/flights.h"
 
 #include "proptests/infrastructure/simulate/scene_text.h"
 #include "simulate/simulation.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/infrastructure/simulate/scene_text.h"
-#include "report/simulation_page.h"
+#include "report/pages/simulation_page.h"
 
 namespace touchstone::proptests::pages_tests {
 namespace {

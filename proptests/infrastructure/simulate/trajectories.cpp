@@ -4,8 +4,8 @@
 
 #include "catalogue/operation/operation.h"
 #include "proptests/infrastructure/simulate/scene_text.h"
-#include "simulate/hash.h"
 #include "simulate/trajectory.h"
+#include "simulate/world/hash.h"
 
 namespace touchstone::proptests::trajectories_tests {
 namespace {

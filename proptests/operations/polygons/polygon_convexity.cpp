@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "catalogue/families/rings.h"
-#include "catalogue/operation/explained.h"
+#include "catalogue/operation/probes/explained.h"
 #include "catalogue/rows/polygons/polygon_convexity_interior_angles.h"
 #include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"

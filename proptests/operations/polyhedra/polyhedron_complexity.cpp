@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "catalogue/families/cube_surface.h"
-#include "catalogue/families/mesh_draws.h"
-#include "catalogue/families/reported_meshes.h"
+#include "catalogue/families/meshes/cube_surface.h"
+#include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/reported_meshes.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/triangle_triangle.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "catalogue/families/reported_meshes.h"
+#include "catalogue/families/meshes/reported_meshes.h"
 #include "proptests/solids.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/point_in_polyhedron.h"

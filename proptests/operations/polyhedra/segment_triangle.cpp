@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "catalogue/families/reported_meshes.h"
+#include "catalogue/families/meshes/reported_meshes.h"
 #include "proptests/triangle_laws.h"
 
 namespace touchstone::proptests::segment_triangle_tests {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "proptests/response_laws.h"
-#include "robust/kernel/contact_system.h"
+#include "robust/kernel/contacts/contact_system.h"
 #include "robust/response/restitution_collision.h"
 
 namespace touchstone::proptests::simultaneous_collisions_tests {
@@ -130,9 +130,7 @@ LAW("simultaneous_collisions: the order of contacts, their repetition, side and 
   return equal(ask(other), answer);
 }
 
-LAW("simultaneous_collisions: masses have any unit") {
-  return inverse_masses_have_any_unit(asked, ask);
-}
+LAW("simultaneous_collisions: masses have any unit") { return inverse_masses_have_any_unit(asked, ask); }
 
 ROBUST_LAW(
     "simultaneous_collisions: one contact that approaches is a restitution_collision; one that does not, nothing",

@@ -5,7 +5,7 @@
 #include "proptests/hull_laws.h"
 #include "proptests/space_laws.h"
 #include "robust/hulls/solid.h"
-#include "robust/kernel/control_word.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests::convex_hull_tests {

@@ -15,7 +15,7 @@ namespace {
 /// n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from there
 /// (robust/batch/isa/faces.h).
 ///
-/// As for FacePlane of robust/kernel/face_filter.h: a product of n . (p - a) goes through eight roundings, the last of
+/// As for FacePlane of robust/kernel/filters/face_filter.h: a product of n . (p - a) goes through eight roundings, the last of
 /// which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes of the
 /// six products of three differences. C = 8 v. t is at least the magnitude of n, coordinate by coordinate, and the
 /// terms are summed in the order of the value: where a partial sum of the value overflows, so does that of the terms. A

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cfenv>
 
-#include "robust/batch/columns.h"
+#include "robust/batch/isa/columns.h"
 #include "robust/batch/isa/filters.h"
 
 #if defined(__SSE2__)

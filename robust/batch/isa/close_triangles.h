@@ -147,7 +147,7 @@ struct CloseRayTriangle {
   }
 };
 
-/// The corner that is alone on its side of the other's plane, or on it, and the others (robust/kernel/small_hulls.cpp).
+/// The corner that is alone on its side of the other's plane, or on it, and the others (robust/kernel/solids/small_hulls.cpp).
 struct CloseTip {
   InSpace corner, others[2];
   Mask on_plane;
@@ -173,7 +173,7 @@ struct CloseTip {
   }
 };
 
-/// As robust/kernel/small_hulls.cpp has them, which says why.
+/// As robust/kernel/solids/small_hulls.cpp has them, which says why.
 struct CloseTriangleTriangle {
   static constexpr std::size_t columns = 18;
   static constexpr bool of_lengths = true;

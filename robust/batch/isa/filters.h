@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 /// The filters of arrays, compiled once for each instruction set.
 namespace touchstone::robust::batch::isa {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/filters/strict_math.h"
 
 #if TOUCHSTONE_LANES > 1
 #include <immintrin.h>

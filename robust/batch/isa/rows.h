@@ -8,7 +8,7 @@
 #include "geometry/rays.h"
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
-#include "robust/batch/columns.h"
+#include "robust/batch/isa/columns.h"
 
 /// Rows of columns, as the functions of one question take them.
 namespace touchstone::robust::batch {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "catalogue/families/bodies/impact_draws.h"
+#include "catalogue/families/list_draws.h"
+
+/// Lists of bodies, drawn from a draw stream.
+namespace touchstone::catalogue {
+
+using Bodies = std::vector<Bodyd>;
+
+/// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
+template <class Draw>
+Bodies drawn_bodies(DrawStream& c, const Draw& draw) {
+  Bodies list;
+  while (list.size() < 12 && c.below(6) != 0) list.push_back(draw(c));
+  return list;
+}
+
+inline Bodyd lattice_body(DrawStream& c) {
+  const double m = lattice_mass(c);
+  return {m, lattice_velocity(c, 20)};
+}
+inline Bodies lattice_bodies(DrawStream& c) { return drawn_bodies(c, lattice_body); }
+
+/// Each of which counts.
+inline Bodies many_bodies(DrawStream& c) { return long_list(c, lattice_body); }
+
+/// In pairs of opposite momentum, and perhaps one that is lighter by far.
+inline Bodies cancelling_bodies(DrawStream& c) {
+  Bodies list;
+  while (list.size() < 8 && c.below(4) != 0) {
+    const Vector3d v = ordinary_vector(c);
+    const int k = static_cast<int>(c.below(40)) - 20;
+    list.push_back({1, v}), list.push_back({std::ldexp(1, k), -std::ldexp(1, -k) * v});
+  }
+  if (c.below(2) == 1) list.push_back({std::ldexp(1, -static_cast<int>(c.below(120))), ordinary_vector(c)});
+  return list;
+}
+
+/// Heavy and slow next to light and fast.
+inline Bodies far_apart_bodies(DrawStream& c) {
+  return drawn_bodies(c, [](DrawStream& d) {
+    const int k = static_cast<int>(d.below(1001)) - 500, l = static_cast<int>(d.below(1001)) - 500;
+    const double m = 1 + std::fabs(ordinary(d));
+    return Bodyd{std::ldexp(m, k), std::ldexp(1, l) * ordinary_vector(d)};
+  });
+}
+
+/// Full digits where products underflow in part, or overflow.
+inline Bodies bodies_at_the_end(DrawStream& c) {
+  return drawn_bodies(c, [](DrawStream& d) {
+    const double m = 1 + std::fabs(ordinary(d));
+    const int k = static_cast<int>(d.below(60));
+    return Bodyd{std::ldexp(m, d.below(4) == 3 ? 500 + k / 4 : -520 - k), at_the_end_of_products(d)};
+  });
+}
+
+inline Bodies bodies_at_end_of_range(DrawStream& c) {
+  return drawn_bodies(c, [](DrawStream& d) {
+    const double m = std::ldexp(lattice_mass(d), -4);
+    return Bodyd{m, at_the_end_of_range(d)};
+  });
+}
+
+/// A mass of 0 or less, somewhere.
+inline Bodies bodies_without_a_mass(DrawStream& c) {
+  Bodies list = lattice_bodies(c);
+  const double mass = c.below(2) == 1 ? -0x1p-1074 : either_zero(c);
+  list.push_back({mass, lattice_velocity(c, 4)});
+  while (list.size() < 12 && c.below(2) == 1) list.push_back(lattice_body(c));
+  return list;
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/bodies/bounce_draws.h"
+#include "catalogue/shape/described_bodies.h"
+
+/// Two turning bodies that touch, drawn from a draw stream.
+namespace touchstone::catalogue {
+
+struct Meeting {
+  MovingBodyd a, b;
+  Point3d point;
+  Vector3d normal;
+};
+
+/// Where the point of the body is going; exact on small lattices.
+inline Vector3d going(const MovingBodyd& body, const Point3d& point) {
+  return body.velocity + cross(body.angular_velocity, point - body.position);
+}
+
+inline MovingBodyd lattice_moving_body(DrawStream& c, int bits) {
+  const Point3d x = lattice_point_in_space(c, bits);
+  const Vector3d v = lattice_velocity(c, bits);
+  return {x, v, lattice_velocity(c, bits)};
+}
+inline Meeting lattice_meeting(DrawStream& c, int bits = 12) {
+  const MovingBodyd a = lattice_moving_body(c, bits), b = lattice_moving_body(c, bits);
+  const Point3d p = lattice_point_in_space(c, bits);
+  return {a, b, p, lattice_normal(c, bits)};
+}
+
+/// As plane physics has it: all in the plane z = 0, turns about z.
+inline Meeting in_a_plane(Meeting m) {
+  for (MovingBodyd* body : {&m.a, &m.b}) {
+    body->position.z = body->velocity.z = 0;
+    body->angular_velocity = {0, 0, body->angular_velocity.z};
+  }
+  m.point.z = 0;
+  const Vector3d& n = m.normal;
+  m.normal = n.x == 0 && n.y == 0 ? Vector3d{0, 1, 0} : Vector3d{n.x, n.y, 0};
+  return m;
+}
+
+/// They slide along each other, at most.
+inline Meeting resting_meeting(DrawStream& c, int bits = 12) {
+  Meeting m = lattice_meeting(c, bits);
+  const Vector3d sliding = lattice_across(c, m.normal);
+  m.a.velocity = m.a.velocity + (going(m.b, m.point) - going(m.a, m.point)) + sliding;
+  return m;
+}
+/// The same but for the least step, if any, below the digits of the products.
+inline Meeting meeting_beside_rest(DrawStream& c) {
+  Meeting m = resting_meeting(c, 20);
+  const double x = small_integer(c, 1), y = small_integer(c, 1);
+  m.a.velocity = m.a.velocity + Vector3d{x, y, 0};
+  return m;
+}
+
+/// A ball on the ground, which turns as it moves or slips.
+inline Meeting rolling(DrawStream& c) {
+  const double radius = 1 + static_cast<double>(c.below(16));
+  const Point3d p = lattice_point_in_space(c, 12), below = lattice_point_in_space(c, 12);
+  MovingBodyd ball{{p.x, p.y + radius, p.z}, {0, 0, 0}, lattice_velocity(c, 12)};
+  ball.velocity = -1.0 * cross(ball.angular_velocity, p - ball.position);
+  ball.velocity.x += small_integer(c, 2), ball.velocity.y += small_integer(c, 1);
+  return {ball, {below, zero_vector(c), zero_vector(c)}, p, {0, 1 + static_cast<double>(c.below(4)), 0}};
+}
+
+/// Two places of one turning body, full digits: but for rounding they rest.
+inline Meeting of_one_body(DrawStream& c) {
+  const auto place = [&c] {
+    const Vector3d v = ordinary_vector(c);
+    return Point3d{v.x, v.y, v.z};
+  };
+  const Vector3d turn = ordinary_vector(c), v = ordinary_vector(c);
+  const Point3d x = place(), y = place(), p = place();
+  const MovingBodyd a{x, v, turn};
+  return {a, {y, going(a, y), turn}, p, c.below(2) == 1 ? ordinary_vector(c) : lattice_normal(c, 4)};
+}
+
+/// Angular velocities, places and the normal in other units, each a power of two.
+inline Meeting in_units(Meeting m, int of_turn, int of_place, int of_normal) {
+  const auto longer = [](auto& v, int k) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
+  for (MovingBodyd* body : {&m.a, &m.b}) {
+    longer(body->position, of_place), longer(body->velocity, of_turn + of_place);
+    longer(body->angular_velocity, of_turn);
+  }
+  longer(m.point, of_place), longer(m.normal, of_normal);
+  return m;
+}
+/// Products of three are a few times the least number, or less.
+inline Meeting meeting_below_least(DrawStream& c) {
+  const Meeting m = c.below(2) == 1 ? lattice_meeting(c, 4) : resting_meeting(c, 4);
+  const int of_turn = -340 - static_cast<int>(c.below(20)), of_place = -350 - static_cast<int>(c.below(20));
+  return in_units(m, of_turn, of_place, -360 - static_cast<int>(c.below(20)));
+}
+/// Units from one end of the range to the other.
+inline Meeting meeting_in_far_units(DrawStream& c) {
+  const Meeting m = c.below(2) == 1 ? lattice_meeting(c) : resting_meeting(c);
+  const int of_turn = static_cast<int>(c.below(900)) - 450, of_place = static_cast<int>(c.below(900)) - 450;
+  return in_units(m, of_turn, of_place, static_cast<int>(c.below(1800)) - 900);
+}
+
+/// What turns has nearly 125 binary digits and cancels the rest, as far as that has digits.
+inline Meeting as_wide_as_lattices(DrawStream& c) {
+  const auto long_number = [&c] {
+    const double less = 1 + static_cast<double>(c.below(64));
+    return 0x1p61 - std::ldexp(less, 8 + static_cast<int>(c.below(46)));
+  };
+  const double turn = long_number(), place = long_number(), v = 8 * turn * place;
+  const Point3d x{place, place, place};
+  const MovingBodyd a{x, {v, 0, 0}, {1, turn, -turn}}, b{x, {0, 0, 0}, {1, -turn, turn}};
+  const Vector3d n{c.below(2) == 1 ? -1.0 : 1.0, small_integer(c, 1), 0};
+  return {a, b, {1, -place, -place}, n};
+}
+
+/// The way from a to the contact is beyond the range.
+inline Meeting across_the_range(DrawStream& c) {
+  const double far = std::ldexp(static_cast<double>(4 + c.below(4)), 1021), k = 1 + static_cast<double>(c.below(8));
+  const double slow = std::ldexp(k, -1040), beside = small_integer(c, 1);
+  const MovingBodyd a{{-far, 0, 0}, {0, -far * (2 * slow) + beside, 0}, {0, 0, slow}};
+  return {a, {{0, 0, 0}, zero_vector(c), zero_vector(c)}, {far, 0, 0}, {0, 1, 0}};
+}
+
+/// As typed they rest: a tenth times a tenth is a hundredth.
+inline Meeting typed_rest(DrawStream& c) {
+  const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+  const MovingBodyd a{{0, 0, 0}, {k * m / 100, 0, 0}, {0, 0, k / 10}};
+  return {a, {{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}, {0, m / 10, 0}, {1, 0, 0}};
+}
+
+}  // namespace touchstone::catalogue

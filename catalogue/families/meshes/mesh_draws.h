@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tuple>
+
+#include "catalogue/families/draw_stream.h"
+#include "geometry/polyhedra.h"
+
+/// Closed convex meshes, drawn from a draw stream; the simplest is a tetrahedron.
+namespace touchstone::catalogue {
+
+/// Coordinates are multiples of 12 of at most 48, so that middles of edges and of faces are integers: a tetrahedron, a
+/// cube, an octahedron, or the hull of some lattice points. Faces in any order, from any corner on, perhaps all turned
+/// inside out.
+Meshd lattice_polyhedron(DrawStream& draws);
+
+/// One of those that test vectors name (catalogue/families/meshes/named_meshes.h).
+const Meshd& named_mesh(DrawStream& draws);
+
+/// Each face the other way round.
+void turn_inside_out(Meshd& mesh);
+
+/// Around the mean of the vertices, which is the origin then: as many times as large as there are vertices.
+Meshd around_the_mean(Meshd mesh);
+
+/// The same faces in another order, from other corners on.
+Meshd relisted(Meshd mesh, DrawStream& draws);
+
+/// The vertices and faces of both; those of `other` come after the mesh's.
+Meshd together(Meshd mesh, const Meshd& other);
+
+/// One more vertex in the middle of an edge, or of a face: flat there.
+Meshd with_flat_vertex(const Meshd& mesh, DrawStream& draws);
+
+/// A vertex, the middle of an edge or of a face, a point of an edge's line beyond it, or of a face's plane outside it.
+Point3d on_a_face_plane(const Meshd& mesh, DrawStream& draws);
+
+/// The middle of two vertices; inside, or on a face.
+Point3d between_vertices(const Meshd& mesh, DrawStream& draws);
+
+/// Mesh and point by one integer map of determinant not 0, entries at most 4.
+void map_linearly(Meshd& mesh, Point3d& point, DrawStream& draws);
+
+/// Mostly a mesh that breaks a rule: a face missing, doubled, reversed or of two vertices, all in one plane, two
+/// solids.
+Meshd broken(Meshd mesh, DrawStream& draws);
+
+/// The faces of a tetrahedron over the first four vertices, the others taken away; fewer stay as they are.
+void make_tetrahedron(Meshd& mesh);
+
+}  // namespace touchstone::catalogue

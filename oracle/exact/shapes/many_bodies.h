@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/exact/numbers/rational_validation_of_bodies.h"
+#include "oracle/exact/shapes/whole_list.h"
+
+namespace touchstone::oracle {
+
+/// Bodies of a list, validated: masses as integers on one unit, velocities on another.
+struct ManyBodies {
+  WholeList masses, speeds;
+
+  template <class Number>
+  explicit ManyBodies(const std::vector<Body<Number>>& bodies) {
+    std::vector<Number> of_masses, of_speeds;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      validation::validate_numbers("bodies[" + std::to_string(i) + "]", bodies[i]);
+    for (const auto& [mass, velocity] : bodies) {
+      validation::validate("bodies[" + std::to_string(of_masses.size()) + "]", Body<Number>{mass, velocity});
+      of_masses.push_back(mass);
+      of_speeds.insert(of_speeds.end(), {velocity.x, velocity.y, velocity.z});
+    }
+    masses = whole_list(of_masses), speeds = whole_list(of_speeds);
+  }
+
+  std::size_t size() const { return masses.whole.size(); }
+  const Integer& mass(std::size_t i) const { return masses.whole[i]; }
+  /// Nothing moves beyond the last.
+  Vector3<Integer> velocity(std::size_t i) const {
+    if (i == size()) return {Integer(0), Integer(0), Integer(0)};
+    return {speeds.whole[3 * i], speeds.whole[3 * i + 1], speeds.whole[3 * i + 2]};
+  }
+  /// A number in units of mass times velocity to that power.
+  Rational actual(const Rational& value, int speed_degree) const {
+    return speeds.actual(masses.actual(value, 1), speed_degree);
+  }
+};
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/rays.h"
+#include "oracle/exact/numbers/decode.h"
+#include "oracle/exact/numbers/surd.h"
+#include "oracle/truth.h"
+
+/// The first and the last t at which a line is in a solid, in the plane or in space, coordinate by coordinate.
+namespace touchstone::oracle {
+
+/// The points from + t way with t >= 0, and t <= 1 where it ends.
+struct Line {
+  std::vector<Rational> from, way;
+  bool ends;
+};
+
+template <class Place>
+std::vector<Rational> coordinates(const Place& p) {
+  if constexpr (requires { p.z; }) return {exact(p.x), exact(p.y), exact(p.z)};
+  else return {exact(p.x), exact(p.y)};
+}
+/// Of a ray or a segment.
+template <class Shape>
+Line line_of(const Shape& shape) {
+  if constexpr (requires { shape.direction; }) {
+    return {coordinates(shape.origin), coordinates(shape.direction), false};
+  } else {
+    Line line{coordinates(shape.a), coordinates(shape.b), true};
+    for (std::size_t k = 0; k < line.way.size(); ++k) line.way[k] -= line.from[k];
+    return line;
+  }
+}
+
+/// By the linear program in t: its least and its greatest value.
+Truth<Passage<Rational>> passage_of_box(const Line& line, const std::vector<Rational>& min,
+                                        const std::vector<Rational>& max);
+
+/// By the changes of sign of f(t) = |from + t way - center|^2 - radius^2, forwards and backwards; a ray is cut behind
+/// all zeros.
+Truth<Passage<Surd>> passage_of_ball(const Line& line, const std::vector<Rational>& center, const Rational& radius);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/polygons.h"
+#include "oracle/exact/numbers/space.h"
+
+namespace touchstone::oracle {
+
+/// The points p with normal . p = level; all points lie behind it: its normal points to the outside.
+struct SupportingPlane {
+  Vector3<Integer> normal;
+  Integer level;
+};
+
+/// Points of space in integers times one positive unit.
+class WholeCloud {
+ public:
+  explicit WholeCloud(const std::vector<Point3d>& points);
+  explicit WholeCloud(const std::vector<Point3<Rational>>& points);
+
+  Index size() const { return static_cast<Index>(points.size()); }
+  const Point3<Integer>& operator[](Index i) const { return points[i]; }
+  Vector3<Integer> between(Index from, Index to) const { return points[to] - points[from]; }
+  Vector3<Integer> normal(Index a, Index b, Index c) const { return cross(between(a, b), between(a, c)); }
+  /// Positive where p lies on the side of the normal.
+  Integer height(const SupportingPlane& plane, Index p) const { return Integer(along(plane.normal, p) - plane.level); }
+  Integer along(const Vector3<Integer>& v, Index p) const {
+    return Integer(v.x * points[p].x + v.y * points[p].y + v.z * points[p].z);
+  }
+  SupportingPlane plane(const Vector3<Integer>& normal, Index at) const { return {normal, along(normal, at)}; }
+  /// The lexicographically least, and of equal ones the first.
+  Index least() const;
+  /// Points that span all others, as few as can be, the least first; of four no more is said than that there are four.
+  std::vector<Index> simplex() const;
+
+  std::vector<Point3<Integer>> points;
+  Rational unit;
+};
+
+/// The extreme points of the points in a plane that has at least three not on one line, counter-clockwise about its
+/// normal from the least place on. Of equal points the first.
+std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane);
+
+/// Both ends of the points on one line, where not all are equal: the lexicographically least first.
+std::vector<Index> ends_of(const WholeCloud& cloud);
+
+/// The faces of the hull of points that lie in no plane, each as ring_in has it.
+std::vector<std::vector<Index>> face_rings(const WholeCloud& cloud);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "oracle/exact/numbers/decode.h"
+
+namespace touchstone::oracle {
+
+/// Numbers of a list, however many, as integers times one positive unit: number i is whole[i] units.
+struct WholeList {
+  std::vector<Integer> whole;
+  Rational unit;
+
+  /// value * unit^degree
+  Rational actual(Rational value, int degree) const {
+    for (int i = 0; i < degree; ++i) value *= unit;
+    return value;
+  }
+};
+
+WholeList whole_list(const std::vector<double>& numbers);
+WholeList whole_list(const std::vector<Rational>& numbers);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/exact/solids/solid_distance.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "oracle/exact/systems/linear_program.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Way = Vector3<Integer>;
+using Point = Point3<Rational>;
+using Vector = Vector3<Rational>;
+
+Point rational_point(const WholePoint& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+Vector rational_vector(const Way& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+Vector minus(const Vector& v) { return Rational(-1) * v; }
+
+/// The shortest of some ways, each in integers over a denominator.
+class Shortest {
+ public:
+  /// A normal times height / square, square that of the normal.
+  bool beats(const Integer& height, const Integer& square) const {
+    return !denominator_ || height * height * *denominator_ < square_ * square;
+  }
+  void set(const Way& normal, const Integer& height, const Integer& square) {
+    square_ = height * height, denominator_ = square;
+    way_ = quotient(height, square) * rational_vector(normal);
+  }
+  void try_way(const Way& way, const Integer& denominator) {
+    const Integer square = dot(way, way), unit = denominator * denominator;
+    if (denominator_ && square * *denominator_ >= square_ * unit) return;
+    square_ = square, denominator_ = unit;
+    way_ = quotient(Integer(1), denominator) * rational_vector(way);
+  }
+  const Vector& way() const { return way_; }
+
+ private:
+  std::optional<Integer> denominator_;
+  Integer square_;
+  Vector way_;
+};
+
+void try_vertex_and_edge(Shortest& shortest, const WholePoint& p, const WholePoint& from, const WholePoint& to,
+                         int sign) {
+  const Way edge = to - from, way = p - from;
+  const Integer along = dot(way, edge), length = dot(edge, edge);
+  if (sgn(along) <= 0 || along >= length) return;
+  shortest.try_way(Integer(sign * length) * way - Integer(sign * along) * edge, length);
+}
+
+void try_vertex_and_face(Shortest& shortest, const WholePoint& p, const WholeSolid& solid, std::size_t face, int sign) {
+  const auto& [normal, offset] = solid.planes[face];
+  const Integer height = solid.planes[face].at(p), square = dot(normal, normal);
+  if (sgn(height) <= 0 || !shortest.beats(height, square)) return;
+  const auto [a, b, c] = solid.faces[face];
+  const Way turned = cross(solid.vertices[b] - solid.vertices[a], solid.vertices[c] - solid.vertices[a]);
+  for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
+    const WholePoint &from = solid.vertices[i], &to = solid.vertices[j];
+    if (sgn(dot(turned, cross(to - from, p - from))) < 0) return;
+  }
+  shortest.set(normal, Integer(sign * height), square);
+}
+
+void try_edges(Shortest& shortest, const WholePoint& a0, const WholePoint& a1, const WholePoint& b0,
+               const WholePoint& b1) {
+  const Way v = a1 - a0, w = b1 - b0, normal = cross(v, w), between = a0 - b0;
+  const Integer square = dot(normal, normal), height = dot(between, normal);
+  if (sgn(square) == 0 || !shortest.beats(height, square)) return;
+  const Integer on_a = -dot(cross(between, w), normal), on_b = -dot(cross(between, v), normal);
+  if (sgn(on_a) < 0 || on_a > square || sgn(on_b) < 0 || on_b > square) return;
+  shortest.set(normal, height, square);
+}
+
+/// All vertices of which no other is lower.
+std::vector<Index> lowest(const std::vector<WholePoint>& vertices, const Vector& direction) {
+  std::vector<Index> found{0};
+  for (Index i = 1; i < vertices.size(); ++i) {
+    const int side = sgn(dot(direction, rational_vector(vertices[i] - vertices[found[0]])));
+    if (side < 0) found.clear();
+    if (side <= 0) found.push_back(i);
+  }
+  return found;
+}
+
+/// The vertices and edges of a solid in the plane of all its points that are lowest, moved.
+struct LowestPart {
+  std::vector<Point> vertices;
+  std::vector<std::pair<Point, Vector>> edges;
+
+  LowestPart(const WholeSolid& solid, const Vector& direction, const Vector& by) {
+    const std::vector<Index> all = lowest(solid.vertices, direction);
+    const auto level = [&all](Index i) { return std::find(all.begin(), all.end(), i) != all.end(); };
+    for (const Index i : all) vertices.push_back(rational_point(solid.vertices[i]) + by);
+    for (const auto& [i, j] : solid.edges)
+      if (level(i) && level(j))
+        edges.push_back(
+            {rational_point(solid.vertices[i]) + by, rational_vector(solid.vertices[j] - solid.vertices[i])});
+  }
+};
+
+Point foot_on_line(const Point& p, const Point& on, const Vector& along) {
+  return on + Rational(dot(p - on, along) / dot(along, along)) * along;
+}
+
+std::vector<Point> candidates(const LowestPart& a, const LowestPart& b, const Vector& normal, const Point& start) {
+  std::vector<Point> all = a.vertices;
+  all.insert(all.end(), b.vertices.begin(), b.vertices.end());
+  for (const LowestPart* part : {&a, &b})
+    for (const auto& [p, along] : part->edges) all.push_back(foot_on_line(start, p, along));
+  for (const auto& [p, v] : a.edges) {
+    for (const auto& [q, w] : b.edges) {
+      const Vector across = cross(v, w);
+      const Rational square = dot(across, across);
+      if (sgn(square) != 0) all.push_back(p + Rational(dot(cross(q - p, w), across) / square) * v);
+    }
+  }
+  all.push_back(start + Rational(dot(a.vertices[0] - start, normal) / dot(normal, normal)) * normal);
+  return all;
+}
+
+Integer denominator_of(const std::vector<Rational>& numbers) {
+  Integer common(1);
+  for (const Rational& number : numbers) mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), number.get_den_mpz_t());
+  return common;
+}
+
+/// The multiplier for the lowest vertices of a and the highest of b alone, by a linear program in the positive and the
+/// negative part of each coordinate. Ways from the nearest points, all times one integer.
+Vector multiplier_of_lowest(const std::vector<Vector>& of_a, const std::vector<Vector>& of_b, const Vector& from_first,
+                            const Integer& unit) {
+  using Program = LinearProgram<Integer>;
+  Program program(6, std::vector<Program::Row>(of_a.size() + of_b.size(), Program::Row::at_most));
+  int row = 0;
+  const auto set = [&](const Vector& way, int sign) {
+    int column = 0;
+    for (const Rational* coordinate : {&way.x, &way.y, &way.z}) {
+      const Rational whole(*coordinate * unit * sign);
+      program.set_coefficient(row, column++, whole.get_num());
+      program.set_coefficient(row, column++, Integer(-whole.get_num()));
+    }
+  };
+  for (const Vector& way : of_a) set(way, -1), ++row;
+  for (const Vector& way : of_b) {
+    set(way, 1);
+    program.set_right_side(row++, Rational(dot(from_first, way) * unit * unit).get_num());
+  }
+  if (!program.feasible()) throw std::logic_error("the first nearest point has a multiplier");
+  const auto part = [&](int k) {
+    Rational number(Integer(program.numerator(2 * k) - program.numerator(2 * k + 1)),
+                    Integer(program.denominator() * unit));
+    number.canonicalize();
+    return number;
+  };
+  return {part(0), part(1), part(2)};
+}
+
+}  // namespace
+
+WholeSolid::WholeSolid(const ConvexMesh& mesh, std::vector<WholePoint> at)
+    : vertices(std::move(at)), faces(mesh.faces) {
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const WholePoint& corner = vertices[faces[i].a];
+    const Way& normal = mesh.planes[i].normal;
+    planes.push_back({normal, Integer(-dot(normal, Way{corner.x, corner.y, corner.z}))});
+    const auto [a, b, c] = faces[i];
+    for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
+      if (from < to) edges.push_back({from, to});
+  }
+}
+
+bool WholeSolid::holds(const Point& p) const {
+  return std::all_of(planes.begin(), planes.end(), [&p](const WholePlane& plane) {
+    return dot(rational_vector(plane.normal), p - Point{0, 0, 0}) + plane.offset <= 0;
+  });
+}
+
+std::vector<Rational> WholeSolid::weights(const Point& p) const {
+  for (const Face& face : faces) {
+    const Point a = rational_point(vertices[face.a]), b = rational_point(vertices[face.b]),
+                c = rational_point(vertices[face.c]);
+    const Vector normal = cross(b - a, c - a);
+    if (sgn(dot(normal, p - a)) != 0) continue;
+    const Rational whole = dot(normal, normal), of_a = dot(normal, cross(c - b, p - b)) / whole,
+                   of_b = dot(normal, cross(a - c, p - c)) / whole, of_c = 1 - of_a - of_b;
+    if (sgn(of_a) < 0 || sgn(of_b) < 0 || sgn(of_c) < 0) continue;
+    std::vector<Rational> found(vertices.size());
+    found[face.a] = of_a, found[face.b] = of_b, found[face.c] = of_c;
+    return found;
+  }
+  throw std::logic_error("a point of the surface is on a face");
+}
+
+Vector shortest_way(const WholeSolid& a, const WholeSolid& b) {
+  Shortest shortest;
+  for (const WholePoint& p : a.vertices)
+    for (const WholePoint& q : b.vertices) shortest.try_way(p - q, 1);
+  const auto vertices_of_first = [&shortest](const WholeSolid& first, const WholeSolid& second, int sign) {
+    for (const WholePoint& p : first.vertices) {
+      for (const auto& [i, j] : second.edges)
+        try_vertex_and_edge(shortest, p, second.vertices[i], second.vertices[j], sign);
+      for (std::size_t face = 0; face < second.faces.size(); ++face)
+        try_vertex_and_face(shortest, p, second, face, sign);
+    }
+  };
+  vertices_of_first(a, b, 1), vertices_of_first(b, a, -1);
+  for (const auto& [i, j] : a.edges)
+    for (const auto& [k, l] : b.edges) try_edges(shortest, a.vertices[i], a.vertices[j], b.vertices[k], b.vertices[l]);
+  return shortest.way();
+}
+
+Point nearest_to(const Point& start, const WholeSolid& a, const WholeSolid& b, const Vector& way) {
+  const LowestPart lowest(a, way, {0, 0, 0}), highest(b, minus(way), way);
+  std::optional<Point> nearest;
+  Rational least;
+  for (const Point& p : candidates(lowest, highest, way, start)) {
+    const Rational square = dot(p - start, p - start);
+    if ((nearest && square >= least) || !a.holds(p) || !b.holds(p + minus(way))) continue;
+    nearest = p, least = square;
+  }
+  return nearest.value();
+}
+
+Point first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector& way) {
+  return nearest_to(rational_point(a.vertices[0]), a, b, way);
+}
+
+/// What the lowest vertices alone allow, and as much of the way as the others want: it holds all of these off.
+Vector multiplier(const WholeSolid& a, const WholeSolid& b, const Point& on_a, const Vector& way) {
+  const Point on_b = on_a + minus(way);
+  const Vector from_first = on_a - rational_point(a.vertices[0]);
+  const Integer unit = denominator_of({on_a.x, on_a.y, on_a.z, on_b.x, on_b.y, on_b.z});
+  const auto ways_to = [](const WholeSolid& solid, const Point& from) {
+    std::vector<Vector> ways;
+    for (const WholePoint& p : solid.vertices) ways.push_back(rational_point(p) - from);
+    return ways;
+  };
+  const auto level = [&way](std::vector<Vector> ways) {
+    const auto off = [&way](const Vector& to) { return sgn(dot(way, to)) != 0; };
+    ways.erase(std::remove_if(ways.begin(), ways.end(), off), ways.end());
+    return ways;
+  };
+  const std::vector<Vector> to_a = ways_to(a, on_a), to_b = ways_to(b, on_b);
+  const Vector g = multiplier_of_lowest(level(to_a), level(to_b), from_first, unit), h = from_first - g;
+  Rational steps;
+  const auto hold_off = [&](const std::vector<Vector>& ways, const Vector& part) {
+    for (const Vector& to : ways) {
+      const Rational height = abs(dot(way, to));
+      if (sgn(height) != 0) steps = std::max(steps, Rational(-dot(part, to) / height));
+    }
+  };
+  hold_off(to_a, g), hold_off(to_b, h);
+  return g + steps * way;
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "oracle/exact/solids/convex_mesh.h"
+
+/// The nearest points of two convex solids without a common point, from the definition: all pairs of a vertex, an edge
+/// or a face of each are tried.
+namespace touchstone::oracle {
+
+/// A convex mesh on a unit that another has too, its planes positive outside.
+struct WholeSolid {
+  std::vector<Point3<Integer>> vertices;
+  std::vector<Face> faces;
+  std::vector<std::pair<Index, Index>> edges;  // each once
+  std::vector<WholePlane> planes;
+
+  WholeSolid(const ConvexMesh& mesh, std::vector<Point3<Integer>> at);
+  bool holds(const Point3<Rational>& p) const;
+  /// Of all vertices, for a point of the surface.
+  std::vector<Rational> weights(const Point3<Rational>& p) const;
+};
+
+/// The shortest way from a point of b to one of a.
+Vector3<Rational> shortest_way(const WholeSolid& a, const WholeSolid& b);
+
+/// Of all points of a that are at the end of that way from a point of b, the one nearest to a point.
+Point3<Rational> nearest_to(const Point3<Rational>& point, const WholeSolid& a, const WholeSolid& b,
+                            const Vector3<Rational>& way);
+/// To a's first vertex.
+Point3<Rational> first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector3<Rational>& way);
+
+/// A vector g with g . (p - on_a) >= 0 for all vertices p of a, and h . (p - on_b) >= 0 for those of b, h = on_a - a's
+/// first vertex - g: the conditions of Karush, Kuhn and Tucker for on_a.
+Vector3<Rational> multiplier(const WholeSolid& a, const WholeSolid& b, const Point3<Rational>& on_a,
+                             const Vector3<Rational>& way);
+
+}  // namespace touchstone::oracle

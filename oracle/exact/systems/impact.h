@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/bodies.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation_of_bodies.h"
+#include "oracle/truth.h"
+
+/// What a bounce changes, on integers: velocities in one unit, the normal in another, and the same in doubles and
+/// rationals.
+namespace touchstone::oracle {
+
+template <class Scale>
+Vector3<Integer> whole_vector(const Scale& scale, std::size_t i) {
+  return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+}
+/// Counted in units, as it is.
+template <class Scale>
+Vector3<Rational> actual_vector(const Scale& scale, const Vector3<Rational>& v) {
+  return {scale.actual(v.x, 1), scale.actual(v.y, 1), scale.actual(v.z, 1)};
+}
+template <class Number>
+Vector3<Rational> exact_vector(const Vector3<Number>& v) {
+  return {exact(v.x), exact(v.y), exact(v.z)};
+}
+template <class Number>
+Vector3<Rational> from_origin(const Point3<Number>& p) {
+  return {exact(p.x), exact(p.y), exact(p.z)};
+}
+inline std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
+
+/// The velocity of a particle after a bounce off a plane: the one whose product with the normal is -k times what it
+/// was, and whose products with vectors across the normal stay. Valid arguments.
+template <class Number>
+Vector3<Rational> after_bounce(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Rational& k);
+
+/// The same as the truth of an operation, with the certificate "decomposition": the parts of the velocity, `along` the
+/// normal and `across` it.
+template <class Number>
+Truth<Vector3<Rational>> bounced(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Rational& k);
+
+/// The velocities of two bodies after a bounce: momentum along the normal and the relative velocity along it, -e times
+/// what it was, are two linear equations for their products with the normal; products with vectors across it stay.
+/// Valid arguments. Certificate: "impulse": the number j with m1 (v1' - v1) = j n, and twice the kinetic energy before
+/// and after.
+template <class Number>
+Truth<Velocities<Rational>> after_impact(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                         const Vector3<Number>& normal, const Rational& e);
+
+}  // namespace touchstone::oracle

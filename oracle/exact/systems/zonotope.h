@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "geometry/volumes.h"
+#include "oracle/exact/numbers/common_scale.h"
+#include "oracle/exact/numbers/rational_validation.h"
+
+namespace touchstone::oracle {
+
+/// The points sum r_i e_i with -1 <= r_i <= 1, where three of the edges e_i are linearly independent, in integers. With
+/// the half axes of a parallelepiped as edges it is that solid around the origin, with those of two the Minkowski
+/// difference of both: the differences of their points, but for the difference of their centers.
+///
+/// The part of it that lies farthest along a normal n has r_i = 1 or -1, by the sign of n . e_i, for every edge that is
+/// not at a right angle to n, and any r_i for the others. It is a facet exactly if two of those others are independent;
+/// so the normals of the facets are the cross products of two independent edges.
+class Zonotope {
+ public:
+  explicit Zonotope(std::vector<Vector3<Integer>> edges) : edges_(std::move(edges)) {}
+
+  /// d = sum r_i e_i with -growth <= r_i <= growth, for the least such growth. It is less than 1 exactly where d is
+  /// inside, 1 on the boundary, greater outside: the solid is convex and has the origin inside.
+  struct Held {
+    Rational growth;
+    std::vector<Rational> coefficients;
+  };
+  /// By linear programming.
+  Held held(const Vector3<Integer>& d) const;
+
+  /// A plane of a facet, its normal to the side of d; height > 0 where d lies beyond it, in units of the normal.
+  struct Support {
+    Vector3<Integer> normal;
+    Integer height;
+    Rational squared_distance() const;
+  };
+  /// Of the planes that d lies beyond the farthest; where it lies beyond none, the nearest of all.
+  Support deciding(const Vector3<Integer>& d) const;
+
+ private:
+  std::vector<Vector3<Integer>> edges_;
+};
+
+/// Of doubles the determinant is taken in integers: half axes are linearly independent in any unit.
+template <class Number>
+void validate_parallelepiped(const std::string& field, const Obb3<Number>& box) {
+  validation::validate(field, box);
+  if constexpr (!std::is_same_v<Number, Rational>) {
+    const auto& [u, v, w] = box.half_axes;
+    const CommonScale<Number, 9> n({u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z});
+    const auto at = [&n](std::size_t i) { return Vector3<Integer>{n.whole(i), n.whole(i + 1), n.whole(i + 2)}; };
+    if (sgn(dot(cross(at(0), at(3)), at(6))) == 0) validation::refuse_dependent(field);
+  }
+}
+
+}  // namespace touchstone::oracle

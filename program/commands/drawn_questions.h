@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "program/commands/commands.h"
+
+namespace touchstone::program {
+
+/// Calls visit(family, index, examination) for each question of `touchstone draw`: within the contract, dealt out over
+/// the families in turn, the index-th that an audit of the same seed asks of its family. Throws UsageError naming the
+/// option where there are no such questions.
+void draw_questions(const DrawCommand& command,
+                    const std::function<void(const std::string&, std::uint64_t, const Examination&)>& visit);
+
+}  // namespace touchstone::program

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/operation/operation.h"
+#include "program/terminal/each_line.h"
+#include "program/terminal/uses.h"
+
+/// Questions as WKT and GeoJSON write them: a geometry for each field of the operation, in the order of the fields.
+namespace touchstone::program {
+
+/// The geometries of a line of WKT, separated by semicolons, as GeoJSON writes geometries. Throws InvalidInput naming
+/// the column.
+Json geometries_of_wkt(const std::string& line);
+
+/// Those of one GeoJSON text, which is a geometry, a GeometryCollection, a Feature or a FeatureCollection; properties
+/// and what else there may be are passed over. Throws InvalidInput naming the place.
+Json geometries_of_geojson(const std::string& text);
+
+/// The input with these geometries as its fields, but for those that are given already: in the order of the fields, or
+/// in any order where all fields take different kinds. A point takes a Point, a list of points a MultiPoint, a segment
+/// or line a LineString, a polygon a Polygon without holes or a MultiPolygon of one, in space with Z. Throws
+/// InvalidInput naming the field.
+Json input_of(const Operation& operation, const Json& geometries, const Json& given);
+
+/// The option for text that is WKT or GeoJSON by the look of it: "--wkt", "--geojson"; else empty.
+std::string option_for(const std::string& text);
+
+/// How deep a JSON text is within brackets after the lines so far.
+class OpenBrackets {
+ public:
+  void read(const std::string& line);
+  bool none() const { return depth_ <= 0; }
+
+ private:
+  int depth_ = 0;
+};
+
+/// Calls visit(number of the first line, text) for each JSON text of a file, each of one line or more, as each_line
+/// does for lines.
+template <class Visit>
+std::uint64_t each_json_text(const std::string& file, const Visit& visit) {
+  std::string text;
+  OpenBrackets open;
+  std::uint64_t first = 0, texts = 0;
+  each_line(file, [&](std::uint64_t number, const std::string& line) {
+    if (text.empty()) first = number, ++texts;
+    text += line + "\n";
+    open.read(line);
+    if (!open.none()) return;
+    visit(first, text);
+    text.clear(), open = {};
+  });
+  if (!text.empty()) visit(first, text);
+  return texts;
+}
+
+}  // namespace touchstone::program

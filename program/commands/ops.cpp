@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "catalogue/codec/excerpt.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/operation/probes/synonyms.h"
+#include "program/commands/commands.h"
+#include "program/terminal/exit_codes.h"
+
+namespace touchstone::program {
+namespace {
+
+constexpr std::array<const char*, 5> kind_names{"decision", "measure", "set", "checked", "covering"};
+
+const char* kind_name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::string joined(const FieldNames& words) {
+  std::string text;
+  for (const char* word : words) text += (text.empty() ? "" : " ") + std::string(word);
+  return text;
+}
+
+/// "spheres | boxes"
+std::string all_fields(const Metadata& metadata) {
+  std::string text = joined(metadata.fields);
+  for (const auto& other : metadata.other_fields) text += " | " + joined(other);
+  return text;
+}
+
+using Line = std::array<std::string, 6>;
+
+/// Columns as wide as what stands in them.
+void print(const std::vector<Line>& lines, std::ostream& out) {
+  std::array<std::size_t, 6> widths{};
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) out << fmt::format("{:<{}}  ", line[i], widths[i]);
+    out << line.back() << '\n';
+  }
+}
+
+void print_table(std::ostream& out) {
+  std::vector<Line> lines{{"operation", "chapter", "pages", "judged", "input", "question"}};
+  for (const Operation* operation : all_operations()) {
+    const Metadata& metadata = operation->metadata();
+    lines.push_back({metadata.name, metadata.chapter, metadata.pages, kind_name(metadata.kind), all_fields(metadata),
+                     metadata.question});
+  }
+  print(lines, out);
+}
+
+Json json_of(const Time& time) {
+  Json json = Json::object();
+  json["robust"] = name_of(time.robust);
+  json["oracle"] = name_of(time.oracle);
+  json["ask"] = name_of(time.ask);
+  json["reference"] = name_of(time.reference);
+  return json;
+}
+
+void print_json(std::ostream& out) {
+  Json list = Json::array();
+  for (const Operation* operation : all_operations()) {
+    const Metadata& metadata = operation->metadata();
+    Json entry = Json::object();
+    entry["name"] = metadata.name;
+    entry["chapter"] = metadata.chapter;
+    entry["pages"] = metadata.pages;
+    entry["fields"] = metadata.fields;
+    if (!metadata.other_fields.empty()) entry["other_fields"] = metadata.other_fields;
+    entry["input"] = operation->question_description();
+    if (metadata.is_implementation()) entry["implementation_of"] = metadata.implementation_of;
+    entry["words"] = operation->words();
+    entry["kind"] = kind_name(metadata.kind);
+    entry["cost"] = metadata.cost;
+    entry["time"] = json_of(metadata.time);
+    entry["question"] = metadata.question;
+    entry["answer"] = operation->answer_description();
+    entry["families"] = operation->families();
+    list.push_back(std::move(entry));
+  }
+  out << list.dump(1) << '\n';
+}
+
+}  // namespace
+
+int ops_command(bool json, std::ostream& out) {
+  json ? print_json(out) : print_table(out);
+  return nothing_found;
+}
+
+int ops_search_command(const std::vector<std::string>& words, std::ostream& out) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  const std::vector<std::string> nearest = nearest_operations(text, most);
+  if (nearest.empty())
+    throw UsageError("ops " + excerpt(text, most_of_a_key) + ": no operation fits; `touchstone ops` lists all");
+  if (const std::string why = why_not_computed(text); !why.empty()) out << why << "; the nearest:\n";
+  std::size_t width = 0;
+  for (const std::string& name : nearest) width = std::max(width, name.size());
+  for (const std::string& name : nearest)
+    out << fmt::format("{:<{}}  {}\n", name, width, find_operation(name)->metadata().question);
+  return nothing_found;
+}
+
+}  // namespace touchstone::program

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/vectors/vectors.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+
+#include "audit/vectors/manifest.h"
+#include "audit/vectors/named_files.h"
+#include "audit/vectors/schemas.h"
+#include "catalogue/codec/expected.h"
+#include "program/commands/commands.h"
+#include "program/terminal/exit_codes.h"
+
+namespace touchstone::program {
+namespace {
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  errno = 0;
+  std::ofstream file(path);
+  if (!(file << text << std::flush)) throw UsageError(path.string() + ": cannot be written: " + why_of(errno));
+}
+
+}  // namespace
+
+int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
+                          std::ostream& out, std::ostream&) {
+  const std::vector<const Operation*> chosen = operations_named(operations);
+  const std::filesystem::path folder = directory;
+  for (const char* part : {"meshes", "schemas"}) std::filesystem::create_directories(folder / part);
+  write_text(folder / "schema.json", vector_schema().dump(1) + "\n");
+  for (const NamedFile& file : named_files()) write_text(folder / file.name, file.text);
+  for (const Operation* operation : chosen) {
+    if (operation->metadata().is_implementation()) continue;  // the vectors of the operation itself serve
+    const Vectors vectors = vectors_of(*operation, seed);
+    std::string text;
+    for (const std::string& line : vectors.lines) text += line + "\n";
+    const auto path = folder / (operation->name() + ".jsonl");
+    write_text(path, text);
+    write_text(folder / "schemas" / (operation->name() + ".json"), vector_schema(*operation).dump(1) + "\n");
+    out << path.string() << ": " << vectors.lines.size() << " vectors";
+    if (vectors.left_out > 0) {
+      out << ", " << vectors.left_out << " longer than " << operation->metadata().longest_vector
+          << " characters left out";
+    }
+    out << '\n';
+  }
+  write_text(folder / manifest_name, manifest_of(directory, seed).dump(1) + "\n");
+  out << (folder / "meshes").string() << ": " << named_files().size() << " meshes that vectors name\n";
+  return nothing_found;
+}
+
+}  // namespace touchstone::program

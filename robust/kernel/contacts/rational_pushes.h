@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <vector>
+
+#include "geometry/bodies.h"
+#include "robust/kernel/filters/strict_math.h"
+
+namespace touchstone::robust::kernel {
+
+/// Impulses of contacts that hang together, as contact_system.h has them, of rational numbers; `bounce` is 1 + e. No
+/// contact parts, so that there are such impulses. Time: a guess in doubles and, where it is right, one exact solution
+/// of sparse equations.
+std::vector<mpq_class> impulses_of(const std::vector<PointBody<mpq_class>>& bodies,
+                                   const std::vector<BodyContact<mpq_class>>& contacts, const mpq_class& bounce);
+
+}  // namespace touchstone::robust::kernel

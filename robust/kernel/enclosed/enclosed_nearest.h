@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/closest.h"
+#include "robust/kernel/enclosed/nearest_parts.h"
+#include "robust/kernel/filters/staged.h"
+
+/// What nearest_parts.h finds, as an answer.
+namespace touchstone::robust {
+
+namespace filters {
+
+/// Of two shapes, one of them or both taken with all that is no farther from it than a radius, as kernel::contact has
+/// it; empty where it is not certain. Radii are `moderate` and not negative.
+Perhaps<Contact> contact(const Parts& parts, double radius_of_a, double radius_of_b, bool interiors);
+template <class A, class B>
+Perhaps<Contact> contact(const A& a, double radius_of_a, const B& b, double radius_of_b, bool interiors) {
+  if (!(moderate(a) & moderate(b) & moderate(radius_of_a) & moderate(radius_of_b))) return std::nullopt;
+  return contact(nearest_parts(a, b), radius_of_a, radius_of_b, interiors);
+}
+
+}  // namespace filters
+
+namespace kernel {
+
+/// Empty where parts are unknown, or a number.
+Perhaps<ClosestPair3<double>> closest_pair(const filters::Parts& parts);
+Perhaps<ClosestPoint3<double>> closest_point(const filters::Parts& parts);
+
+}  // namespace kernel
+
+}  // namespace touchstone::robust

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/kernel/enclosed/enclosed.h"
+#include "robust/kernel/filters/sized.h"
+
+/// Enclosed numbers that need not be settled: what cancels stays a number, with an error as great as itself.
+namespace touchstone::robust::kernel {
+
+struct Loose : Enclosed<double> {
+  Loose(const Enclosed<double>& x) : Enclosed(x) {}
+  explicit Loose(double x) : Enclosed{x, 0, 0} {}
+  Loose(const Pair<double>& x) : Enclosed{x.high, x.low, 0} {}
+};
+
+inline Loose operator+(const Loose& x, const Loose& y) {
+  return static_cast<const Enclosed<double>&>(x) + static_cast<const Enclosed<double>&>(y);
+}
+inline Loose operator-(const Loose& x) { return -static_cast<const Enclosed<double>&>(x); }
+inline Loose operator-(const Loose& x, const Loose& y) { return x + -y; }
+
+/// two_sum makes high the number rounded, as `factor` wants it; then the bound is that of the product of settled
+/// numbers, and the product of both errors, which is not small here. Not proved by machine.
+inline Loose operator*(const Loose& x, const Loose& y) {
+  using Format = filters::FloatFormat<double>;
+  const Factor<double> left = factor(two_sum(x.high, x.low)), right = factor(two_sum(y.high, y.low));
+  const Term2<double> term = product(left, right);
+  const double carried =
+      Format::magnitude(left.whole) * y.error + Format::magnitude(right.whole) * x.error + x.error * y.error;
+  return Enclosed<double>{term.head, term.tail, 1.25 * carried + 10 * cut<double> * Format::magnitude(term.head)};
+}
+
+/// q - p
+inline filters::Triple<Loose> loose_between(const Point3d& p, const Point3d& q) {
+  return {difference(q.x, p.x), difference(q.y, p.y), difference(q.z, p.z)};
+}
+inline filters::Triple<Loose> loose(const Vector3d& v) { return {Loose(v.x), Loose(v.y), Loose(v.z)}; }
+
+/// from + t v, rounded.
+inline std::optional<Point3d> rounded_along(const Point3d& from, const Loose& t, const filters::Triple<Loose>& v) {
+  const auto x = rounded(Loose(from.x) + t * v.x), y = rounded(Loose(from.y) + t * v.y),
+             z = rounded(Loose(from.z) + t * v.z);
+  if (!x || !y || !z) return std::nullopt;
+  return Point3d{*x, *y, *z};
+}
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "geometry/polyhedra.h"
+#include "robust/kernel/filters/ordered_bits.h"
+
+namespace touchstone::robust::kernel {
+
+/// A closed box along the axes, compared by the bits of its doubles.
+struct SpaceBox {
+  std::array<std::int64_t, 3> low, high;
+
+  static SpaceBox around(const Point3d& p) {
+    const std::array at{ordered_bits(p.x), ordered_bits(p.y), ordered_bits(p.z)};
+    return {at, at};
+  }
+  static SpaceBox around(const Meshd& mesh, const Face& f) {
+    return around(mesh.vertices[f.a]).with(around(mesh.vertices[f.b])).with(around(mesh.vertices[f.c]));
+  }
+  /// Around the vertices that faces name, of which there is one.
+  static SpaceBox around(const Meshd& mesh) {
+    SpaceBox box = around(mesh, mesh.faces[0]);
+    for (const Face& face : mesh.faces) box = box.with(around(mesh, face));
+    return box;
+  }
+
+  SpaceBox with(const SpaceBox& other) const {
+    SpaceBox both = *this;
+    for (std::size_t i = 0; i < 3; ++i)
+      both.low[i] = std::min(low[i], other.low[i]), both.high[i] = std::max(high[i], other.high[i]);
+    return both;
+  }
+  bool meets(const SpaceBox& other) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (high[i] < other.low[i] || other.high[i] < low[i]) return false;
+    return true;
+  }
+  /// Not all of it is below the other along an axis.
+  bool reaches(const SpaceBox& other) const {
+    return high[0] >= other.low[0] && high[1] >= other.low[1] && high[2] >= other.low[2];
+  }
+};
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "robust/kernel/filters/strict_math.h"
+
+/// The stages of an operation, and the dispatch between them.
+namespace touchstone::robust {
+
+/// Which stage decided, in the order in which they are asked.
+///
+/// filter:   a few floating-point operations and a proved bound (robust/kernel/filters/filters.h); may not know.
+/// enclosed: numbers to one and a half times the precision with a proved bound, and a rounding test
+///           (robust/kernel/enclosed/enclosed.h); may not know.
+/// lattice:  the input as integers below 2^61 on one common power of two, products in 128 bits; may not fit.
+/// exact:    the input as integers of any size; CGAL over GMP integers. Always knows.
+///
+/// stages::X, declared with the operation X and defined in its .cpp in the order in which stages are asked, is for
+/// tests and other operations, and no promise to users:
+///   X::filter, X::enclosed, X::lattice, X::exact
+///                                     the stages that X has, of valid arguments. `exact` returns the answer, the
+///                                     others Perhaps<Answer>, empty for "ask the next".
+///   X::ask                            all in turn, and which of them decided; refuses arguments that are not valid.
+///                                     Of several decisions the latest stage counts.
+///   X::decision                       the same of the decision alone, where X also returns numbers.
+///
+/// A new stage stands here, in the list and in `asked`, and that is all: every operation says which it has.
+enum class Stage { filter, enclosed, lattice, exact };
+inline constexpr std::array all_stages{Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact};
+
+/// What a stage says: an answer, or nothing. Not std::optional, which g++ puts together in memory: that costs as much
+/// as a determinant. And an int says whether there is one: g++ joins the ways to a bool, and then tests it.
+template <class Answer>
+class Perhaps {
+ public:
+  Perhaps(std::nullopt_t) {}
+  Perhaps(const Answer& answer) : known_(1), answer_(answer) {}
+  /// An answer of several parts, made where it stays. g++ makes it elsewhere otherwise, part by part, and copies it by
+  /// 16 bytes, for which the processor has to wait until the parts are in memory.
+  template <class... Parts>
+  Perhaps(std::in_place_t, const Parts&... parts) : known_(1), answer_{parts...} {}
+  explicit operator bool() const { return known_ != 0; }
+  const Answer& operator*() const { return answer_; }
+
+ private:
+  int known_ = 0;
+  Answer answer_{};
+};
+
+template <class Answer>
+struct Decided {
+  Answer answer;
+  Stage stage;
+
+  /// For operations of many decisions: `latest` becomes this stage, if that is later.
+  const Answer& noting(Stage& latest) const {
+    latest = std::max(latest, stage);
+    return answer;
+  }
+};
+
+/// The types of stages::X, of the type of the function X: static Partial enclosed, lattice; static Total exact;
+template <class Function>
+struct Signatures;
+template <class Answer, class... Q>
+struct Signatures<Answer(Q...)> {
+  using Partial = Perhaps<Answer>(Q...);  ///< a stage that may not know
+  using Total = Answer(Q...);             ///< the stage that always knows
+  using Staged = Decided<Answer>(Q...);   ///< the stages in turn: ask
+};
+
+/// A stage as the function of that name.
+template <Stage stage>
+using At = std::integral_constant<Stage, stage>;
+template <class Stages>
+auto asked(At<Stage::filter>, const auto&... q) -> decltype(Stages::filter(q...)) {
+  return Stages::filter(q...);
+}
+template <class Stages>
+auto asked(At<Stage::enclosed>, const auto&... q) -> decltype(Stages::enclosed(q...)) {
+  return Stages::enclosed(q...);
+}
+template <class Stages>
+auto asked(At<Stage::lattice>, const auto&... q) -> decltype(Stages::lattice(q...)) {
+  return Stages::lattice(q...);
+}
+template <class Stages>
+auto asked(At<Stage::exact>, const auto&... q) -> decltype(Stages::exact(q...)) {
+  return Stages::exact(q...);
+}
+
+template <class Stages, auto step, auto... rest, class Tell, class... Q>
+auto in_turn_telling(const Tell& tell, const Q&... q) {
+  if constexpr (!std::is_same_v<std::remove_const_t<decltype(step)>, Stage>) {
+    step(q...);
+  } else if constexpr (sizeof...(rest) == 0) {
+    return tell(asked<Stages>(At<step>(), q...), step);
+  } else {
+    if (const auto answer = asked<Stages>(At<step>(), q...)) return tell(*answer, step);
+  }
+  if constexpr (sizeof...(rest) > 0) return in_turn_telling<Stages, rest...>(tell, q...);
+}
+
+/// in_turn<Stages, Stage::filter, validate, Stage::lattice, Stage::exact>(arguments...): the first stage that knows
+/// decides, and the last one always knows. What is no stage is a function that refuses arguments that are not valid: it
+/// stands before the first stage that could answer in spite of that.
+template <class Stages, auto... steps, class... Q>
+auto in_turn(const Q&... q) {
+  return in_turn_telling<Stages, steps...>(
+      []<class Answer>(const Answer& answer, Stage stage) {
+        return Decided<Answer>{answer, stage};
+      },
+      q...);
+}
+
+/// The same without the stage: an answer of several numbers is copied once less, which can be measured.
+template <class Stages, auto... steps, class... Q>
+auto answer_in_turn(const Q&... q) {
+  return in_turn_telling<Stages, steps...>([](const auto& answer, Stage) { return answer; }, q...);
+}
+
+/// Base of stages::X whose filter is inlined where X is called; past_filter, out of line, asks the other stages.
+template <class X, class... Functions>
+struct Filtered : Signatures<Functions>... {
+  template <class... Q>
+  static auto ask(const Q&... q) {
+    using Found = decltype(X::past_filter(q...));
+    if (const auto answer = X::filter(q...)) return Found{*answer, Stage::filter};
+    return X::past_filter(q...);
+  }
+};
+
+}  // namespace touchstone::robust

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+
+#include "robust/kernel/integers/term_sum.h"
+
+/// Doubles and what sums, differences and products make of them, exactly and whatever their exponents: closed formulas
+/// are written as they stand, with what geometry/space.h has of vectors.
+namespace touchstone::robust::kernel {
+
+using Dyadic = Scaled<mpz_class>;
+
+inline Dyadic dyadic(double value) {
+  const Integers<1> whole = integers_of(value);
+  return {whole.at[0], whole.exponent};
+}
+template <template <class> class Vector>
+Vector<Dyadic> dyadic(const Vector<double>& v) {
+  return {dyadic(v.x), dyadic(v.y), dyadic(v.z)};
+}
+
+inline Dyadic operator-(const Dyadic& a) { return {-a.n, a.exponent}; }
+inline Dyadic operator*(const Dyadic& a, const Dyadic& b) { return {a.n * b.n, a.exponent + b.exponent}; }
+inline Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+  if (sgn(a.n) == 0) return b;
+  if (sgn(b.n) == 0) return a;
+  if (a.exponent < b.exponent) return b + a;
+  mpz_class sum = a.n << static_cast<unsigned long>(a.exponent - b.exponent);
+  sum += b.n;
+  return {std::move(sum), b.exponent};
+}
+inline Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include "geometry/space.h"
+#include "robust/kernel/filters/strict_math.h"
+
+/// Numbers p + q sqrt(d) over one rational d, with which a formula is written as it stands: sums, products, quotients
+/// and signs are exact.
+namespace touchstone::robust::kernel {
+
+/// d >= 0, and no square of a rational unless q = 0: `with_root` sees to that. Numbers of two such d do not meet.
+struct OneRoot {
+  mpq_class p = 0, q = 0, d = 0;
+
+  OneRoot() = default;
+  OneRoot(mpq_class number) : p(std::move(number)) {}  // implicit: every rational is one
+  OneRoot(mpq_class rational, mpq_class of_root, mpq_class square)
+      : p(std::move(rational)), q(std::move(of_root)), d(std::move(square)) {}
+  bool rational() const { return sgn(q) == 0; }
+};
+
+/// p + q sqrt(square), square >= 0.
+OneRoot with_root(const mpq_class& p, const mpq_class& q, const mpq_class& square);
+
+OneRoot operator+(const OneRoot& a, const OneRoot& b);
+OneRoot operator-(const OneRoot& a, const OneRoot& b);
+OneRoot operator*(const OneRoot& a, const OneRoot& b);
+/// b != 0
+OneRoot operator/(const OneRoot& a, const OneRoot& b);
+int sign(const OneRoot& a);
+
+/// The nearest number of 53 binary digits, ties to the even one; the exponent has no bounds.
+mpq_class of_53_digits(const OneRoot& a);
+
+/// The nearest double, as rounding.h has it.
+double nearest(const OneRoot& a);
+
+inline Vector3<OneRoot> with_root(const Vector3<mpq_class>& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace touchstone::robust::kernel

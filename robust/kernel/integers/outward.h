@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/kernel/integers/integers.h"
+
+/// Directed rounding, put together from integers: the same in every floating-point environment.
+namespace touchstone::robust::kernel {
+
+/// The greatest double that is not above n * 2^exponent. Above the range that is the greatest double, below it the
+/// infinity; 0 is 0.0.
+double round_down(Int128 n, long exponent);
+double round_down(const mpz_class& n, long exponent);
+
+/// The least double that is not below n * 2^exponent.
+double round_up(Int128 n, long exponent);
+double round_up(const mpz_class& n, long exponent);
+
+}  // namespace touchstone::robust::kernel

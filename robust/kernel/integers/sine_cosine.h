@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include "robust/kernel/filters/strict_math.h"
+
+namespace touchstone::robust::kernel {
+
+/// cos u and sin u in fixed point: each lies within `error` of n / 2^bits.
+struct SineCosine {
+  mpz_class sine, cosine;
+  mpz_class error;
+  unsigned long bits;
+};
+
+/// For a finite u of any size, by integers alone. The error is below 16 units for each term of the series, of which
+/// there are fewer than bits; so more bits make it as small as one likes. bits >= 32.
+SineCosine sine_cosine(double u, unsigned long bits);
+
+/// pi * 2^bits, off by less than 1; kept for each thread at the most digits asked for so far.
+mpz_class pi(unsigned long bits);
+
+}  // namespace touchstone::robust::kernel

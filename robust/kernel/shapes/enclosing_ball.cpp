@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/shapes/enclosing_ball.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "robust/kernel/integers/rounding.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+using Whole = Point3<mpz_class>;
+using Way = Vector3<mpz_class>;
+
+constexpr double greatest_double = std::numeric_limits<double>::max();
+
+/// A computed squared distance D of two points lies within D 2^-50 + 2^-1070 of the exact one, which is off by five
+/// factors between 1 - 2^-53 and 1 + 2^-53 and by three squares that underflow, less than 2^-1074 each. Not proved by
+/// machine.
+double squared_distance(const Point3d& p, const Point3d& q) {
+  const Vector3d v = q - p;
+  return dot(v, v);
+}
+
+/// The least exponent of a set bit.
+int unit_of(const std::vector<Point3d>& points) {
+  int low = 0;
+  for (const Point3d& p : points)
+    for (const double x : {p.x, p.y, p.z}) {
+      const Decoded part = decode(x);
+      if (part.magnitude != 0) low = std::min(low, part.exponent + std::countr_zero(part.magnitude));
+    }
+  return low;
+}
+
+/// In units of 2^unit, which all of them are multiples of.
+mpz_class whole(double x, int unit) {
+  const Decoded part = decode(x);
+  if (part.magnitude == 0) return 0;
+  const int zeros = std::countr_zero(part.magnitude);
+  return scaled(Decoded{part.magnitude >> zeros, 0, part.negative}, part.exponent + zeros - unit);
+}
+Whole whole(const Point3d& p, int unit) { return {whole(p.x, unit), whole(p.y, unit), whole(p.z, unit)}; }
+
+/// The smallest ball with these affinely independent points, up to four, on its boundary: its center is from + n / d, d
+/// > 0, and its radius |n| / d. By the formulas of reference/volumes/bounding_sphere.h, which the deck's method needs
+/// too; here they are exact.
+struct BallThrough {
+  Whole from;
+  Way n;
+  mpz_class d;
+
+  explicit BallThrough(const std::vector<Whole>& on) : from(on[0]), n{0, 0, 0}, d(1) {
+    if (on.size() == 1) return;
+    const Way u = on[1] - from;
+    if (on.size() == 2) {
+      n = u, d = 2;
+      return;
+    }
+    const Way v = on[2] - from, normal = cross(u, v);
+    if (on.size() == 3) {
+      n = cross(dot(u, u) * v - dot(v, v) * u, normal), d = 2 * dot(normal, normal);
+      return;
+    }
+    const Way w = on[3] - from;
+    n = dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * normal, d = 2 * dot(normal, w);
+    if (sgn(d) < 0) n = mpz_class(-1) * n, d = -d;
+  }
+
+  /// |q - center|^2 > radius^2, multiplied by d.
+  bool leaves_out(const Whole& q) const {
+    const Way way = q - from;
+    return d * dot(way, way) > 2 * dot(way, n);
+  }
+  double rounded(const mpz_class& start, const mpz_class& step, int unit) const {
+    return round_quotient(mpz_class(start * d + step), d, unit);
+  }
+  Point3d center(int unit) const {
+    return {rounded(from.x, n.x, unit), rounded(from.y, n.y, unit), rounded(from.z, n.z, unit)};
+  }
+};
+
+/// Welzl's algorithm with points moved to the front: what is outside of a ball lies on the boundary of the next one.
+/// Recursion is as deep as there are points on the boundary: four at most.
+class SmallestBall {
+ public:
+  explicit SmallestBall(const std::vector<Point3d>& points)
+      : points_(points), order_(points.size()), unit_(unit_of(points)) {
+    // Some order that has nothing to do with that of the points: points sorted along a line would cost the square of
+    // their number. Always the same one, so that the answer's cost is.
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
+    std::uint64_t state = 1;
+    for (std::size_t i = order_.size(); i > 1; --i) {
+      state = state * 6364136223846793005u + 1442695040888963407u;  // Knuth's MMIX
+      std::swap(order_[i - 1], order_[(state >> 33) % i]);
+    }
+    with(order_[0], 1);
+    enclose(order_.size());
+  }
+  Point3d center() const { return center_; }
+
+ private:
+  /// The ball of the first `count` points with all of `on_` on its boundary.
+  void enclose(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t p = order_[i];
+      if (!leaves_out(p)) continue;
+      with(p, i);
+      std::rotate(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(i),
+                  order_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+  }
+  void with(std::size_t p, std::size_t count) {
+    on_.push_back(whole(points_[p], unit_));
+    set(BallThrough(on_));
+    if (on_.size() < 4) enclose(count);
+    on_.pop_back();
+  }
+
+  void set(BallThrough ball) {
+    ball_ = std::move(ball);
+    center_ = ball_->center(unit_);
+    // The rounded center is off by at most 2^-53 of a coordinate, or 2^-1075, on each axis: together by less than twice
+    // that of the greatest. The rounded radius is off by the same of itself. Four times as much is taken off the
+    // radius, and 2^-50 of its square: what is left after a few roundings is a square of a ball about the rounded
+    // center, within the exact one.
+    const double radius = round_square_root(dot(ball_->n, ball_->n), mpz_class(ball_->d * ball_->d), 2 * unit_);
+    const double least = radius - (0x1p-50 * (radius + greatest_coordinate({center_})) + 0x1p-1070);
+    within_ = least > 0 ? least * least * (1 - 0x1p-50) : 0;
+    if (!(within_ <= greatest_double)) within_ = 0;  // squares overflow: nothing is certain
+  }
+  bool leaves_out(std::size_t p) const {
+    if (squared_distance(center_, points_[p]) * (1 + 0x1p-49) + 0x1p-1060 <= within_) return false;
+    return ball_->leaves_out(whole(points_[p], unit_));
+  }
+
+  const std::vector<Point3d>& points_;
+  std::vector<std::size_t> order_;
+  int unit_;
+  std::vector<Whole> on_;
+  std::optional<BallThrough> ball_;
+  Point3d center_{};
+  double within_ = 0;  ///< what is nearer to the center, squared, is in the ball
+};
+
+}  // namespace
+
+double greatest_coordinate(const std::vector<Point3d>& points) {
+  double greatest = 0;
+  for (const Point3d& p : points)
+    for (const double x : {p.x, p.y, p.z}) greatest = std::max(greatest, __builtin_fabs(x));
+  return greatest;
+}
+
+double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
+  double greatest = 0;
+  for (const Point3d& p : points) greatest = std::max(greatest, squared_distance(center, p));
+  // Whoever may be farthest: exact distances are off by 2^-50 of the computed ones.
+  const double nearly = std::min(greatest, greatest_double) * (1 - 0x1p-48) - 0x1p-1060;
+  std::vector<Point3d> far{center};
+  for (const Point3d& p : points)
+    if (!(squared_distance(center, p) < nearly)) far.push_back(p);
+  const int unit = unit_of(far);
+  const Whole from = whole(center, unit);
+  mpz_class square = 0;
+  for (const Point3d& p : far) {
+    const Way way = whole(p, unit) - from;
+    square = std::max(square, dot(way, way));
+  }
+  const double radius = round_square_root(square, mpz_class(1), 2 * unit);
+  if (!(radius <= greatest_double)) return radius;
+  const Decoded root = decode(radius);  // a multiple of 2^root.exponent; the greatest, too, is finite
+  mpz_class rounded = scaled(Decoded{root.magnitude, 0, false}, 0), exact = square;
+  rounded *= rounded;
+  const int more = 2 * (root.exponent - unit);
+  if (more > 0) rounded <<= static_cast<unsigned long>(more);
+  else exact <<= static_cast<unsigned long>(-more);
+  return rounded < exact ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(radius) + 1) : radius;
+}
+
+Point3d center_of_smallest_ball(const std::vector<Point3d>& points) { return SmallestBall(points).center(); }
+
+}  // namespace touchstone::robust::kernel

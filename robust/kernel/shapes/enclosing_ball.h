@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "geometry/volumes.h"
+#include "robust/kernel/shapes/points_in_space.h"
+
+/// Balls around points of space, exactly. Finite points, at least one. The caller has set IEEE arithmetic
+/// (control_word.h): filters here count on rounding to nearest and on gradual underflow.
+namespace touchstone::robust::kernel {
+
+/// The greatest magnitude of a coordinate.
+double greatest_coordinate(const std::vector<Point3d>& points);
+
+/// The least double whose closed ball about the center, a finite one, contains every point; infinite where none does.
+double least_radius(const Point3d& center, const std::vector<Point3d>& points);
+
+/// The center of the smallest ball that contains every point, each coordinate correctly rounded.
+Point3d center_of_smallest_ball(const std::vector<Point3d>& points);
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/shapes/nearest_points.h"
+
+#include <utility>
+
+#include "robust/kernel/integers/rounding.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+using Vector = Vector3<mpz_class>;
+using Segment = Segment3<mpz_class>;
+using Triangle = Triangle3<mpz_class>;
+
+mpz_class square(const Vector& v) { return dot(v, v); }
+QuotientPoint vertex(const WholePoint& p) { return {p, 1}; }
+
+/// from + n / d v
+QuotientPoint along(const WholePoint& from, const mpz_class& n, const mpz_class& d, const Vector& v) {
+  const auto coordinate = [&](const mpz_class& start, const mpz_class& step) {
+    return mpz_class(d * start + n * step);
+  };
+  return {{coordinate(from.x, v.x), coordinate(from.y, v.y), coordinate(from.z, v.z)}, d};
+}
+
+bool less(const Quotient& p, const Quotient& q) { return p.n * q.d < q.n * p.d; }
+
+/// The first of the points, or pairs, with the least distance.
+struct Nearest {
+  QuotientPair pair;
+  Quotient square;
+
+  Nearest(QuotientPoint p, QuotientPoint q) : pair{std::move(p), std::move(q)} {
+    square = squared_distance(pair.on_a, pair.on_b);
+  }
+  void try_next(QuotientPoint p, QuotientPoint q) {
+    Nearest next(std::move(p), std::move(q));
+    if (less(next.square, square)) *this = std::move(next);
+  }
+};
+
+/// Whether x is not beyond the edge, seen along the normal of a triangle to whose left it is.
+bool on_inner_side(const Vector& normal, const WholePoint& from, const WholePoint& to, const WholePoint& x) {
+  return sgn(dot(cross(normal, to - from), x - from)) >= 0;
+}
+
+}  // namespace
+
+Contact contact(const Quotient& square, const mpz_class& reach, bool interiors) {
+  const int sign = cmp(square.n, mpz_class(reach * reach * square.d));
+  if (sign > 0) return Contact::disjoint;
+  return sign < 0 && interiors ? Contact::overlapping : Contact::touching;
+}
+
+Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q) {
+  const auto difference = [&](const mpz_class& x, const mpz_class& y) { return mpz_class(x * q.d - y * p.d); };
+  const Vector between{difference(p.n.x, q.n.x), difference(p.n.y, q.n.y), difference(p.n.z, q.n.z)};
+  const mpz_class d = p.d * q.d;
+  return {square(between), d * d};
+}
+
+/// The foot of the perpendicular, unless it is before a or beyond b.
+QuotientPoint nearest_on_segment(const WholePoint& p, const Segment& segment) {
+  const auto& [a, b] = segment;
+  const Vector v = b - a;
+  const mpz_class foot = dot(p - a, v), length = square(v);
+  if (sgn(foot) <= 0) return vertex(a);
+  if (foot >= length) return vertex(b);
+  return along(a, foot, length, v);
+}
+
+/// The foot of the perpendicular where it is in the triangle; else the nearest point is on an edge. Without area all
+/// points are on edges.
+QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Vector normal = cross(b - a, c - a);
+  const mpz_class length = square(normal);
+  const bool over = sgn(length) != 0 && on_inner_side(normal, a, b, p) && on_inner_side(normal, b, c, p) &&
+                    on_inner_side(normal, c, a, p);
+  if (over) return along(p, dot(normal, a - p), length, normal);
+  Nearest nearest(nearest_on_segment(p, {a, b}), vertex(p));
+  nearest.try_next(nearest_on_segment(p, {b, c}), vertex(p));
+  nearest.try_next(nearest_on_segment(p, {c, a}), vertex(p));
+  return nearest.pair.on_a;
+}
+
+/// The feet of the common perpendicular where both are on the segments; else, and if they are parallel, one of the
+/// points is an end. Of parallel segments those pairs are in order of the parameter on a: at 0; where b begins or ends;
+/// at 1. The nearer end of b comes first.
+QuotientPair nearest_pair(const Segment& a, const Segment& b) {
+  const Vector v = a.b - a.a, w = b.b - b.a, between = b.a - a.a, normal = cross(v, w);
+  const mpz_class length = square(normal);
+  if (sgn(length) != 0) {
+    const mpz_class on_a = dot(cross(between, w), normal), on_b = dot(cross(between, v), normal);
+    if (sgn(on_a) >= 0 && on_a <= length && sgn(on_b) >= 0 && on_b <= length)
+      return {along(a.a, on_a, length, v), along(b.a, on_b, length, w)};
+  }
+  const bool opposite = sgn(dot(v, w)) < 0;
+  const WholePoint &first = opposite ? b.b : b.a, &last = opposite ? b.a : b.b;
+  Nearest nearest(vertex(a.a), nearest_on_segment(a.a, b));
+  nearest.try_next(nearest_on_segment(first, a), vertex(first));
+  nearest.try_next(nearest_on_segment(last, a), vertex(last));
+  nearest.try_next(vertex(a.b), nearest_on_segment(a.b, b));
+  return nearest.pair;
+}
+
+Point3d rounded(const QuotientPoint& p, int exponent) {
+  return {round_quotient(p.n.x, p.d, exponent), round_quotient(p.n.y, p.d, exponent),
+          round_quotient(p.n.z, p.d, exponent)};
+}
+
+ClosestPoint3<double> closest_point(const WholePoint& from, const QuotientPoint& nearest, int exponent) {
+  const auto [point, on_b, squared, distance] = closest_pair({nearest, vertex(from)}, exponent);
+  return {point, squared, distance};
+}
+
+ClosestPair3<double> closest_pair(const QuotientPair& pair, int exponent) {
+  const Quotient square = squared_distance(pair.on_a, pair.on_b);
+  return {rounded(pair.on_a, exponent), rounded(pair.on_b, exponent), round_quotient(square.n, square.d, 2 * exponent),
+          round_square_root(square.n, square.d, 2 * exponent)};
+}
+
+}  // namespace touchstone::robust::kernel

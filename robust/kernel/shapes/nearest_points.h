@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include "geometry/answers.h"
+#include "geometry/closest.h"
+#include "geometry/triangles.h"
+#include "robust/kernel/filters/staged.h"
+#include "robust/kernel/shapes/points_in_space.h"
+
+/// The nearest points of points, segments and triangles of space, by cases, in integers. What has no length or no area
+/// is a case like others. The plane is z = 0.
+namespace touchstone::robust::kernel {
+
+using WholePoint = Point3<mpz_class>;
+
+/// A point: n / d, d > 0.
+struct QuotientPoint {
+  WholePoint n;
+  mpz_class d;
+};
+struct QuotientPair {
+  QuotientPoint on_a, on_b;
+};
+/// n / d, d > 0.
+struct Quotient {
+  mpz_class n, d;
+};
+QuotientPoint nearest_on_segment(const WholePoint& p, const Segment3<mpz_class>& segment);
+QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle3<mpz_class>& triangle);
+/// Of many such pairs the one with the least parameter on a.
+QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class>& b);
+
+Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q);
+
+/// Of two shapes at that distance, one of them or both taken with all that is no farther from it than a radius; `reach`
+/// is the sum of these. `interiors`: no radius is 0.
+Contact contact(const Quotient& square, const mpz_class& reach, bool interiors);
+
+inline Point3d in_space(const Point2d& p) { return {p.x, p.y, 0}; }
+inline const Point3d& in_space(const Point3d& p) { return p; }
+inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(s.b)}; }
+
+/// Of points of the plane or of space, on one power of two.
+template <class... Points>
+ScaledPoints<mpz_class> whole_points(const Points&... p) {
+  return integers_of(Polygon3d{{in_space(p)...}});
+}
+
+/// Of the input times 2^exponent, each number rounded once.
+Point3d rounded(const QuotientPoint& p, int exponent);
+ClosestPoint3<double> closest_point(const WholePoint& from, const QuotientPoint& nearest, int exponent);
+ClosestPair3<double> closest_pair(const QuotientPair& pair, int exponent);
+
+inline Point2d in_plane(const Point3d& p) { return {p.x, p.y}; }
+inline ClosestPoint2<double> in_plane(const ClosestPoint3<double>& found) {
+  return {in_plane(found.point), found.squared_distance, found.distance};
+}
+inline ClosestPair2<double> in_plane(const ClosestPair3<double>& found) {
+  return {in_plane(found.on_a), in_plane(found.on_b), found.squared_distance, found.distance};
+}
+template <class Answer>
+auto in_plane(const Perhaps<Answer>& found) -> Perhaps<decltype(in_plane(*found))> {
+  if (!found) return std::nullopt;
+  return in_plane(*found);
+}
+
+}  // namespace touchstone::robust::kernel

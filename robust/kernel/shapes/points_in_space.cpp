@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/shapes/points_in_space.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+template <class Visit>
+void for_each_coordinate(const Polygon3d& polygon, const Visit& visit) {
+  for (const Point3d& p : polygon.vertices) visit(p.x), visit(p.y), visit(p.z);
+}
+
+}  // namespace
+
+std::optional<ScaledPoints<std::int64_t>> lattice_of(const Polygon3d& polygon) {
+  int top = 1;
+  for_each_coordinate(
+      polygon, [&](double x) { top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff)); });
+  std::uint64_t lost = top == 0x7ff;
+  const auto placed = [&](double x) { return placed_on_lattice(std::bit_cast<std::uint64_t>(x), top, lost); };
+  ScaledPoints<std::int64_t> points{{}, top - 1075 - lattice_spare};
+  points.at.reserve(polygon.size());
+  for (const Point3d& p : polygon.vertices) points.at.push_back({placed(p.x), placed(p.y), placed(p.z)});
+  if (lost != 0) return std::nullopt;
+  return points;
+}
+
+ScaledPoints<mpz_class> integers_of(const Polygon3d& polygon) {
+  int low = INT_MAX;
+  for_each_coordinate(polygon, [&](double x) {
+    const Decoded part = decode(x);
+    if (part.magnitude != 0) low = std::min(low, part.exponent);
+  });
+  if (low == INT_MAX) low = 0;
+  const auto whole = [low](double x) {
+    const Decoded part = decode(x);
+    return part.magnitude == 0 ? mpz_class(0) : scaled(part, part.exponent - low);
+  };
+  ScaledPoints<mpz_class> points{{}, low};
+  points.at.reserve(polygon.size());
+  for (const Point3d& p : polygon.vertices) points.at.push_back({whole(p.x), whole(p.y), whole(p.z)});
+  return points;
+}
+
+}  // namespace touchstone::robust::kernel

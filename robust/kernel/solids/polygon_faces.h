@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/polyhedra.h"
+#include "robust/kernel/filters/strict_math.h"
+#include "robust/kernel/solids/ear_clipping.h"
+
+/// Faces of more than three corners. Which polygons and which cuts are valid stands in geometry/polyhedra.h.
+namespace touchstone::robust::kernel {
+
+/// 1, 0, -1: p, q, r turn left, lie on one line, turn right. Of doubles: right for all finite ones.
+int sign_of_turn(const Point2d& p, const Point2d& q, const Point2d& r);
+int sign_of_turn(const Point2<mpq_class>& p, const Point2<mpq_class>& q, const Point2<mpq_class>& r);
+
+/// Whether four points lie in one plane.
+bool in_one_plane(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& d);
+bool in_one_plane(const Point3<mpq_class>& a, const Point3<mpq_class>& b, const Point3<mpq_class>& c,
+                  const Point3<mpq_class>& d);
+
+/// A polygon whose corners lie in one plane, seen along an axis of coordinates that leads out of it. Vertices are named
+/// by their places in the mesh. The mesh's vertices and the corners must outlive it.
+template <class Real>
+class SeenPolygon {
+ public:
+  /// Empty where the corners do not lie in one plane.
+  static std::optional<SeenPolygon> of(const std::vector<Point3<Real>>& vertices, const std::vector<Index>& corners);
+
+  /// To the left is positive, whichever way the polygon turns.
+  int turn_of(Index p, Index q, Index r) const { return sign_of_turn(seen(p), seen(q), seen(r)); }
+  bool in_one_position(Index p, Index q) const { return vertices_[p] == vertices_[q]; }
+
+ private:
+  using Axis = Real Point3<Real>::*;
+  SeenPolygon(const std::vector<Point3<Real>>& vertices, Axis u, Axis v) : vertices_(vertices), u_(u), v_(v) {}
+  Point2<Real> seen(Index p) const { return {vertices_[p].*u_, vertices_[p].*v_}; }
+
+  const std::vector<Point3<Real>>& vertices_;
+  Axis u_, v_;
+};
+
+enum class PolygonDefect {
+  askew,    ///< its corners do not lie in one plane
+  no_ring,  ///< it encloses no area, crosses itself, touches one of its edges, or falls into parts
+};
+
+/// A valid cut of a polygon with at least three corners, all of them vertices, by clipping ears.
+template <class Real>
+std::variant<std::vector<Face>, PolygonDefect> cut_polygon(const std::vector<Point3<Real>>& vertices,
+                                                           const std::vector<Index>& corners);
+
+/// Refuses a mesh whose polygons are not planar or whose triangles are no valid cut of them. Its numbers are finite and
+/// its indices those of vertices.
+void validate_polygons(const std::string& field, const Meshd& mesh);
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/solids/small_hulls.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+
+#include "geometry/validation.h"
+#include "robust/kernel/solids/flat_hulls.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+template <class Integer>
+HullInSpace<Integer> hull_of(const Segment3<Integer>& s) {
+  return {{s.a, s.b, s.b}, s.a == s.b ? std::size_t{1} : std::size_t{2}};
+}
+/// Corners on one line span what is between the least and the greatest of them in lexicographic order.
+template <class Integer>
+HullInSpace<Integer> hull_of(const Triangle3<Integer>& t) {
+  if (!Normal<Integer>(t.b - t.a, t.c - t.a).zero()) return {{t.a, t.b, t.c}, 3};
+  const auto before = [](const Point3<Integer>& p, const Point3<Integer>& q) {
+    if (p.x != q.x) return p.x < q.x;
+    return p.y != q.y ? p.y < q.y : p.z < q.z;
+  };
+  const auto [least, greatest] = std::minmax({t.a, t.b, t.c}, before);
+  return hull_of(Segment3<Integer>{least, greatest});
+}
+
+/// Of hulls in one plane.
+template <class Integer>
+int in_plane(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
+  const std::array ways{a.at[1] - a[0], a.at[2] - a[0], b[0] - a[0], b.at[1] - a[0], b.at[2] - a[0]};
+  const std::size_t axis = axis_to_look_along<Integer>(ways);
+  return common_dimension(seen_along(axis, a), seen_along(axis, b));
+}
+
+/// Whether the line from p along d, which crosses the plane of the triangle and certainly has its crossing, meets the
+/// triangle; touching an edge or a corner is meeting.
+template <class Integer>
+bool crosses(const Point3<Integer>& p, const Vector3<Integer>& d, const HullInSpace<Integer>& t) {
+  const Vector3<Integer> a = t[0] - p, b = t[1] - p, c = t[2] - p;
+  const int ab = Normal<Integer>(a, b).along(d), bc = Normal<Integer>(b, c).along(d),
+            ca = Normal<Integer>(c, a).along(d);
+  const bool left = ab > 0 || bc > 0 || ca > 0, right = ab < 0 || bc < 0 || ca < 0;
+  return !(left && right);
+}
+
+/// The corner of a triangle that is alone on its side of a plane, or on it. What the triangle has of the plane is
+/// between the places where the edges from `corner` to the others meet it.
+template <class Integer>
+struct Tip {
+  const Point3<Integer>* corner;
+  std::array<const Point3<Integer>*, 2> others;
+  int side;
+
+  Tip(const HullInSpace<Integer>& t, const std::array<int, 3>& sides) {
+    const auto in_front = std::count(sides.begin(), sides.end(), 1),
+               behind = std::count(sides.begin(), sides.end(), -1);
+    side = in_front == 1 ? 1 : behind == 1 ? -1 : 0;
+    const auto at = static_cast<std::size_t>(std::find(sides.begin(), sides.end(), side) - sides.begin());
+    corner = &t[at], others = {&t[(at + 1) % 3], &t[(at + 2) % 3]};
+  }
+};
+
+/// Of two with areas. Where their planes cross in a line, edges from both tips, to p and to q, meet it in P and Q. The
+/// sign of the volume (p - tip, other tip - tip, q - tip) is that of Q - P along the line, times one that is the same
+/// for all four pairs of edges: the volume stays what it is when the ends of an edge move along its line, and on which
+/// side of the first plane the second edge ends does not depend on the edge.
+template <class Integer>
+int of_two_with_areas(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
+  const auto sides = [](const HullInSpace<Integer>& t, const HullInSpace<Integer>& other) {
+    const Normal<Integer> normal(t[1] - t[0], t[2] - t[0]);
+    return std::array{normal.along(other[0] - t[0]), normal.along(other[1] - t[0]), normal.along(other[2] - t[0])};
+  };
+  const auto alike = [](const std::array<int, 3>& of) { return of[0] == of[1] && of[1] == of[2]; };
+  const std::array<int, 3> of_b = sides(a, b);
+  if (alike(of_b)) return of_b[0] == 0 ? in_plane(a, b) : -1;
+  const std::array<int, 3> of_a = sides(b, a);
+  if (alike(of_a)) return -1;
+  const Tip<Integer> p(a, of_a), q(b, of_b);
+  bool before = false, after = false, together = false;
+  for (const Point3<Integer>* const end : p.others) {
+    const Normal<Integer> normal(*end - *p.corner, *q.corner - *p.corner);
+    for (const Point3<Integer>* const other_end : q.others) {
+      const int order = normal.along(*other_end - *p.corner);
+      before = before || order < 0, after = after || order > 0, together = together || order == 0;
+    }
+  }
+  if (before && after) return p.side == 0 || q.side == 0 ? 0 : 1;
+  return together ? 0 : -1;
+}
+
+template <class Integer>
+int common_dimension(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
+  if (a.count == 3 && b.count == 3) return of_two_with_areas(a, b);
+  if (b.count == 3) return common_dimension(b, a);
+  const Point3<Integer>&p = b[0], &q = b.at[1];
+  const Normal<Integer> normal(a.at[1] - a[0], (a.count == 3 ? a[2] : p) - a[0]);
+  const int at_p = normal.along(p - a[0]), at_q = normal.along(q - a[0]);
+  if (at_p == 0 && at_q == 0) return in_plane(a, b);
+  return a.count == 3 && at_p != at_q && crosses(p, q - p, a) ? 0 : -1;
+}
+
+template <class Integer>
+int common_dimension(const Ray3<Integer>& ray, const HullInSpace<Integer>& t) {
+  const auto& [p, way] = ray;
+  const Normal<Integer> normal(t.at[1] - t[0], t.count == 3 ? t[2] - t[0] : way);
+  const int at_origin = normal.along(p - t[0]), rise = normal.along(way);
+  if (at_origin == 0 && rise == 0) {
+    const std::array ways{way, t[0] - p, t.at[1] - p, t.at[2] - p};
+    const std::size_t axis = axis_to_look_along<Integer>(ways);
+    const Point2<Integer> ahead = seen_along(axis, p + way), from = seen_along(axis, p);
+    return common_dimension(Ray2<Integer>{from, ahead - from}, seen_along(axis, t));
+  }
+  return rise != 0 && at_origin != rise && crosses(p, way, t) ? 0 : -1;
+}
+
+/// Points by their coordinates, each axis on its own power of two: what is common of hulls stays so when space is
+/// stretched along an axis.
+template <class Integer, std::size_t n>
+struct Stretched {
+  std::array<Integer, n> x, y, z;
+  Point3<Integer> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Ray3<Integer> ray(std::size_t i) const { return {at(i), {x[i + 1], y[i + 1], z[i + 1]}}; }
+  HullInSpace<Integer> segment(std::size_t i) const { return hull_of(Segment3<Integer>{at(i), at(i + 1)}); }
+  HullInSpace<Integer> triangle(std::size_t i) const {
+    return hull_of(Triangle3<Integer>{at(i), at(i + 1), at(i + 2)});
+  }
+};
+
+constexpr auto of_triangles = [](const auto& p) { return common_dimension(p.triangle(0), p.triangle(3)); };
+constexpr auto of_segment = [](const auto& p) { return common_dimension(p.segment(0), p.triangle(2)); };
+constexpr auto of_ray = [](const auto& p) { return common_dimension(p.ray(0), p.triangle(2)); };
+
+/// The greatest exponent field of some numbers.
+int top_field(std::initializer_list<double> numbers) {
+  int top = 0;
+  for (const double x : numbers) top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff));
+  return top;
+}
+
+/// The direction times 2^by, by the bits; as it is where a number would not be normal.
+Vector3d shifted(const Vector3d& direction, int by) {
+  Vector3d way = direction;
+  for (double* const x : {&way.x, &way.y, &way.z}) {
+    if (validation::zero(*x)) continue;
+    const auto bits = std::bit_cast<std::int64_t>(*x);
+    const int field = static_cast<int>(bits >> 52 & 0x7ff);
+    if (field == 0 || field + by < 1 || field + by > 0x7fe) return direction;
+    *x = std::bit_cast<double>(bits + (static_cast<std::int64_t>(by) << 52));
+  }
+  return way;
+}
+
+template <class Dimension, class... Points>
+std::optional<int> on_lattice(const Dimension& dimension, const Points&... p) {
+  const auto x = lattice_of(p.x...), y = lattice_of(p.y...), z = lattice_of(p.z...);
+  if (!x || !y || !z) return std::nullopt;
+  return dimension(Stretched<std::int64_t, sizeof...(p)>{x->at, y->at, z->at});
+}
+template <class Dimension, class... Points>
+int in_integers(const Dimension& dimension, const Points&... p) {
+  return dimension(
+      Stretched<mpz_class, sizeof...(p)>{integers_of(p.x...).at, integers_of(p.y...).at, integers_of(p.z...).at});
+}
+
+}  // namespace
+
+std::optional<int> common_dimension_on_lattice(const Triangle3d& a, const Triangle3d& b) {
+  return on_lattice(of_triangles, a.a, a.b, a.c, b.a, b.b, b.c);
+}
+std::optional<int> common_dimension_on_lattice(const Segment3d& s, const Triangle3d& t) {
+  return on_lattice(of_segment, s.a, s.b, t.a, t.b, t.c);
+}
+/// A ray is the same in any length of its direction: that of the points needs the least room.
+std::optional<int> common_dimension_on_lattice(const Ray3d& r, const Triangle3d& t) {
+  const auto& [o, v] = r;
+  const auto& [a, b, c] = t;
+  const int top = top_field({o.x, o.y, o.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
+  return on_lattice(of_ray, o, shifted(v, top - top_field({v.x, v.y, v.z})), a, b, c);
+}
+
+int common_dimension_in_integers(const Triangle3d& a, const Triangle3d& b) {
+  return in_integers(of_triangles, a.a, a.b, a.c, b.a, b.b, b.c);
+}
+int common_dimension_in_integers(const Segment3d& s, const Triangle3d& t) {
+  return in_integers(of_segment, s.a, s.b, t.a, t.b, t.c);
+}
+int common_dimension_in_integers(const Ray3d& r, const Triangle3d& t) {
+  return in_integers(of_ray, r.origin, r.direction, t.a, t.b, t.c);
+}
+
+}  // namespace touchstone::robust::kernel
