@@ -199,7 +199,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
                     [&progress](const std::string& name, std::size_t done, std::size_t all) {
                       progress.step("report", name, done, all);
                     },
-                    command.report_seconds});
+                    command.report_seconds, 0, checkpoint.found().is_null()});
     });
     progress.end();
     readable << "report: " << command.report_directory << "/index.html\n";

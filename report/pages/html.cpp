@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/pages/html.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -38,6 +39,12 @@ std::vector<Question> found_in(const OperationTally& tally) {
   return questions;
 }
 
+bool is_dear(const OperationTally* tally) {
+  constexpr int dear = 100;
+  const Operation* operation = find_operation(tally->operation);
+  return operation != nullptr && operation->metadata().cost >= dear;
+}
+
 /// The pages, as far as their maps are made.
 struct Report {
   const Tally& tally;
@@ -70,16 +77,19 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
   make_directory(directory);
   Report report{tally, directory, notes};
   report.write_index();
-  in_parallel(jobs, tally.operations.size(), [&](std::size_t i) { report.write_page(i); });
+  if (!notes.pages_stand) in_parallel(jobs, tally.operations.size(), [&](std::size_t i) { report.write_page(i); });
   const auto started = std::chrono::steady_clock::now();
   const auto over = [&] {
     return notes.seconds > 0 &&
            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() >= notes.seconds;
   };
-  const std::vector<const OperationTally*> order = worst_first(tally);
+  std::vector<const OperationTally*> order = worst_first(tally);
   // One engine is asked one question after the other, and one operation alone is the work of all jobs.
   const bool apart = engine == nullptr && order.size() > 1;
-  for (int side = 16; side <= MapGrid::side && !over(); side *= 2) {
+  // The dearest begin, so that no job is left with one of them in the end.
+  if (apart) std::stable_partition(order.begin(), order.end(), is_dear);
+  constexpr int coarsest = 16;
+  for (int side = coarsest; side == coarsest || (side <= MapGrid::side && !over()); side *= 2) {
     std::atomic<std::size_t> done{0};
     in_parallel(apart ? jobs : 1, order.size(), [&](std::size_t place) {
       const OperationTally& counted = *order[place];
@@ -92,10 +102,12 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
           if (notes.progress) notes.progress(counted.operation, done, order.size());
           return !over();
         };
-        if (effort.abandoned()) return;
-        auto maps =
-            failure_maps(*operation, apart ? 1 : jobs, tally.declaration.binary32, engine, found_in(counted), effort);
-        if (!maps.empty()) report.maps[i] = std::move(maps), report.write_page(i);
+        auto maps = effort.abandoned() ? std::vector<FailureMap>()
+                                       : failure_maps(*operation, apart ? 1 : jobs, tally.declaration.binary32, engine,
+                                                      found_in(counted), effort);
+        const bool changes = !maps.empty() || (notes.pages_stand && side == coarsest);
+        if (!maps.empty()) report.maps[i] = std::move(maps);
+        if (changes) report.write_page(i);
       }
       ++done;
     });

@@ -22,10 +22,12 @@ struct ReportNotes {
   /// same bytes. Else they begin with 16 x 16 questions and are made finer while fewer seconds than this have passed.
   double seconds = 0;
   std::size_t expected = 0;  ///< operations of a run that goes on; 0: it is over
+  bool pages_stand = false;  ///< `write_so_far` has written every page of this run
 };
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there:
-/// first all without maps, then, the worst operation first, each again with its map, and index.html at the end.
+/// first all without maps, unless these stand, then each again with its map, those of dear operations and then of the
+/// worst first, and index.html at the end.
 /// Every page stands alone, nothing fetched: figures in space are drawn and rotated, and maps walked over, by a script
 /// in the page. Without scripts such figures are described, and all else is visible. The same tally gives the same
 /// bytes, whatever the jobs, but for the versions in the last line, unless seconds limit the maps. With `engine` the
