@@ -195,8 +195,8 @@ TEST_CASE("meshes: a refusal names the file, the place and the rule in one line"
   CHECK(refusal("a.txt", "") ==
         "a.txt: OBJ, PLY, OFF, STL, glTF or 3MF: neither its content nor its name tells that it is one");
   CHECK(refusal("a\nb.obj", "v 0") == "a?b.obj:1: three coordinates");
-  CHECK_THROWS_AS(audit::read_mesh("/no/such/file.obj"), InvalidInput);
-  CHECK_THROWS_AS(audit::read_mesh("."), InvalidInput);
+  CHECK_THROWS_AS(audit::read_mesh_file("/no/such/file.obj"), InvalidInput);
+  CHECK_THROWS_AS(audit::read_mesh_file("."), InvalidInput);
   const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (const char* index : {"4", "4294967297", "9223372036854775807"})
     CHECK(refusal("a.obj", three + "f 1 2 " + index) ==
