@@ -216,13 +216,13 @@ foreach(component oracle certify)
     if(component STREQUAL oracle)
       touchstone_chapters_are_units(touchstone_oracle ${oracle_sources})
     else()  # it is the headers that cost
-      set_target_properties(touchstone_certify PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+      set_target_properties(touchstone_certify PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
     endif()
   endif()
 endforeach()
 # What users link as touchstone::audit: the four modules, the topmost first.
 if(TARGET touchstone_audit)
-  set(units 6)  # files of a module in one unit: it is the headers that cost. Rows have units of their own.
+  set(units 12)  # files of a module in one unit: it is the headers that cost. Rows have units of their own.
   set_source_files_properties(${row_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(TOUCHSTONE_LINK_FROM)  # of the catalogue, what is compiled here is its rows
     list(LENGTH catalogue_sources last)

@@ -17,8 +17,6 @@ namespace {
 
 using Corners = std::vector<Index>;
 
-std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
-
 std::vector<Corners> read_lists(const Json& json, const std::string& path) {
   if (!json.is_array()) throw InvalidInput(path, expected("an array", json));
   std::vector<Corners> lists;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "catalogue/codec/json.h"
@@ -8,6 +10,9 @@
 
 /// Faces of meshes in JSON: triangles, or polygons of three or more corners with their cut.
 namespace touchstone::catalogue {
+
+/// The path of an element of the array at that path.
+inline std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
 /// Appends the words of `faces` and `polygons` (geometry/polyhedra.h) of the mesh that the document at that path is,
 /// over vertices that are read already, three numbers each. Where a face has more than three corners, all are polygons;

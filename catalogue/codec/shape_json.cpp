@@ -12,8 +12,6 @@
 namespace touchstone::catalogue {
 namespace {
 
-std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
-
 template <class Real>
 void leave_out(const Shape& shape, EncodedValue<Real>& encoded) {
   if (shape.kind != Shape::Kind::record) return encoded.words.push_back(0);

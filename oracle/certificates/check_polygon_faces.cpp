@@ -9,10 +9,10 @@ namespace touchstone::certify {
 namespace {
 
 using Triangle = std::array<std::size_t, 3>;
-using Corners = std::vector<std::size_t>;
+using FaceCorners = std::vector<std::size_t>;
 
 /// Across the plane of three corners that are not on one line; zero where all are on one.
-Triple across_plane(const std::vector<Triple>& vertices, const Corners& corners) {
+Triple across_plane(const std::vector<Triple>& vertices, const FaceCorners& corners) {
   for (const std::size_t b : corners) {
     for (const std::size_t c : corners) {
       const Triple& a = vertices[corners[0]];
@@ -26,7 +26,7 @@ Triple across_plane(const std::vector<Triple>& vertices, const Corners& corners)
 /// A face, its triangles, and a vector across its plane about which they are to turn counter-clockwise.
 struct Cut {
   const std::vector<Triple>& vertices;
-  const Corners& corners;
+  const FaceCorners& corners;
   std::vector<Triangle> triangles;
   Triple across;
 
@@ -68,7 +68,7 @@ struct Cut {
 void expect_cut(const Mesh& mesh, const std::string& what) {
   const std::string no_cut = what + ".cut: a cut of the faces into triangles";
   for (std::size_t i = 0, first = 0; i < mesh.named.size(); ++i) {
-    const Corners& corners = mesh.named[i];
+    const FaceCorners& corners = mesh.named[i];
     const std::size_t end = first + corners.size() - 2;
     Cut cut{mesh.vertices,
             corners,
