@@ -5,7 +5,8 @@ import re
 
 from source import cleaned, initialisers, split
 
-HEADERS = [f"robust/kernel/{name}.h" for name in ("enclosed", "push", "float_format", "window")]
+HEADERS = [f"robust/kernel/{name}.h"
+           for name in ("enclosed/enclosed", "enclosed/push", "filters/float_format", "enclosed/window")]
 KINDS = {"Float": "number", "int": "Z", "bool": "bool", "std::optional": "option number"}
 
 

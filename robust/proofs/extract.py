@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The filters of robust/kernel as Coq definitions: what their C++ text computes, operation by operation.
 
-  extract.py ROOT        all definitions, on standard output; ROOT/robust/kernel/*.h and ROOT/geometry/*.h are read
+  extract.py ROOT        all definitions, on standard output; ROOT/robust/kernel/filters/*.h and ROOT/geometry/*.h are read
 
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
