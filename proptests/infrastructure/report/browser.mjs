@@ -5,9 +5,9 @@ import {readFileSync} from 'node:fs';
 export const plain = html => html.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, n) => String.fromCharCode(n))
     .replace(/&quot;/g, '"').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
 
-// What the script of a page defines with these names, made of these files of report/, with this document.
+// What the script of a page defines with these names, made of these files of report/scripts/, with this document.
 export const defined = (names, files, document) => {
-  const text = name => readFileSync(new URL('../../../report/' + name, import.meta.url), 'utf8');
+  const text = name => readFileSync(new URL('../../../report/scripts/' + name, import.meta.url), 'utf8');
   return new Function('document', files.map(text).join('') + `\nreturn [${names}];`)(document);
 };
 
