@@ -195,11 +195,12 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
     reporting([&] {
       write_report(tally, command.report_directory, options.jobs, for_maps.get(),
-                   {"", before ? &*before : nullptr, command.gate.decides() ? gate_in_words(tally, result) : "",
-                    [&progress](const std::string& name, std::size_t done, std::size_t all) {
-                      progress.step("report", name, done, all);
-                    },
-                    command.report_seconds, 0, checkpoint.found().is_null()});
+                   {.before = before ? &*before : nullptr,
+                    .gate = command.gate.decides() ? gate_in_words(tally, result) : "",
+                    .progress = [&progress](const std::string& name, std::size_t done,
+                                            std::size_t all) { progress.step("report", name, done, all); },
+                    .seconds = command.report_seconds,
+                    .pages_stand = checkpoint.found().is_null()});
     });
     progress.end();
     readable << "report: " << command.report_directory << "/index.html\n";
