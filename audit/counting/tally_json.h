@@ -24,15 +24,15 @@
 ///                                "range":"ordinary", "features":0, "repeat":"echo ... | touchstone ask ..."}}}]}],
 ///    "robust":[...the same...]}
 ///
-/// `ways` counts everything (audit/counting/tally.h: Way, WayCount); what else is counted by verdict or truth are its sums, and
-/// `smallest` is the best of its examples for each verdict. `truth` is exact and null where the question is refused;
-/// `cause` is the verdict, or of `rounding` its kind. Where the verdict is about a number, `number` is
+/// `ways` counts everything (audit/counting/tally.h: Way, WayCount); what else is counted by verdict or truth are its
+/// sums, and `smallest` is the best of its examples for each verdict. `truth` is exact and null where the question is
+/// refused; `cause` is the verdict, or of `rounding` its kind. Where the verdict is about a number, `number` is
 /// {"exact":0, "answered":-1.92}, the exact one as the nearest of the engine's type. `touch`: how a touch was answered,
 /// 1 as closed sets, -1 as open sets, else 0. `vector` is the id where a test vector was asked (vectors check
 /// --engine); then `index` is its line, and seed and cases are 0. Where they are not 0 a family also has `surplus`,
 /// `apart`, `left_out`, `other_nearest`, `other_alternative`, and, with the reason `given_up`, `not_asked`
-/// (audit/counting/tally.h: Cell). What an engine declares beyond the rest stands in `engine` as in its greeting; `max_surplus`
-/// is the limit that --max-surplus set.
+/// (audit/counting/tally.h: Cell). What an engine declares beyond the rest stands in `engine` as in its greeting;
+/// `max_surplus` is the limit that --max-surplus set.
 namespace touchstone::audit {
 
 std::string tally_json(const Tally& tally);

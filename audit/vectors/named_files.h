@@ -7,8 +7,8 @@
 #include "audit/uses.h"
 #include "catalogue/codec/json.h"
 
-/// Meshes that vectors name (catalogue/families/meshes/named_meshes.h): each is a file of JSON next to the vectors, and a
-/// line's input has the file's name where the mesh would stand.
+/// Meshes that vectors name (catalogue/families/meshes/named_meshes.h): each is a file of JSON next to the vectors, and
+/// a line's input has the file's name where the mesh would stand.
 namespace touchstone::audit {
 
 struct NamedFile {

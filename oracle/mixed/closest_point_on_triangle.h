@@ -9,8 +9,8 @@
 namespace touchstone::oracle {
 
 /// Truth: the point of the triangle of least squared distance, in rationals, by the conditions of Karush, Kuhn and
-/// Tucker (oracle/exact/shapes/nearest_pair.h). The distance is as closest_point_on_segment has it. Nothing is decided: there
-/// is no margin.
+/// Tucker (oracle/exact/shapes/nearest_pair.h). The distance is as closest_point_on_segment has it. Nothing is decided:
+/// there is no margin.
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `weights` of the three corners.
 Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);

@@ -10,8 +10,8 @@
 namespace touchstone::oracle {
 
 /// Truth: points of both segments of least squared distance, in rationals, by the conditions of Karush, Kuhn and Tucker
-/// (oracle/exact/shapes/nearest_pair.h); of all pairs that satisfy them the one with the least parameter on a. The distance is
-/// as closest_point_on_segment has it. Nothing is decided: there is no margin.
+/// (oracle/exact/shapes/nearest_pair.h); of all pairs that satisfy them the one with the least parameter on a. The
+/// distance is as closest_point_on_segment has it. Nothing is decided: there is no margin.
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `on_a` and `on_b`, the weights of
 /// the ends. That no pair with a smaller parameter on a is as near follows from the directions.

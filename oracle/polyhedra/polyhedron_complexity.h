@@ -10,9 +10,9 @@ namespace touchstone::oracle {
 /// Truth: from the definitions: sets of vertices and edges; components by walking from face to face; at every vertex a
 /// walk through its faces, which has to come past all of them; for each pair of triangles whose boxes meet a plane
 /// between them, across an axis, that of one of the two, upright on an edge of one, or by an exact linear program
-/// (oracle/exact/solids/two_faces.h); every vertex against the plane of every face; the sum of the prisms under the faces; the
-/// place of a vertex of each component in every other one, by rays (oracle/exact/solids/solid.h). Margin: none: several
-/// quantities decide several words.
+/// (oracle/exact/solids/two_faces.h); every vertex against the plane of every face; the sum of the prisms under the
+/// faces; the place of a vertex of each component in every other one, by rays (oracle/exact/solids/solid.h). Margin:
+/// none: several quantities decide several words.
 ///
 /// Certificate: "complexity": what indices tell is counted once more, and so are areas, sides of planes and the volume.
 /// normals: of a plane for each pair of faces before the meeting ones that neither a plane across an axis nor the

@@ -7,8 +7,8 @@
 namespace touchstone::oracle {
 
 /// Truth: the point of the box of least squared distance, a sum over the axes, so that on each the conditions of
-/// Karush, Kuhn and Tucker find it (oracle/exact/numbers/nearest_in_interval.h). On integers. Nothing is decided, and nothing
-/// is rounded: there is no margin.
+/// Karush, Kuhn and Tucker find it (oracle/exact/numbers/nearest_in_interval.h). On integers. Nothing is decided, and
+/// nothing is rounded: there is no margin.
 ///
 /// Certificate: "multipliers": `lower` and `upper`, by axis; the conditions hold with them.
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2d& point, const Aabb2d& aabb);

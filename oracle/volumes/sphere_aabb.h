@@ -8,8 +8,8 @@
 namespace touchstone::oracle {
 
 /// Truth: the point of the box that is nearest to the center, by the conditions of Karush, Kuhn and Tucker on each axis
-/// (oracle/exact/numbers/nearest_in_interval.h); the solids have a common point exactly if it is in the ball. They have a
-/// common interior point exactly if it is inside the ball, which then is no point, and the box is not flat: near it
+/// (oracle/exact/numbers/nearest_in_interval.h); the solids have a common point exactly if it is in the ball. They have
+/// a common interior point exactly if it is inside the ball, which then is no point, and the box is not flat: near it
 /// there are interior points of the box. On integers.
 ///
 /// Margin: with S the squared distance of the center from the box and R the square of the radius, S - R where they are

@@ -16,9 +16,10 @@ namespace touchstone::report {
 /// How many corners the figures of a scene may have together.
 inline constexpr std::size_t most_corners_of_a_scene = 3000;
 
-/// A scene's figures in space as report/scripts/viewer.js takes them, coordinates brought to its steps exactly (space_scale.h).
-/// null where no figure has its numbers, all finite. With `least_gap` a lens (space_lens.h) magnifies the narrowest gap
-/// of at least that size that is too narrow to be seen. Figures that would exceed the most corners are left out.
+/// A scene's figures in space as report/scripts/viewer.js takes them, coordinates brought to its steps exactly
+/// (space_scale.h). null where no figure has its numbers, all finite. With `least_gap` a lens (space_lens.h) magnifies
+/// the narrowest gap of at least that size that is too narrow to be seen. Figures that would exceed the most corners
+/// are left out.
 Json space_model(const Drawing& scene, const std::string& title,
                  const std::optional<mpq_class>& least_gap = std::nullopt,
                  std::size_t most_corners = most_corners_of_a_scene);

@@ -9,9 +9,9 @@
 namespace touchstone::robust {
 
 /// t N with t = -(k E + c v . N) / N . N: a velocity of 0 that is pushed along the normal, see
-/// robust/kernel/contacts/along_normal.h, whose letters these are. Let s = |k| S of E and |c| S of v . N together, and i the
-/// inverse of N . N. In units of E s i: E and v . N are off by 20 as Sum has it of four terms, as factors by 4.3 more,
-/// their products by 5.4; the sum of both rounds their tails twice, 2.2 each; N . N is off by 18, and by 4.3 as a
+/// robust/kernel/contacts/along_normal.h, whose letters these are. Let s = |k| S of E and |c| S of v . N together, and
+/// i the inverse of N . N. In units of E s i: E and v . N are off by 20 as Sum has it of four terms, as factors by 4.3
+/// more, their products by 5.4; the sum of both rounds their tails twice, 2.2 each; N . N is off by 18, and by 4.3 as a
 /// factor; of the quotient 17, of its product with N 14.6, as there. Together 89, and 160 are taken, eight times the
 /// error of Sum.
 ///

@@ -18,8 +18,8 @@ namespace touchstone::robust {
 /// "a polygon that encloses one area and does not cross itself"). Exact for all finite doubles.
 Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons);
 
-/// The corners of a polygon of finite vertices times 2^-exponent, each coordinate below 1/2 in size, and Newell's normal
-/// of these, in double arithmetic.
+/// The corners of a polygon of finite vertices times 2^-exponent, each coordinate below 1/2 in size, and Newell's
+/// normal of these, in double arithmetic.
 struct ScaledRing {
   std::vector<Point3d> corners;
   int exponent = 0;

@@ -143,7 +143,8 @@ TEST_CASE("mesh: vertices that are nearly one are named, and the tolerance that 
 }
 
 TEST_CASE("mesh: a rim on one line is a T-junction, and the face to split is told") {
-  // The front is two triangles and a quadrilateral that know vertex 9 in the middle of the edge 1-2; the floor does not.
+  // The front is two triangles and a quadrilateral that know vertex 9 in the middle of the edge 1-2; the floor does
+  // not.
   Faces all = cube_faces;
   all[2] = {1, 9, 2, 6, 5};
   const std::string text = corners(0, 1) + "v 0.5 0 0\n" + faces(all);

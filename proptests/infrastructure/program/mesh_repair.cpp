@@ -13,7 +13,8 @@
 namespace touchstone::proptests::mesh_repair_tests {
 namespace {
 
-/// A cube from (x, y, z) to (x + side, ...), its faces outwards or inwards; `before` vertices stand in front of its own.
+/// A cube from (x, y, z) to (x + side, ...), its faces outwards or inwards; `before` vertices stand in front of its
+/// own.
 std::string cube(const std::array<int, 3>& from, int side, bool outwards, int before) {
   constexpr std::array<std::array<int, 3>, 8> at{
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};

@@ -7,9 +7,9 @@
 
 namespace touchstone::proptests {
 
-/// A format of few digits and a double's exponents, rounded to nearest: what robust/kernel/enclosed/enclosed.h rests on. The
-/// sum, product, quotient and root of two such numbers, rounded to double and then to p digits, is rounded once, as 53
-/// >= 2 p + 2 (Figueroa 1995).
+/// A format of few digits and a double's exponents, rounded to nearest: what robust/kernel/enclosed/enclosed.h rests
+/// on. The sum, product, quotient and root of two such numbers, rounded to double and then to p digits, is rounded
+/// once, as 53 >= 2 p + 2 (Figueroa 1995).
 template <int p>
 class Narrow {
  public:

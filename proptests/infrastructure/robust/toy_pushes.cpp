@@ -6,9 +6,9 @@
 #include "proptests/infrastructure/robust/narrow_float.h"
 #include "robust/kernel/contacts/along_normal.h"
 
-// The one bound of robust/kernel/contacts/along_normal.h and push.h on formats of 12, 13 and 20 digits: a velocity v that
-// changes by t n, t = (1 + e) m (d . n) / ((m + l) n . n), d a difference that may cancel, along n or before; and a t
-// that is exact.
+// The one bound of robust/kernel/contacts/along_normal.h and push.h on formats of 12, 13 and 20 digits: a velocity v
+// that changes by t n, t = (1 + e) m (d . n) / ((m + l) n . n), d a difference that may cancel, along n or before; and
+// a t that is exact.
 namespace touchstone::proptests::toy_pushes_tests {
 namespace {
 

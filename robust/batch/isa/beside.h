@@ -15,12 +15,12 @@ namespace {
 /// n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from there
 /// (robust/batch/isa/faces.h).
 ///
-/// As for FacePlane of robust/kernel/filters/face_filter.h: a product of n . (p - a) goes through eight roundings, the last of
-/// which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes of the
-/// six products of three differences. C = 8 v. t is at least the magnitude of n, coordinate by coordinate, and the
-/// terms are summed in the order of the value: where a partial sum of the value overflows, so does that of the terms. A
-/// product in n that underflows is off by h, and by h times a coordinate of p - a in the value: t is 2^-1000 too large,
-/// and C 2^-1000 pays for that.
+/// As for FacePlane of robust/kernel/filters/face_filter.h: a product of n . (p - a) goes through eight roundings, the
+/// last of which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes
+/// of the six products of three differences. C = 8 v. t is at least the magnitude of n, coordinate by coordinate, and
+/// the terms are summed in the order of the value: where a partial sum of the value overflows, so does that of the
+/// terms. A product in n that underflows is off by h, and by h times a coordinate of p - a in the value: t is 2^-1000
+/// too large, and C 2^-1000 pays for that.
 [[gnu::always_inline]] inline Certain side_of_face(const double* numbers, const Lanes* p) {
   Lanes value = same(0), terms = value;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -147,7 +147,8 @@ struct CloseRayTriangle {
   }
 };
 
-/// The corner that is alone on its side of the other's plane, or on it, and the others (robust/kernel/solids/small_hulls.cpp).
+/// The corner that is alone on its side of the other's plane, or on it, and the others
+/// (robust/kernel/solids/small_hulls.cpp).
 struct CloseTip {
   InSpace corner, others[2];
   Mask on_plane;

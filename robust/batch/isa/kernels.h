@@ -8,10 +8,11 @@
 /// What the filters of arrays share, and why they are right.
 ///
 /// Model. These filters run only where results are rounded to nearest and nothing is flushed, so the universal model of
-/// robust/kernel/filters/filters.h is not needed: with v = 2^-53, the result of a sum or a difference is exact * (1 + e), and
-/// that of a product exact * (1 + e) + h, with |e| <= v and |h| <= 2^-1075; a sum that underflows is exact. An FMA
-/// leaves a rounding out. What underflow costs in all is a sum of a few h, each at most times a small constant: every
-/// bound here ends with + 2^-1000, which pays for it many times over, and for what the bound itself loses by underflow.
+/// robust/kernel/filters/filters.h is not needed: with v = 2^-53, the result of a sum or a difference is exact * (1 +
+/// e), and that of a product exact * (1 + e) + h, with |e| <= v and |h| <= 2^-1075; a sum that underflows is exact. An
+/// FMA leaves a rounding out. What underflow costs in all is a sum of a few h, each at most times a small constant:
+/// every bound here ends with + 2^-1000, which pays for it many times over, and for what the bound itself loses by
+/// underflow.
 ///
 /// Overflow. |value| > bound is false where the bound is infinite or NaN. So each bound is made to be that whenever
 /// anything in the value is, and no guard is needed besides. The trap: a bound of the kind C * size, C small, stays

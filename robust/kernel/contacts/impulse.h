@@ -10,12 +10,13 @@ namespace touchstone::robust::kernel {
 
 /// Whether numbers are 0, or of a magnitude in [2^-60, 2^60], their sum too: finite.
 ///
-/// As robust/kernel/enclosed/window.h, for quotients of degree 4 by degree 3. All numbers are multiples of 2^-112, so the
-/// numerator is a multiple of 2^-448 below 2^252; the denominator, a product of masses and squares, lies between 2^-180
-/// and 2^192 and is a multiple of 2^-336. A quotient is 0 or lies between 2^-640 and 2^432, its head is a multiple of
-/// 2^-666, and what is left, n - q d, is 0 or a multiple of 2^-1002, above 2^-1022. Only that times the inverse, and
-/// the tail of the quotient times a number of the input, may underflow: by less than 2^-1022 each, the first times at
-/// most 2^60 afterwards. The bound has E 2^-640 to spare for them, times that number, which is 2^-60 or more.
+/// As robust/kernel/enclosed/window.h, for quotients of degree 4 by degree 3. All numbers are multiples of 2^-112, so
+/// the numerator is a multiple of 2^-448 below 2^252; the denominator, a product of masses and squares, lies between
+/// 2^-180 and 2^192 and is a multiple of 2^-336. A quotient is 0 or lies between 2^-640 and 2^432, its head is a
+/// multiple of 2^-666, and what is left, n - q d, is 0 or a multiple of 2^-1002, above 2^-1022. Only that times the
+/// inverse, and the tail of the quotient times a number of the input, may underflow: by less than 2^-1022 each, the
+/// first times at most 2^60 afterwards. The bound has E 2^-640 to spare for them, times that number, which is 2^-60 or
+/// more.
 template <class... Numbers>
 bool in_narrow_window(Numbers... numbers) {
   using Format = filters::FloatFormat<Two>;

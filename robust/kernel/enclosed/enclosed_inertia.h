@@ -16,10 +16,10 @@ inline EnclosedPair enclosed(Two exactly) { return {exactly, Two(), Two()}; }
 /// once, at the end, as what is computed after a defect does no harm.
 ///
 /// Numbers of the input are 0 or between 2^-30 and 2^30 in size, so multiples of 2^-82, and polynomials of degree 3 in
-/// them come out with all their tails, as multiples of 2^-246 (robust/kernel/enclosed/window.h says why). What is multiplied or
-/// divided by afterwards is 0, of which all terms are 0, or between 2^-200 and 2^200: a product or quotient is above
-/// 2^-400 and below 2^400, and its bound above 2^-480. What its tail, or that of a sum, may lose by underflow is below
-/// 2^-1022 each time, times at most 2^400 afterwards: every bound has that to spare.
+/// them come out with all their tails, as multiples of 2^-246 (robust/kernel/enclosed/window.h says why). What is
+/// multiplied or divided by afterwards is 0, of which all terms are 0, or between 2^-200 and 2^200: a product or
+/// quotient is above 2^-400 and below 2^400, and its bound above 2^-480. What its tail, or that of a sum, may lose by
+/// underflow is below 2^-1022 each time, times at most 2^400 afterwards: every bound has that to spare.
 class Bounded {
  public:
   template <class... Numbers>

@@ -30,10 +30,10 @@ Float higher(const Float& value, const Float& high) {
   return value > high ? value : high;
 }
 
-/// How far apart two computed N . P may be whose order is not that of the exact ones. As robust/kernel/filters/plane_filter.h
-/// has it, 3 u + 48 u^2 times the product of the extents is enough for one of them, and to round the difference costs
-/// nothing (4): twice that is enough for two, three times are taken. Each is off by 15.1 n H for underflow: A is enough
-/// for two, 4 A are taken. Infinite where the guard does not hold.
+/// How far apart two computed N . P may be whose order is not that of the exact ones. As
+/// robust/kernel/filters/plane_filter.h has it, 3 u + 48 u^2 times the product of the extents is enough for one of
+/// them, and to round the difference costs nothing (4): twice that is enough for two, three times are taken. Each is
+/// off by 15.1 n H for underflow: A is enough for two, 4 A are taken. Infinite where the guard does not hold.
 template <class Float, class Format = FloatFormat<Float>>
 Float doubt(const Vector3<Float>& n, const Float& of_points) {
   using B = Bounds<Float, Format>;

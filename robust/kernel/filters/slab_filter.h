@@ -9,8 +9,8 @@ namespace touchstone::robust::filters {
 
 /// How deep a point lies in slabs: of n . p - min and max - n . p the least for all of them, which decides alone.
 ///
-/// Each of these is what robust/kernel/filters/plane_filter.h computes of a plane. A wrong sign of one is at most (1 + u)
-/// ((1 + u)^3 - 1) times the sum of its products' magnitudes, and that is at most the greatest sum of a normal's
+/// Each of these is what robust/kernel/filters/plane_filter.h computes of a plane. A wrong sign of one is at most (1 +
+/// u) ((1 + u)^3 - 1) times the sum of its products' magnitudes, and that is at most the greatest sum of a normal's
 /// magnitudes times that of the point's. That product is computed with one operation less than there, no offset being
 /// added, so C = 3 u + 48 u^2 is enough, and A pays for underflow as there. Greatest and least do not round.
 ///

@@ -4,9 +4,9 @@
 #include "robust/kernel/enclosed/enclosed.h"
 #include "robust/kernel/enclosed/two.h"
 
-/// Sine, cosine and arc tangent, enclosed; robust/kernel/enclosed/window.h has been asked. By a table at multiples of 1/256 and
-/// short Taylor series between them; the table and pi are taken from the integers of sine_cosine.h when first needed.
-/// The bounds are not those of enclosed.h alone. Not proved by machine.
+/// Sine, cosine and arc tangent, enclosed; robust/kernel/enclosed/window.h has been asked. By a table at multiples of
+/// 1/256 and short Taylor series between them; the table and pi are taken from the integers of sine_cosine.h when first
+/// needed. The bounds are not those of enclosed.h alone. Not proved by machine.
 namespace touchstone::robust::kernel {
 
 /// (cos u, sin u); empty beyond 2^20, and where u lies so near to a multiple of a quarter turn that too few digits are
