@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
 #include <filesystem>
 #include <fstream>
-#include <map>
 
 #include "audit/counting/audit_run.h"
 #include "catalogue/draw/figures.h"
@@ -160,21 +158,6 @@ TEST_CASE("pages: of a run that goes on, the index says how far it is, and the l
   CHECK_THAT(bytes("line_line.html"), ContainsSubstring("</html>"));
   write_report(tally, directory, 1);
   CHECK_THAT(bytes("index.html"), !ContainsSubstring("The audit goes on"));
-  // Pages that stand are written anew, whether there is time for a map or not.
-  const std::array names{"index.html", "orientation.html", "line_line.html"};
-  for (const double seconds : {0.0, 1e-9}) {
-    std::map<std::string, std::string> written;
-    write_report(tally, directory, 1, nullptr, {.seconds = seconds});
-    for (const char* name : names) written[name] = bytes(name);
-    for (std::size_t i = 0; i < tally.operations.size(); ++i) {
-      Tally so_far = tally;
-      so_far.operations.resize(i + 1);
-      write_so_far(so_far, directory, {.expected = 2});
-    }
-    CHECK(bytes("orientation.html") != written["orientation.html"]);
-    write_report(tally, directory, 1, nullptr, {.seconds = seconds, .pages_stand = true});
-    for (const char* name : names) CHECK(bytes(name) == written[name]);
-  }
   std::filesystem::remove_all(directory);
 }
 
