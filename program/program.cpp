@@ -14,6 +14,7 @@
 #include "program/commands/map.h"
 #include "program/documentation.h"
 #include "program/mesh_options.h"
+#include "program/terminal/limb_memory.h"
 #include "program/terminal/regression_test.h"
 
 namespace touchstone::program {
@@ -362,6 +363,7 @@ int complained(const std::exception& wrong, int code) {
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+  use_limb_memory();
   CLI::App program{"touchstone: collision tests held against the exact truth"};
   program.require_subcommand(0, 1);
   program.option_defaults()->always_capture_default();

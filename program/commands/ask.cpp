@@ -7,7 +7,6 @@
 #include "program/commands/file_meshes.h"
 #include "program/commands/geometries.h"
 #include "program/terminal/exit_codes.h"
-#include "program/terminal/out_of_memory.h"
 #include "program/terminal/regression_test.h"
 #include "report/words/wording.h"
 
@@ -36,7 +35,6 @@ Json input_in(const std::string& text, const AskCommand& command, const Operatio
 }  // namespace
 
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
-  have_gmp_throw();
   const Operation& operation = operation_named(command.operation);
   EngineNotes notes;
   const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);

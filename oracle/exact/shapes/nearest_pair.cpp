@@ -4,75 +4,124 @@
 #include <algorithm>
 #include <optional>
 
+#include "oracle/exact/numbers/wide.h"
+
 namespace touchstone::oracle {
 namespace {
 
 using Point = Point3<Rational>;
 using Vector = Vector3<Rational>;
-using Row = std::vector<Rational>;
+using Row = std::vector<Integer>;
 
-/// A square system with its right sides in the last column: the solution, or nothing where it is singular.
-std::optional<Row> solved(std::vector<Row> rows) {
+/// Numerators over one denominator, which is positive.
+struct Fractions {
+  Row numerators;
+  Integer denominator;
+};
+
+/// A square system with its right sides in the last column: the solution, or nothing where it is singular. Gauss and
+/// Jordan without fractions: what is left after each step are minors of the system, so that every division is without
+/// remainder.
+std::optional<Fractions> solved(std::vector<Row> rows) {
   const std::size_t n = rows.size();
+  Integer last = 1;
   for (std::size_t k = 0; k < n; ++k) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(k);
     const auto pivot = std::find_if(from, rows.end(), [k](const Row& row) { return sgn(row[k]) != 0; });
     if (pivot == rows.end()) return std::nullopt;
     std::iter_swap(from, pivot);
     for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || sgn(rows[i][k]) == 0) continue;
-      const Rational factor(rows[i][k] / rows[k][k]);
-      for (std::size_t j = k; j <= n; ++j) rows[i][j] -= factor * rows[k][j];
+      if (i == k) continue;
+      for (std::size_t j = k + 1; j <= n; ++j) {
+        const Integer minor = rows[k][k] * rows[i][j] - rows[i][k] * rows[k][j];
+        mpz_divexact(rows[i][j].get_mpz_t(), minor.get_mpz_t(), last.get_mpz_t());
+      }
     }
+    last = rows[k][k];
   }
-  Row solution;
-  for (std::size_t k = 0; k < n; ++k) solution.push_back(Rational(rows[k][n] / rows[k][k]));
+  Fractions solution{{}, abs(last)};
+  for (const Row& row : rows) solution.numerators.push_back(sgn(last) < 0 ? Integer(-row[n]) : row[n]);
   return solution;
 }
 
-/// The points that may have a weight, of a first, those of b negated; and how many of them are a's.
-struct Support {
-  std::vector<Vector> points;
-  std::vector<std::size_t> places;
+/// The points of both hulls from the first of a, those of b negated, as integers times one unit.
+struct Points {
+  std::vector<WholeVector> of;
   std::size_t of_a;
+  Integer units_in_one = 1;
+  std::vector<Row> products{};  ///< the scalar product of every two
 };
 
-Support support_of(const std::vector<Vector>& a, const std::vector<Vector>& b, unsigned chosen) {
-  Support support{{}, {}, 0};
-  for (std::size_t i = 0; i < a.size() + b.size(); ++i) {
+Points points_of(const Hull& a, const Hull& b) {
+  std::vector<Vector> from_first;
+  for (const Point& p : a) from_first.push_back(p - a[0]);
+  for (const Point& p : b) from_first.push_back(a[0] - p);
+  Points points{{}, a.size()};
+  const auto common = [&](const Rational& number) {
+    mpz_lcm(points.units_in_one.get_mpz_t(), points.units_in_one.get_mpz_t(), number.get_den_mpz_t());
+  };
+  for (const Vector& v : from_first) common(v.x), common(v.y), common(v.z);
+  const auto whole = [&](const Rational& number) {
+    return Integer(number.get_num() * Integer(points.units_in_one / number.get_den()));
+  };
+  for (const Vector& v : from_first) points.of.push_back({whole(v.x), whole(v.y), whole(v.z)});
+  for (const WholeVector& p : points.of) {
+    Row& row = points.products.emplace_back();
+    for (const WholeVector& q : points.of) row.push_back(dot(p, q));
+  }
+  return points;
+}
+
+/// Which of the points may have a weight.
+struct Support {
+  std::vector<std::size_t> places;
+  std::size_t of_a = 0;
+};
+
+Support support_of(const Points& points, unsigned chosen) {
+  Support support;
+  for (std::size_t i = 0; i < points.of.size(); ++i) {
     if ((chosen >> i & 1U) == 0) continue;
-    const bool is_of_a = i < a.size();
-    support.points.push_back(is_of_a ? a[i] : Rational(-1) * b[i - a.size()]);
     support.places.push_back(i);
-    support.of_a += static_cast<std::size_t>(is_of_a);
+    support.of_a += static_cast<std::size_t>(i < points.of_a);
   }
   return support;
 }
 
-/// With w the sum of weights times points: every point of a has one scalar product with w, every one of b another; both
-/// sums of weights are 1.
-std::optional<Row> weights(const Support& support) {
-  const std::size_t n = support.points.size();
+/// A weight of every point. With w the sum of weights times points: every point of a that may have one has one scalar
+/// product with w, every one of b another; both sums of weights are 1.
+std::optional<Fractions> weights(const Points& points, const Support& support) {
+  const std::size_t n = support.places.size();
   std::vector<Row> rows(n + 2, Row(n + 3));
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t side = i < support.of_a ? n : n + 1;
-    for (std::size_t j = 0; j < n; ++j) rows[i][j] = dot(support.points[i], support.points[j]);
+    for (std::size_t j = 0; j < n; ++j) rows[i][j] = points.products[support.places[i]][support.places[j]];
     rows[i][side] = -1;
     rows[side][i] = 1;
   }
   rows[n][n + 2] = rows[n + 1][n + 2] = 1;
-  return solved(std::move(rows));
+  std::optional<Fractions> found = solved(std::move(rows));
+  if (!found) return std::nullopt;
+  Row each(points.of.size());
+  for (std::size_t i = 0; i < n; ++i) each[support.places[i]] = found->numerators[i];
+  found->numerators = std::move(each);
+  return found;
 }
 
-Vector combination(const std::vector<Vector>& points, const Row& weights) {
-  Vector sum{0, 0, 0};
-  for (std::size_t i = 0; i < points.size(); ++i) sum = sum + weights[i] * points[i];
+/// The points first <= i < last times their weights, in the unit over the denominator of the weights.
+WholeVector combination(const Points& points, const Fractions& weights, std::size_t first, std::size_t last) {
+  WholeVector sum{0, 0, 0};
+  for (std::size_t i = first; i < last; ++i) sum = sum + weights.numerators[i] * points.of[i];
   return sum;
 }
 
-/// No point has a smaller scalar product with w than x.
-bool none_before(const std::vector<Vector>& points, const Vector& x, const Vector& w) {
-  return std::all_of(points.begin(), points.end(), [&](const Vector& p) { return sgn(dot(w, p - x)) >= 0; });
+/// Whether x, in the unit over a denominator, has the smallest scalar product with w of the points first <= i < last.
+bool is_first(const WholeVector& x, const Integer& denominator, const Points& points, std::size_t first,
+              std::size_t last, const WholeVector& w) {
+  const Integer least = dot(w, x);
+  for (std::size_t i = first; i < last; ++i)
+    if (denominator * dot(w, points.of[i]) < least) return false;
+  return true;
 }
 
 }  // namespace
@@ -89,27 +138,36 @@ Point nearest_to(const Point& point, const Hull& a, const Hull& b, const Point& 
   return a[0] + std::min(std::max(along(point - a[0]), low), high) * v;
 }
 
-NearestPair nearest_pair(const Hull& hull_a, const Hull& hull_b) {
-  const Point& origin = hull_a[0];
-  std::vector<Vector> a, b;
-  for (const Point& p : hull_a) a.push_back(p - origin);
-  for (const Point& p : hull_b) b.push_back(p - origin);
-  const std::size_t of_a = a.size(), all = of_a + b.size();
+NearestPair nearest_pair(const Hull& a, const Hull& b) {
+  const Points points = points_of(a, b);
+  const std::size_t of_a = a.size(), all = points.of.size();
   std::optional<NearestPair> nearest;
   for (unsigned chosen = 1; chosen < 1U << all; ++chosen) {
-    const Support support = support_of(a, b, chosen);
-    if (support.of_a == 0 || support.of_a == support.points.size()) continue;
-    const std::optional<Row> found = weights(support);
+    const Support support = support_of(points, chosen);
+    if (support.of_a == 0 || support.of_a == support.places.size()) continue;
+    const std::optional<Fractions> found = weights(points, support);
     if (!found) continue;
-    Row each(all);
-    for (std::size_t i = 0; i < support.places.size(); ++i) each[support.places[i]] = (*found)[i];
-    if (std::any_of(each.begin(), each.end(), [](const Rational& weight) { return sgn(weight) < 0; })) continue;
+    const auto& [numerators, denominator] = *found;
+    if (std::any_of(numerators.begin(), numerators.end(), [](const Integer& weight) { return sgn(weight) < 0; }))
+      continue;
+    // b is negated, so w = x - y is a sum.
+    const WholeVector x = combination(points, *found, 0, of_a), minus_y = combination(points, *found, of_a, all),
+                      w = x + minus_y;
+    if (!is_first(x, denominator, points, 0, of_a, w) || !is_first(minus_y, denominator, points, of_a, all, w))
+      continue;
+    std::vector<Rational> each;
+    for (const Integer& weight : numerators) each.push_back(quotient(weight, denominator));
+    if (nearest && each[0] <= nearest->weights_of_a[0]) continue;
     const auto middle = each.begin() + static_cast<std::ptrdiff_t>(of_a);
-    const Row on_a(each.begin(), middle), on_b(middle, each.end());
-    const Vector x = combination(a, on_a), y = combination(b, on_b), w = x - y;
-    if (!none_before(a, x, w) || !none_before(b, y, Rational(-1) * w)) continue;
-    if (nearest && on_a[0] <= nearest->weights_of_a[0]) continue;
-    nearest = NearestPair{origin + x, origin + y, on_a, on_b, dot(w, w)};
+    const Integer unit = denominator * points.units_in_one;
+    const auto actual = [&](const WholeVector& v) {
+      return Vector{quotient(v.x, unit), quotient(v.y, unit), quotient(v.z, unit)};
+    };
+    nearest = NearestPair{a[0] + actual(x),
+                          a[0] + actual(Integer(-1) * minus_y),
+                          {each.begin(), middle},
+                          {middle, each.end()},
+                          quotient(dot(w, w), Integer(unit * unit))};
     if (of_a == 1 || all - of_a == 1) break;  // a convex set has one point that is nearest to another
   }
   return *nearest;
