@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 
 /// The commands and options of the program as data: what may be typed.
 namespace touchstone::program {
+
+/// What runs a command once the line is parsed.
+using Action = std::function<int()>;
 
 /// The commands below an application, in the order in which they were added.
 std::vector<const CLI::App*> commands_of(const CLI::App& application);

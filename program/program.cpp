@@ -13,6 +13,7 @@
 #include "program/commands/commands.h"
 #include "program/commands/map.h"
 #include "program/documentation.h"
+#include "program/log_options.h"
 #include "program/mesh_options.h"
 #include "program/terminal/limb_memory.h"
 #include "program/terminal/regression_test.h"
@@ -80,9 +81,6 @@ void add_gate(CLI::App& command, GateCommand& gate) {
   command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");
   command.add_option("--source", gate.source, "File of the engine's code, at which a SARIF viewer shows the results");
 }
-
-/// A command and what runs it once the line is parsed.
-using Action = std::function<int()>;
 
 void add_engine(CLI::App& command, std::string& engine, double& timeout, const std::string& what) {
   command.add_option("--engine", engine, "Command of an engine (docs/engines.md). " + what)->check(a_command);
@@ -375,7 +373,7 @@ int run_program(int argc, const char* const* argv) {
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
   for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge,
-                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh})
+                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh, add_log})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

@@ -150,6 +150,10 @@ void Process::write(std::string_view& outbox) {
   }
 }
 
+void Process::close_input() {
+  if (input_ >= 0) close(std::exchange(input_, -1));
+}
+
 bool Process::read(std::string& inbox) {
   constexpr std::size_t piece = 1 << 16;
   const std::size_t before = inbox.size();

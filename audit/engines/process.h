@@ -29,6 +29,8 @@ class Process {
 
   /// Writes what fits and removes it from `outbox`.
   void write(std::string_view& outbox);
+  /// It reads the end of its input.
+  void close_input();
   /// Appends what is there. False once the output has ended.
   bool read(std::string& inbox);
 

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <unordered_map>
+
+#include "audit/logs/byte_source.h"
+#include "audit/logs/recorded_call.h"
+
+/// The two forms of a log, of which LogReader and LogWriter make one (docs/own_inputs.md).
+namespace touchstone::audit {
+
+/// Reads one form; what is not a call goes into the account.
+class LogForm {
+ public:
+  LogForm(std::string file, ByteSource& source, LogAccount& account)
+      : file_(std::move(file)), source_(source), account_(account) {}
+  virtual ~LogForm() = default;
+  /// Fills in all of the call but its ordinal; false at the end of the file.
+  virtual bool next(RecordedCall& call) = 0;
+
+ protected:
+  /// A log begins; the one before it, if it is still open, had no end mark.
+  void begin_log(LogHeader header);
+  void end_log(const LogEnd& end);
+  /// The file has ended.
+  void end_file();
+  void refuse(const std::string& place, const InvalidInput& reason, std::uint64_t calls = 1);
+  void remark(const std::string& place, const std::string& what);
+  /// The place of that text in the account's sites.
+  std::size_t site_of(const std::string& text);
+
+  std::string file_;
+  ByteSource& source_;
+  LogAccount& account_;
+
+ private:
+  bool open_ = false;
+  std::unordered_map<std::string, std::size_t> sites_;
+};
+
+std::unique_ptr<LogForm> json_form(std::string file, ByteSource& source, LogAccount& account);
+std::unique_ptr<LogForm> binary_form(std::string file, ByteSource& source, LogAccount& account);
+
+/// The operation of that name, of which calls can be recorded. Throws InvalidInput where it is none.
+const Operation& recorded_operation(const std::string& name);
+
+/// The first bytes of the binary form; the next is the version.
+inline constexpr std::string_view binary_magic{"\x89TSLOG\n", 7};
+/// What stands in a file of the binary form, each with its length: text in JSON, or calls.
+enum class Frame : char { header = 'H', declaration = 'D', calls = 'C', end = 'E' };
+
+/// How numbers and answers are named in both forms.
+inline constexpr const char* number_names[] = {"binary64", "binary32"};
+inline constexpr const char* answer_names[] = {"plain", "whole", "partial", "text", "error", "word"};
+inline constexpr std::size_t word_alone = 5;  ///< an enumerator alone, in the binary form
+
+/// Writes one form.
+class LogWriter {
+ public:
+  explicit LogWriter(std::ostream& out) : out_(out) {}
+  virtual ~LogWriter() = default;
+  virtual void header(const LogHeader& header) = 0;
+  virtual void write(const RecordedCall& call, const std::string& site) = 0;
+  virtual void end(const LogEnd& end) = 0;
+  /// Nothing more is written: a log without an end mark stays one.
+  virtual void flush() {}
+
+ protected:
+  std::ostream& out_;
+};
+std::unique_ptr<LogWriter> json_writer(std::ostream& out);
+std::unique_ptr<LogWriter> binary_writer(std::ostream& out);
+
+}  // namespace touchstone::audit

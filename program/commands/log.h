@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "program/terminal/names.h"
+
+namespace touchstone::program {
+
+struct LogConvertCommand {
+  std::string in, out;
+  std::string to;  ///< "json" or "binary"; empty: the form that the log does not have
+};
+
+int log_show_command(const std::vector<std::string>& files, std::ostream& out);
+
+/// Standard output is `out`. Returns bad_usage where the log has calls that no operation takes: they are not written.
+int log_convert_command(const LogConvertCommand& command, std::ostream& out, std::ostream& err);
+
+}  // namespace touchstone::program
