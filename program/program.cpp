@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <iostream>
 
 #include "audit/engines/engine.h"
@@ -15,43 +14,13 @@
 #include "program/documentation.h"
 #include "program/log_options.h"
 #include "program/mesh_options.h"
+#include "program/option_rules.h"
+#include "program/reduce_options.h"
 #include "program/terminal/limb_memory.h"
 #include "program/terminal/regression_test.h"
 
 namespace touchstone::program {
 namespace {
-
-/// CLI11's own check prints the whole range of double.
-const CLI::Validator positive(
-    [](std::string& text) {
-      double value = 0;
-      return CLI::detail::lexical_cast(text, value) && value > 0 ? std::string()
-                                                                 : "expected a number greater than 0, got " + text;
-    },
-    "POSITIVE");
-
-/// An integer in a range; CLI11 alone would take what it cannot hold for no number at all.
-CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
-  const std::string rule = fmt::format("a whole number from {} to {}", least, most);
-  return CLI::Validator(
-      [=](std::string& text) {
-        std::uint64_t value = 0;
-        const char* const end = text.data() + text.size();
-        const auto [stop, error] = std::from_chars(text.data(), end, value);
-        const bool right = error == std::errc() && stop == end && value >= least && value <= most;
-        return right ? std::string() : "expected " + rule + ", got " + text;
-      },
-      "WHOLE");
-}
-const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, most_cases), any_jobs = whole(1, 1024);
-
-/// A variable that is not set leaves an empty command, which must not audit something else.
-const CLI::Validator a_command(
-    [](std::string& text) {
-      const bool empty = text.find_first_not_of(" \t\r\n") == std::string::npos;
-      return empty ? std::string("expected the command of an engine, got an empty one (is a variable not set?)") : "";
-    },
-    "");
 
 /// What of `audit` is for CI.
 void add_gate(CLI::App& command, GateCommand& gate) {
@@ -80,11 +49,6 @@ void add_gate(CLI::App& command, GateCommand& gate) {
   command.add_option("--junit", gate.junit_file, "Write the result as JUnit's XML into this file");
   command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");
   command.add_option("--source", gate.source, "File of the engine's code, at which a SARIF viewer shows the results");
-}
-
-void add_engine(CLI::App& command, std::string& engine, double& timeout, const std::string& what) {
-  command.add_option("--engine", engine, "Command of an engine (docs/engines.md). " + what)->check(a_command);
-  command.add_option("--timeout", timeout, "Seconds for one answer of the engine")->check(positive);
 }
 
 /// How a run is cut, and where its result goes.
@@ -373,7 +337,7 @@ int run_program(int argc, const char* const* argv) {
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
   for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge,
-                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh, add_log})
+                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh, add_log, add_reduce})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

@@ -24,14 +24,6 @@ Json said_by(Engine& engine, const Operation& operation, const Question& questio
   return result;
 }
 
-Json input_in(const std::string& text, const AskCommand& command, const Operation& operation, const Json& meshes) {
-  if (command.wkt) return input_of(operation, geometries_of_wkt(text), meshes);
-  if (command.geojson) return input_of(operation, geometries_of_geojson(text), meshes);
-  Json input = parse_line(text);
-  if (!meshes.empty() && input.is_object()) input.update(meshes);
-  return input;
-}
-
 }  // namespace
 
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
@@ -55,7 +47,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   };
   const auto answer = [&](std::uint64_t number, const std::string& text) {
     try {
-      const Json input = input_in(text, command, operation, meshes.fields());
+      const Json input = input_in(text, command.wkt, command.geojson, operation, meshes.fields());
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);

@@ -154,6 +154,14 @@ Json input_of(const Operation& operation, const Json& geometries, const Json& gi
   return input_of_fields(*question.parts.back().shape, geometries, given);
 }
 
+Json input_in(const std::string& text, bool wkt, bool geojson, const Operation& operation, const Json& meshes) {
+  if (wkt) return input_of(operation, geometries_of_wkt(text), meshes);
+  if (geojson) return input_of(operation, geometries_of_geojson(text), meshes);
+  Json input = parse_line(text);
+  if (!meshes.empty() && input.is_object()) input.update(meshes);
+  return input;
+}
+
 std::string option_for(const std::string& text) {
   const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   std::string begin = text.substr(start, 20);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audit/counting/tally.h"
+#include "audit/engines/engine.h"
+#include "audit/reducing/interest.h"
+
+namespace touchstone::audit {
+
+/// Whose answers are judged while a question is reduced.
+class Respondent {
+ public:
+  virtual ~Respondent() = default;
+  virtual const Declaration& declaration() const = 0;
+  virtual Reply reply(std::size_t job, const Operation& operation, const Question& question) = 0;
+  virtual Judgement judgement(const Reply& reply, const Examination& examination) const = 0;
+};
+/// An engine for each job.
+std::unique_ptr<Respondent> respondent(std::vector<std::unique_ptr<Engine>> engines);
+/// The textbook formula in double or in float.
+std::unique_ptr<Respondent> formula_as_respondent(bool binary32);
+
+struct SameFindingOptions {
+  bool same_answer = false;    ///< the truth and the answer are the same in words, not the cause alone
+  bool allow_invalid = false;  ///< of a crash: questions outside the contract are asked, too
+};
+
+/// Questions on which somebody is wrong with the same cause as on the first: `cancellation`, `out_of_range`,
+/// `algorithm` ...; where it gave no answer, with the same exit code, signal or complaint.
+///
+/// The exact truth is only found of questions on which an answer differs from robust's. Where that, or the cause, is
+/// too dear (steps_too_many), answers must differ from robust's in the same words; the cause is then that of the first
+/// question that is small enough.
+class SameFinding final : public Interest {
+ public:
+  SameFinding(const Operation& operation, Respondent& respondent, const SameFindingOptions& options);
+
+  /// Finds what is wrong on this question, to be called before all else. Returns why there is nothing to reduce, empty
+  /// where there is. Throws InvalidInput where the question is outside the contract.
+  std::string begin(const Question& question);
+
+  Look look(std::size_t job, const Question& question) override;
+  Question fitted(const Question& question) const override;
+  void go_on_with(const Question& question) override;
+
+ private:
+  struct Target {
+    std::string cause, reason;  ///< empty cause: not known yet
+    bool no_answer = false;     ///< the engine failed
+    std::string truth, answer;  ///< as in Way
+  };
+  Target target_of(const Judgement& judgement, const std::string& truth) const;
+  bool matches(const Target& found) const;
+  static Target failure(const Reply& reply);
+  /// What is wrong with an answer in words; nothing where robust's has the same.
+  std::optional<Target> against_robust(const Json& answer, const EncodedValue<double>& robust) const;
+  std::optional<Target> examined(const Question& question, const Reply& reply) const;
+
+  const Operation& operation_;
+  Respondent& respondent_;
+  SameFindingOptions options_;
+  Target target_;
+};
+
+/// Whether the exact truth of a question and the cause of a wrong answer take too many steps to be found again and
+/// again. In steps, so that it is the same on every machine.
+bool steps_too_many(const Operation& operation, const Question& question);
+
+/// How an engine failed: its exit code or signal, or its complaint without what is particular to the question, its
+/// numbers.
+std::string reason_of(const std::string& remark);
+
+}  // namespace touchstone::audit

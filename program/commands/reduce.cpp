@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/reduce.h"
+
+#include <fmt/format.h>
+
+#include "audit/engines/pipe.h"
+#include "audit/parallel.h"
+#include "audit/reducing/reduced.h"
+#include "audit/reducing/same_finding.h"
+#include "audit/reducing/until.h"
+#include "catalogue/codec/plain.h"
+#include "catalogue/operation/probes/explained.h"
+#include "program/commands/file_meshes.h"
+#include "program/commands/geometries.h"
+#include "program/terminal/each_line.h"
+#include "program/terminal/exit_codes.h"
+#include "program/terminal/interruptible.h"
+
+namespace touchstone::program {
+namespace {
+
+/// The one question of the file.
+Question question_of(const ReduceCommand& command, const Operation& operation, const FileMeshes& meshes) {
+  std::optional<std::string> text;
+  const auto take = [&](std::uint64_t number, const std::string& found) {
+    if (text)
+      throw UsageError(command.file + ": line " + std::to_string(number) + ": one question, found a second one");
+    text = found;
+  };
+  if (command.file.empty() && !meshes.fields().empty()) text = "{}";
+  else if (command.geojson) each_json_text(command.file, take);
+  else each_line(command.file, take);
+  if (!text) throw UsageError((command.file.empty() ? "standard input" : command.file) + ": one question, found none");
+  try {
+    return operation.parse(input_in(*text, command.wkt, command.geojson, operation, meshes.fields()));
+  } catch (const InvalidInput& refused) {
+    const auto in_file = meshes.in_file(refused);
+    if (in_file) throw UsageError(in_file->what());
+    throw UsageError((command.file.empty() ? "standard input" : command.file) + ": " + refused.what());
+  }
+}
+
+/// Engines may crash or hang as often as they like: that is what is reduced.
+std::vector<std::unique_ptr<Engine>> engines_of(const ReduceCommand& command, const Operation& operation, int jobs,
+                                                EngineNotes& notes) {
+  require_asked_of_engines({&operation});
+  PipeLimits limits;
+  limits.timeout = command.timeout;
+  limits.start_timeout = 2 * command.timeout;
+  limits.restarts = limits.restarts_in_a_row = limits.timeouts = std::numeric_limits<int>::max();
+  std::vector<std::unique_ptr<Engine>> engines;
+  for (int job = 0; job < jobs; ++job)
+    engines.push_back(std::make_unique<PipeEngine>(command.engine, limits, &Interruptible::stopped(), &notes));
+  if (!engines[0]->supports(operation.name()))
+    throw EngineError(engines[0]->declaration().engine + ": it does not declare " + operation.name() +
+                      notes.of_first_line());
+  return engines;
+}
+
+/// How long the lists are that a question has as fields, or as parts of these: {"a.vertices": 8, "a.faces": 12}.
+void add_lengths(const Shape& shape, const std::string& path, Cursor<double>& at, Json& lengths) {
+  Cursor<double> end = at;
+  struct {
+    void number(const Shape&, const Cursor<double>&) {}
+    void word(const Shape&, const Cursor<double>&) {}
+  } nothing;
+  walk_encoded(shape, end, nothing);
+  if (shape.kind == Shape::Kind::list && (*at.word > 0 || !path.ends_with(".polygons"))) lengths[path] = *at.word;
+  if (shape.kind == Shape::Kind::choice) {
+    const Word which = *at.word++;
+    add_lengths(*shape.parts[which].shape, path, at, lengths);
+  } else if (shape.kind == Shape::Kind::record) {
+    const bool bare = shape.form == Form::bare;
+    for (const Shape::Part& part : shape.parts)
+      add_lengths(*part.shape,
+                  bare || part.name[0] == 0 ? path
+                  : path.empty()            ? part.name
+                                            : path + "." + part.name,
+                  at, lengths);
+  }
+  at = end;
+}
+
+Json size_of(const Operation& operation, const Question& question) {
+  Json size = Json::object();
+  Cursor<double> at(question);
+  add_lengths(operation.question_shape(), "", at, size);
+  size["characters"] = one_line(operation.print(question)).size();
+  return size;
+}
+
+}  // namespace
+
+int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream& err) {
+  const Operation& operation = operation_named(command.operation);
+  const FileMeshes meshes(command.meshes, command.preparation, &operation);
+  Question question = question_of(command, operation, meshes);
+  const int jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
+  const Interruptible interruptible;
+  EngineNotes notes;
+  std::unique_ptr<Respondent> asked;
+  std::unique_ptr<Interest> interest;
+  if (!command.until.empty()) {
+    interest = std::make_unique<Until>(operation, command.until, command.timeout, command.allow_invalid);
+    if (interest->look(0, question) != audit::Look::holds)
+      throw UsageError("--until: the command does not end with exit code 0 on the question itself");
+  } else {
+    asked = command.engine.empty() ? formula_as_respondent(command.with == "reference,float")
+                                   : respondent(engines_of(command, operation, jobs, notes));
+    auto same = std::make_unique<SameFinding>(operation, *asked,
+                                              SameFindingOptions{command.same_answer, command.allow_invalid});
+    question = same->fitted(question);
+    try {
+      const std::string why_not = same->begin(question);
+      if (!why_not.empty()) throw UsageError("nothing to reduce: " + why_not);
+    } catch (const InvalidInput& refused) {
+      throw UsageError(std::string("the question is outside the contract: ") + refused.what());
+    }
+    interest = std::move(same);
+  }
+  SearchOptions options{jobs, TimeLimit(command.seconds), &Interruptible::stopped(), {}};
+  const Reduced found = reduced(operation, question, *interest, options);
+  notes.tell(err);
+  Json line = Json::object();
+  line["op"] = operation.name();
+  line["input"] = operation.print(found.question);
+  try {
+    const auto examination = operation.examine(found.question);
+    line["truth"] = examination->truth();
+    if (asked) {
+      const Reply reply = asked->reply(0, operation, found.question);
+      Json said = Json::object();
+      said["name"] = asked->declaration().engine;
+      said.update(verdict_json(asked->judgement(reply, *examination), kept(reply.answer)));
+      line["engine"] = said;
+    }
+  } catch (const InvalidInput& refused) {
+    line["truth"] = nullptr;
+    line["refused"] = refused.what();
+  }
+  line["before"] = size_of(operation, question);
+  line["after"] = size_of(operation, found.question);
+  line["candidates"] = found.candidates;
+  line["rounds"] = found.rounds;
+  line["finished"] = found.finished;
+  out << one_line(line) << '\n';
+  return nothing_found;
+}
+
+}  // namespace touchstone::program
