@@ -3,7 +3,10 @@
 
 #include <iostream>
 
+#include "program/commands/judge.h"
 #include "program/commands/log.h"
+#include "program/option_rules.h"
+#include "program/run_options.h"
 
 namespace touchstone::program {
 
@@ -22,6 +25,32 @@ void add_log(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"json", "binary"}))
       ->default_str("the other");
   convert->callback([=, &action] { action = [=] { return log_convert_command(*options, std::cout, std::cerr); }; });
+}
+
+void add_judge(CLI::App& program, Action& action) {
+  auto* command =
+      program.add_subcommand("judge", "How often recorded calls were answered wrongly, and why (docs/own_inputs.md)");
+  auto options = std::make_shared<JudgeCommand>();
+  command->add_option("files", options->files, "Logs, compressed by gzip or zstd or not; - is standard input")
+      ->required();
+  command->add_option("--ops", options->operations, "Only calls of these operations, with commas");
+  command
+      ->add_option("--boundary", options->boundary,
+                   "How the recorded functions treat shapes that only touch: closed, open or unspecified")
+      ->check(CLI::IsMember({"closed", "open", "unspecified"}))
+      ->default_str("as the log says");
+  command->add_option("--tolerance", options->tolerance, "Their tolerance, in the unit of the coordinates")
+      ->check(positive)
+      ->default_str("as the log says");
+  command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
+  add_shard(*command, options->shard, options->json_file);
+  command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
+  add_gate(*command, options->gate);
+  command->add_flag("--summary", options->summary, "A row for each operation, without call sites and examples");
+  command->callback([=, &action] {
+    options->program = command->get_parent()->get_name();
+    action = [=] { return judge_command(*options, std::cout, std::cerr); };
+  });
 }
 
 }  // namespace touchstone::program

@@ -16,50 +16,12 @@
 #include "program/mesh_options.h"
 #include "program/option_rules.h"
 #include "program/reduce_options.h"
+#include "program/run_options.h"
 #include "program/terminal/limb_memory.h"
 #include "program/terminal/regression_test.h"
 
 namespace touchstone::program {
 namespace {
-
-/// What of `audit` is for CI.
-void add_gate(CLI::App& command, GateCommand& gate) {
-  const CLI::Validator rate(
-      [](std::string& text) {
-        double value = 0;
-        const bool right = CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1;
-        return right ? std::string() : text + ": a number from 0 to 1";
-      },
-      "RATE");
-  command.add_option(
-      "--fail-on", gate.fail_on,
-      "Causes with commas that fail the audit: rounding (cancellation, out_of_range), algorithm, inexact, "
-      "invalid, not_asked, inconsistent_convention, surplus (these by default), convention, tolerance, unsupported; "
-      "none");
-  command.add_option("--baseline", gate.baseline, "Findings in this file are known and do not fail the audit");
-  command.add_option("--write-baseline", gate.write_baseline, "Write the findings into this file as known");
-  command
-      .add_option("--max-rate", gate.max_rate,
-                  "Share of an operation's cases that findings which are not known may have (default 0)")
-      ->check(rate);
-  command
-      .add_option("--max-surplus", gate.max_surplus,
-                  "Share of the pairs that are apart which lists of pairs may hold (default 0.75)")
-      ->check(rate);
-  command.add_option("--junit", gate.junit_file, "Write the result as JUnit's XML into this file");
-  command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");
-  command.add_option("--source", gate.source, "File of the engine's code, at which a SARIF viewer shows the results");
-}
-
-/// How a run is cut, and where its result goes.
-void add_shard(CLI::App& command, std::string& shard, std::string& json_file) {
-  command
-      .add_option("--shard", shard,
-                  "I/N: the I-th of N parts. Its state is kept in FILE.part beside --json FILE, from which the same "
-                  "command goes on after it was stopped")
-      ->default_str("of the launcher");
-  command.add_option("--json", json_file, "Write the result to this file; - is standard output")->default_str("");
-}
 
 void add_ops(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("ops", "The catalogue of operations");
@@ -336,8 +298,9 @@ int run_program(int argc, const char* const* argv) {
   std::string shell;
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
-  for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge,
-                    add_vectors, add_certify, add_map, add_simulate, add_deck, add_mesh, add_log, add_reduce})
+  for (auto* add :
+       {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge, add_vectors,
+        add_certify, add_map, add_simulate, add_deck, add_mesh, add_log, add_judge, add_reduce})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

@@ -276,6 +276,7 @@ void Cell::merge(const Cell& other) {
   not_asked += other.not_asked;
   if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;
   for (const auto& [rule, n] : other.rules) rules[rule] += n;
+  recorded.merge(other.recorded);
 }
 
 bool smaller(const Question& a, const Question& b) {
@@ -331,6 +332,8 @@ void Tally::merge(const Tally& other) {
                  std::back_inserter(done));
   grid.done = std::move(done);
   seed = std::min(seed, other.seed);
+  for (const std::string& log : other.logs)
+    if (std::find(logs.begin(), logs.end(), log) == logs.end()) logs.push_back(log);
   if (grid.size == 0 && grid.shards == 1) cases += other.cases;  // every shard names the whole
   interrupted = interrupted || other.interrupted;
 }

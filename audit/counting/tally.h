@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/counting/recorded.h"
 #include "audit/uses.h"
 #include "audit/version.h"
 #include "catalogue/operation/operation.h"
@@ -82,7 +83,7 @@ struct WayCount {
   void merge(const WayCount& other);
 };
 
-/// One operation and family.
+/// One operation and family, or where calls were recorded: operation and call site.
 struct Cell {
   std::map<Way, WayCount> ways;
   double worst_ulps = 0;                               ///< over the answers of which whatever is decided is right
@@ -99,6 +100,7 @@ struct Cell {
   std::uint64_t not_asked = 0;                 ///< the engine had been given up before their turn: no cases
   std::string given_up;                        ///< why, in the engine's or our words; empty where all were asked
   std::map<std::string, std::uint64_t> rules;  ///< how often which rule refused it, without particulars ("simple")
+  Recorded recorded{};                         ///< of calls that were recorded; else empty
 
   double surplus_rate() const { return apart == 0 ? 0 : static_cast<double>(surplus) / static_cast<double>(apart); }
   std::uint64_t cases() const;
@@ -158,16 +160,18 @@ struct Grid {
 /// these questions.
 inline constexpr double usual_surplus = 0.75;
 
-/// How a finding of a foreign engine is asked again, as a shell reads it.
+/// How a finding is found again, and one of a foreign engine asked again, as a shell reads it.
 struct Repeat {
   std::string program = "touchstone";
-  std::string options;  ///< "--engine 'python3 engine.py'"; empty where the program is the engine's own
+  std::string options;    ///< "--engine 'python3 engine.py'"; empty where the program is the engine's own
+  bool recorded = false;  ///< of recorded calls: families are call sites, cases are calls
 };
 
 struct Tally {
   std::string version = version_number;
   Declaration declaration;
   Repeat repeat;                      ///< of tallies that are merged the first's
+  std::vector<std::string> logs{};    ///< where recorded calls were judged: the files; families are call sites then
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
   bool by_cost = false;               ///< of operations that cost much there are fewer (audit/counting/cases_of.h)
   Grid grid;

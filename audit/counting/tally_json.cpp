@@ -74,6 +74,25 @@ Json ordinary_json(const Cell& cell) {
           {"out_of_range", cell.out_of_range()[0]}};
 }
 
+Json recorded_json(const Recorded& recorded) {
+  Json nearness = Json::object();
+  for (std::size_t c = 0; c < nearness_classes; ++c) nearness[nearness_names[c]] = recorded.nearness[c];
+  return {{"nearness", nearness},
+          {"in_double", recorded.in_double},
+          {"in_float", recorded.in_float},
+          {"as_open_sets", recorded.as_open_sets}};
+}
+
+Recorded read_recorded(const Place& place) {
+  Recorded recorded;
+  for (std::size_t c = 0; c < nearness_classes; ++c)
+    recorded.nearness[c] = place.at("nearness").at(nearness_names[c]).count();
+  recorded.in_double = place.at("in_double").count();
+  recorded.in_float = place.at("in_float").count();
+  recorded.as_open_sets = place.at("as_open_sets").count();
+  return recorded;
+}
+
 Json cell_json(const Operation* operation, const std::string& family, const Cell& cell, const Whose& whose) {
   Json counts = Json::object(), outcomes = Json::object(), smallest = Json::object(), rules = Json::object();
   Json ways = Json::array();
@@ -107,6 +126,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
   if (cell.other_nearest > 0) result["other_nearest"] = cell.other_nearest;
   if (cell.other_alternative > 0) result["other_alternative"] = cell.other_alternative;
   if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
+  if (cell.recorded.calls() > 0) result["recorded"] = recorded_json(cell.recorded);
   return result;
 }
 
@@ -216,6 +236,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
     cell.not_asked = place.at("not_asked").count();
     cell.given_up = place.at("given_up").text();
   }
+  if (place.value.contains("recorded")) cell.recorded = read_recorded(place.at("recorded"));
   if (place.at("cases").count() != cell.cases()) throw InvalidInput(place.at("cases").path, "sum of the counts");
   return {place.at("family").text(), cell};
 }
@@ -285,6 +306,7 @@ std::string tally_json(const Tally& tally) {
                {"operations", operations_json(tally.operations, {tally, false})},
                {"robust", operations_json(tally.robust, {tally, true})}};
   if (tally.by_cost) json["by_cost"] = true;
+  if (!tally.logs.empty()) json["logs"] = tally.logs;
   return one_line(json) + "\n";
 }
 
@@ -315,6 +337,8 @@ Tally read_tally(const std::string& text) {
   if (json.contains("max_surplus")) tally.max_surplus = file.at("max_surplus").number();
   tally.interrupted = file.at("interrupted").flag();
   file.at("undeclared").each([&](const Place& name) { tally.undeclared.push_back(name.text()); });
+  if (json.contains("logs")) file.at("logs").each([&](const Place& log) { tally.logs.push_back(log.text()); });
+  tally.repeat.recorded = !tally.logs.empty();
   tally.operations = read_operations(file.at("operations"));
   tally.robust = read_operations(file.at("robust"));
   return tally;

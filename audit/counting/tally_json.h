@@ -32,7 +32,9 @@
 /// --engine); then `index` is its line, and seed and cases are 0. Where they are not 0 a family also has `surplus`,
 /// `apart`, `left_out`, `other_nearest`, `other_alternative`, and, with the reason `given_up`, `not_asked`
 /// (audit/counting/tally.h: Cell). What an engine declares beyond the rest stands in `engine` as in its greeting;
-/// `max_surplus` is the limit that --max-surplus set.
+/// `max_surplus` is the limit that --max-surplus set. Of recorded calls `logs` names the files, seed and cases are 0,
+/// `family` is the place of the call, `index` its number in the log, and each family has `recorded`:
+/// {"nearness":{"tie":3,"1":0,...}, "in_double":0, "in_float":2, "as_open_sets":3} (audit/counting/recorded.h).
 namespace touchstone::audit {
 
 std::string tally_json(const Tally& tally);

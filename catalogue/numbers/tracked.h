@@ -34,6 +34,13 @@ class Tracked {
     thread_local bool doubt = false;
     return doubt;
   }
+  /// The least |a - b| of all comparisons so far, in units of how far rounding may carry a and b (spread): below 1 the
+  /// formula is as near to another course as its own rounding, at 0 two numbers that were given or computed are equal.
+  /// It is not reset.
+  static double& nearest_comparison() {
+    thread_local double nearest = infinite;
+    return nearest;
+  }
   /// A finite sum, product or quotient became infinite, or a product or quotient other than 0 lost bits because it is
   /// less than the least normal number. Sums lose none there. What is undefined anyway does not count.
   static bool& out_of_range() {
@@ -222,6 +229,8 @@ class Tracked {
     const double gap = std::fabs(static_cast<double>(a.value_) - static_cast<double>(b.value_));
     const double error = plus(a.error_, b.error_);
     if (error > 0 && !(down(gap) > error)) inconclusive() = true;
+    const double spread = a.spread_ + b.spread_;
+    if (gap < nearest_comparison() * spread) nearest_comparison() = gap / spread;
     if (a.value_ != a.value_ || b.value_ != b.value_) inconclusive() = true;
   }
 

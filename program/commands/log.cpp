@@ -50,14 +50,6 @@ std::string end_in_words(const LogAccount& account) {
   return words;
 }
 
-/// What is no call: a line each.
-void print_account(const LogAccount& account, std::ostream& out) {
-  for (const auto& [reason, refused] : account.refused)
-    out << audit::counted(refused.count, "call") << " that no operation takes: " << excerpt(reason, 200)
-        << "; the first: " << refused.first << '\n';
-  for (const std::string& remark : account.remarks) out << remark << '\n';
-}
-
 void show(const std::string& file, std::ostream& out) {
   LogReader log(file);
   constexpr std::array<const char*, 5> kinds{"true or false", "whole", "partial", "no answer of it", "error"};
@@ -96,6 +88,13 @@ void copy(LogReader& log, LogWriter& to) {
 }
 
 }  // namespace
+
+void print_account(const LogAccount& account, std::ostream& out) {
+  for (const auto& [reason, refused] : account.refused)
+    out << audit::counted(refused.count, "call") << " that no operation takes: " << excerpt(reason, 200)
+        << "; the first: " << refused.first << '\n';
+  for (const std::string& remark : account.remarks) out << remark << '\n';
+}
 
 int log_show_command(const std::vector<std::string>& files, std::ostream& out) {
   for (const std::string& file : files) show(file, out);

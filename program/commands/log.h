@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/logs/recorded_call.h"
 #include "program/terminal/names.h"
 
 namespace touchstone::program {
@@ -13,6 +14,9 @@ struct LogConvertCommand {
   std::string in, out;
   std::string to;  ///< "json" or "binary"; empty: the form that the log does not have
 };
+
+/// What a log holds beside its calls, a line each.
+void print_account(const audit::LogAccount& account, std::ostream& out);
 
 int log_show_command(const std::vector<std::string>& files, std::ostream& out);
 

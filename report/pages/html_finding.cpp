@@ -243,7 +243,7 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
   };
   text += "<dl class=\"facts\">";
   if (!margin.empty()) fact("margin", code(margin));
-  fact("found in", escaped(fmt::format("family {}, case {}", shown.family, finding.index)));
+  fact("found in", escaped(place_in_words(shown.family, finding, repeat)));
   text +=
       "</dl><details class=\"exactly\"><summary>The input and the answers as JSON, and in hexadecimal</summary><dl "
       "class=\"facts\">";

@@ -2,6 +2,7 @@
 #include "report/pages/html_footer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmp.h>
 #include <mpfr.h>
 #include <png.h>
@@ -23,6 +24,8 @@ std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {
   for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
   if (tally.operations.size() == all_operations().size()) names = "all";
   if (tally.grid.size > 0) return fmt::format("touchstone exhaust {} --grid {}", names, tally.grid.size);
+  if (tally.repeat.recorded)
+    return fmt::format("{} judge {} --report DIR", tally.repeat.program, fmt::join(tally.logs, " "));
   const std::string options = tally.repeat.options.empty() ? "" : " " + tally.repeat.options;
   const std::string range = tally.ordinary_only() ? " --range ordinary" : "";
   return fmt::format("{} audit{} --ops {} --cases {}{} --seed {}{} --report DIR", tally.repeat.program, options, names,

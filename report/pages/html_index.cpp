@@ -79,12 +79,11 @@ std::string conditions(const Tally& tally, const Cell& sum) {
   text += tally.grid.size > 0
               ? fmt::format(", every configuration on the {0} \u00d7 {0} grid ({1} of {2})", tally.grid.size,
                             tally.grid.done.size(), counted(tally.grid.shards, "shard"))
-              : (tally.by_cost ? ", up to " : ", ") + counted(tally.cases, "case") + " each, seed " +
-                    std::to_string(tally.seed);
+              : ", " + asked_in_words(tally);
   if (sum.left_out > 0) text += ", ordinary size only";
   text += ". Boundary convention: " + boundary_word(declared.boundary) + ".";
   if (declared.tolerance > 0) text += fmt::format(" Declared tolerance: {}.", declared.tolerance);
-  if (tally.grid.size == 0) {
+  if (tally.grid.size == 0 && !tally.repeat.recorded) {
     text +=
         " Most families are degenerate on purpose or a few units in the last place away from it, so the shares say "
         "where an implementation fails, not how often everyday input would meet it.";

@@ -12,6 +12,7 @@
 #include "report/pages/html_finding.h"
 #include "report/pages/html_footer.h"
 #include "report/pages/html_map.h"
+#include "report/pages/html_nearness.h"
 #include "report/pages/html_parts.h"
 #include "report/pages/html_search.h"
 #include "report/words/phrases.h"
@@ -114,13 +115,14 @@ std::string findings(const Tally& tally, const OperationTally& here, const Opera
                              : "<p>Nothing was found.</p>";
 }
 
-std::string by_family(const OperationTally& tally) {
+std::string by_family(const OperationTally& tally, bool recorded) {
   const Cell total = tally.total();
   const std::vector<Column> columns = columns_of(total);
-  std::string text =
-      "<div class=\"card scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">family</th><th "
-      "scope=\"col\" class=\"text\"></th>" +
-      headings(columns) + "</tr></thead><tbody>";
+  std::string text = "<div class=\"card scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">" +
+                     std::string(recorded ? "call site" : "family") +
+                     "</th><th "
+                     "scope=\"col\" class=\"text\"></th>" +
+                     headings(columns) + "</tr></thead><tbody>";
   for (const auto& [family, cell] : tally.families) {
     text += "<tr><th scope=\"row\">" + breakable(family) + "</th><td class=\"bar-cell\">" + verdict_bar(cell, true) +
             "</td>" + numbers(columns, cell) + "</tr>";
@@ -173,7 +175,8 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   const bool is_over = notes.expected == 0;
   if (is_over && known && speaker == Speaker::reference && !tally.declaration.binary32)
     body += of_operation<condition_section>(*known);
-  body += "<h2>By family of inputs</h2>" + by_family(here);
+  body += (tally.repeat.recorded ? "<h2>By call site</h2>" : "<h2>By family of inputs</h2>") +
+          by_family(here, tally.repeat.recorded) + nearness_section(here);
   return page("touchstone: " + here.operation, body + "</main>" + page_footer(tally, notes));
 }
 

@@ -56,8 +56,8 @@ void add_total(const std::string& name, const Cell& cell, std::vector<Row>& rows
   rows.push_back(row_of_rounding("  by over- or underflow", out_of_range));
 }
 
-Row header_row() {
-  Row row{"operation, family", {}};
+Row header_row(bool recorded) {
+  Row row{recorded ? "operation, call site" : "operation, family", {}};
   row.cells[0] = "cases";
   for (std::size_t v = 0; v < verdict_count; ++v) row.cells[v + 1] = verdict_names[v];
   return row;
@@ -91,7 +91,7 @@ std::string laid_out(const std::vector<Row>& rows) {
 }
 
 std::string counts(const Tally& tally, Detail detail) {
-  std::vector<Row> rows{header_row()};
+  std::vector<Row> rows{header_row(tally.repeat.recorded)};
   for (const OperationTally& operation : tally.operations) {
     const Cell total = operation.total();
     if (detail == Detail::operations) {
@@ -127,16 +127,16 @@ std::string one_finding(const OperationTally& tally, const WayOfOperation& shown
   const Finding& finding = *shown.counted.example;
   const Operation* operation = find_operation(tally.operation);
   const std::uint64_t cases = both(shown.counted.cases), ordinary = shown.counted.cases[0];
-  std::string text =
-      fmt::format("\n{}, {}: {}{}{}; example: family {}, case {}\n", tally.operation, name_of(shown.way.verdict),
-                  answer_in_words(shown.way), counted(cases, "case"),
-                  ordinary < cases ? ", " + grouped(ordinary) + " of ordinary size" : "", shown.family, finding.index);
+  std::string text = fmt::format("\n{}, {}: {}{}{}; example: {}\n", tally.operation, name_of(shown.way.verdict),
+                                 answer_in_words(shown.way), counted(cases, "case"),
+                                 ordinary < cases ? ", " + grouped(ordinary) + " of ordinary size" : "",
+                                 place_in_words(shown.family, finding, repeat));
   if (!operation) return text;
   const auto line = [&](const std::string& key, const std::string& value) {
     text += fmt::format("  {:<9} {}\n", key, value);
   };
   const std::string families = families_in_words(shown, line_width - 12);
-  if (!families.empty()) line("families", families);
+  if (!families.empty()) line(repeat.recorded ? "sites" : "families", families);
   line("input", one_line(operation->print(finding.question)));
   line("hex", one_line(operation->print_hexadecimal(finding.question)));
   try {
@@ -183,14 +183,14 @@ std::string conventions(const std::vector<OperationTally>& tallies, const std::s
 
 std::string heading(const Tally& tally) {
   const Declaration& engine = tally.declaration;
-  std::string text = "touchstone audit of " + subject(engine) + ", boundary " + boundary_word(engine.boundary);
+  std::string text = (tally.repeat.recorded ? "touchstone judge of " : "touchstone audit of ") + subject(engine) +
+                     ", boundary " + boundary_word(engine.boundary);
   if (engine.tolerance > 0) text += fmt::format(", tolerance {}", engine.tolerance);
   if (tally.grid.size > 0) {
     text += fmt::format("; every configuration on the {0} x {0} grid, {1} of {2}", tally.grid.size,
                         tally.grid.done.size(), counted(tally.grid.shards, "shard"));
   } else {
-    text += (tally.by_cost ? "; up to " : "; ") + counted(tally.cases, "case") + " per operation, seed " +
-            std::to_string(tally.seed);
+    text += "; " + asked_in_words(tally);
   }
   if (tally.ordinary_only()) text += ", ordinary size only";
   if (!tally.undeclared.empty()) {

@@ -2,6 +2,7 @@
 #include "report/words/wording.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -284,6 +285,18 @@ std::string word_in(const Json& answer) {
     if (text != "nan" && text != "inf" && text != "-inf" && !is_exact_value(text)) return text;
   }
   return "value";
+}
+
+std::string place_in_words(const std::string& family, const Finding& finding, const Repeat& repeat) {
+  return fmt::format(fmt::runtime(repeat.recorded ? "{}, call {}" : "family {}, case {}"), family, finding.index);
+}
+
+std::string asked_in_words(const Tally& tally) {
+  if (!tally.logs.empty())
+    return counted(sum_of(tally.operations).cases(), "recorded call") + " of " +
+           fmt::format("{}", fmt::join(tally.logs, ", "));
+  return (tally.by_cost ? "up to " : "") + counted(tally.cases, "case") + " per operation, seed " +
+         std::to_string(tally.seed);
 }
 
 std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker,

@@ -52,6 +52,11 @@ Json readable(const Json& answer, std::size_t most = 48, std::size_t digits = 20
 /// The first word in an answer ("left", "overlap"), or "value".
 std::string word_in(const Json& answer);
 
+/// Where a finding was found: "family collinear, case 7"; of recorded calls "game.cpp:120, call 7".
+std::string place_in_words(const std::string& family, const Finding& finding, const Repeat& repeat);
+/// What was asked: "2,000 cases per operation, seed 1", "1,234 recorded calls of game.log".
+std::string asked_in_words(const Tally& tally);
+
 /// The shell line that asks a question again, a foreign engine as well; the input as decimals that read back exactly.
 std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker, const Repeat& repeat);
 

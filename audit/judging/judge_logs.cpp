@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/judging/judge_logs.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "audit/judging/call_judge.h"
+#include "audit/parallel.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// How many calls a job takes at a time.
+constexpr std::size_t calls_at_once = 256;
+
+using BySite = std::map<std::string, CallJudge::Counted>;
+using ByOperation = std::map<const Operation*, BySite>;
+
+/// One log, from which several jobs take calls.
+class SharedLog {
+ public:
+  SharedLog(const JudgeOptions& options, LogReader& log, std::uint64_t before)
+      : options_(options), log_(log), read_(before) {}
+
+  /// Into objects whose memory is used again; returns how many.
+  std::size_t take(std::vector<RecordedCall>& calls) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::size_t taken = 0;
+    while (taken < calls.size() && !ended_) {
+      RecordedCall& call = calls[taken];
+      ended_ = !log_.next(call);
+      if (ended_) break;
+      call.ordinal = read_++;
+      const bool asked = std::find(options_.operations.begin(), options_.operations.end(), call.operation) !=
+                         options_.operations.end();
+      taken += asked && call.ordinal % options_.shards == options_.shard - 1;
+    }
+    if (options_.progress) options_.progress(read_);
+    return taken;
+  }
+
+  std::uint64_t read() const { return read_; }
+
+ private:
+  const JudgeOptions& options_;
+  LogReader& log_;
+  std::uint64_t read_;
+  std::mutex mutex_;
+  bool ended_ = false;
+};
+
+/// What the log declares of the functions that were recorded, and what the caller knows better.
+Declaration declared(const JudgeOptions& options, const LogHeader& header) {
+  Declaration declaration = header.declaration;
+  if (options.boundary) declaration.boundary = *options.boundary;
+  if (options.tolerance) declaration.tolerance = *options.tolerance;
+  return declaration;
+}
+
+void add(ByOperation& sum, CallJudge& judge, const std::vector<std::string>& sites) {
+  for (auto& [key, counted] : judge.take()) {
+    CallJudge::Counted& cell = sum[key.first][sites[key.second]];
+    cell.answers.merge(counted.answers);
+    cell.robust.merge(counted.robust);
+  }
+}
+
+void require_one_engine(const Declaration& first, const Declaration& other, const std::string& file) {
+  if (first.engine != other.engine || first.boundary != other.boundary || first.tolerance != other.tolerance)
+    throw InvalidInput(file, "recorded from " + first.engine + ", as the logs before it, got " + other.engine);
+}
+
+}  // namespace
+
+JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop) {
+  JudgedLogs result;
+  Tally& tally = result.tally;
+  tally.limits = options.limits;
+  tally.repeat.recorded = true;
+  tally.grid.shards = options.shards;
+  if (options.shards > 1) tally.grid.done = {options.shard};
+  ByOperation sum;
+  std::uint64_t read = 0;
+  for (const std::string& file : options.files) {
+    LogReader reader(file);
+    SharedLog log(options, reader, read);
+    // A header stands before the first call.
+    std::vector<RecordedCall> first(calls_at_once);
+    std::size_t begun = log.take(first);
+    const Declaration declaration = declared(options, reader.header());
+    if (tally.logs.empty()) tally.declaration = declaration;
+    require_one_engine(tally.declaration, declaration, file);
+    tally.logs.push_back(file);
+    const int jobs = std::max(1, options.jobs);
+    std::vector<CallJudge> judges(static_cast<std::size_t>(jobs), CallJudge(declaration, options.limits));
+    in_parallel(jobs, judges.size(), [&](std::size_t job) {
+      std::vector<RecordedCall> calls(calls_at_once);
+      if (job == 0) calls.swap(first);
+      for (std::size_t taken = job == 0 ? begun : log.take(calls); taken > 0 && !stop; taken = log.take(calls))
+        for (std::size_t i = 0; i < taken; ++i) judges[job].judge(calls[i]);
+    });
+    for (CallJudge& judge : judges) add(sum, judge, reader.sites());
+    read = log.read();
+    result.accounts.push_back(reader.account());
+    if (stop) break;
+  }
+  if (tally.declaration.engine.empty()) tally.declaration.engine = "recorded calls";
+  for (const Operation* operation : all_operations()) {
+    const auto counted = sum.find(operation);
+    if (counted == sum.end()) continue;
+    OperationTally answers{operation->name(), {}}, robust{operation->name(), {}};
+    for (auto& [site, cell] : counted->second) {
+      answers.families.emplace_back(site.empty() ? "no place" : site, std::move(cell.answers));
+      robust.families.emplace_back(site.empty() ? "no place" : site, std::move(cell.robust));
+    }
+    tally.operations.push_back(std::move(answers));
+    tally.robust.push_back(std::move(robust));
+  }
+  tally.interrupted = stop;
+  return result;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "audit/counting/tally.h"
+#include "audit/logs/log_reader.h"
+
+namespace touchstone::audit {
+
+struct JudgeOptions {
+  std::vector<std::string> files;                 ///< logs; "-" is standard input
+  std::vector<const Operation*> operations;       ///< calls of others are skipped
+  std::optional<Declaration::Boundary> boundary;  ///< of the recorded functions; empty: as the log says
+  std::optional<double> tolerance;                ///< likewise
+  Limits limits;                                  ///< of ordinary numbers
+  int jobs = 1;
+  std::uint64_t shard = 1, shards = 1;  ///< of the calls only those whose number is `shard` - 1 modulo `shards`
+  /// Hears how many calls have been read; from any thread.
+  std::function<void(std::uint64_t)> progress{};
+};
+
+struct JudgedLogs {
+  Tally tally;                       ///< families are call sites, in the order of their names
+  std::vector<LogAccount> accounts;  ///< of each file that was read
+};
+
+/// Holds the answers of recorded calls against the truth, and counts how near they were to another. The memory that it
+/// takes does not grow with the length of the logs. The same files give the same tally whatever `jobs` is. Throws
+/// LogError where a file is no log, and InvalidInput where two logs are of different engines.
+JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop);
+
+}  // namespace touchstone::audit

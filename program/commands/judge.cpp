@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/judge.h"
+
+#include <unistd.h>
+
+#include "audit/counting/tally_json.h"
+#include "audit/judging/judge_logs.h"
+#include "audit/parallel.h"
+#include "program/commands/commands.h"
+#include "program/commands/log.h"
+#include "program/runs/shard.h"
+#include "program/terminal/exit_codes.h"
+#include "program/terminal/interruptible.h"
+#include "program/terminal/progress.h"
+#include "report/pages/html.h"
+#include "report/screen/recorded.h"
+#include "report/screen/table.h"
+#include "report/words/wording.h"
+
+namespace touchstone::program {
+namespace {
+
+JudgeOptions judge_options(const JudgeCommand& command, const Shard& shard) {
+  JudgeOptions options;
+  options.files = command.files;
+  options.operations = operations_named(command.operations);
+  if (command.boundary == "closed") options.boundary = Declaration::Boundary::closed;
+  if (command.boundary == "open") options.boundary = Declaration::Boundary::open;
+  if (command.boundary == "unspecified") options.boundary = Declaration::Boundary::unspecified;
+  options.tolerance = command.tolerance;
+  options.jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
+  options.shard = shard.index, options.shards = shard.of;
+  return options;
+}
+
+/// Whether anything was judged, or said why not.
+bool judged_any(const JudgedLogs& judged, std::ostream& err) {
+  if (sum_of(judged.tally.operations).cases() > 0) return true;
+  std::uint64_t calls = 0;
+  for (const LogAccount& account : judged.accounts) calls += account.calls;
+  err << "touchstone: nothing was judged: "
+      << (calls == 0 ? "the log holds no call\n" : "no recorded call is within the contract of these operations\n");
+  return false;
+}
+
+}  // namespace
+
+int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& err) {
+  require_writable("--json", command.json_file);
+  const Gate gate = gate_of(command.gate);
+  const Shard shard = shard_of(command.shard);
+  tell(shard, err);
+  JudgeOptions options = judge_options(command, shard);
+  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  options.progress = [&](std::uint64_t read) { progress.tell(audit::counted(read, "call") + " read"); };
+  const std::atomic<bool>& stopped = Interruptible::stopped();
+  JudgedLogs judged;
+  {
+    const Interruptible until_judged;
+    judged = judge_logs(options, stopped);
+  }
+  progress.end();
+  for (std::size_t i = 0; i < judged.accounts.size(); ++i) print_account(judged.accounts[i], err);
+  Tally& tally = judged.tally;
+  tally.max_surplus = command.gate.max_surplus;
+  tally.repeat.program = command.program;
+  std::ostream& readable = is_standard_output(command.json_file) ? err : out;
+  readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << recorded_table(tally)
+           << std::flush;
+  const GateResult result = finish_gate(command.gate, gate, tally, readable);
+  write_file("--json", command.json_file, tally_json(tally));
+  if (!command.report_directory.empty()) {
+    try {
+      write_report(tally, command.report_directory, options.jobs, nullptr,
+                   {.gate = command.gate.decides() ? gate_in_words(tally, result) : ""});
+    } catch (const std::runtime_error& failed) {
+      throw UsageError(std::string("--report ") + failed.what());
+    }
+    readable << "report: " << command.report_directory << "/index.html\n";
+  }
+  if (tally.interrupted) {
+    err << "touchstone: interrupted; what had been judged until then is what was written\n";
+    return interrupted;
+  }
+  if (!judged_any(judged, err)) return bad_usage;
+  return (command.gate.decides() ? !result.passed() : tally.has_findings()) ? findings : nothing_found;
+}
+
+}  // namespace touchstone::program

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "program/runs/audit_gate.h"
+#include "program/terminal/names.h"
+
+namespace touchstone::program {
+
+struct JudgeCommand {
+  std::string program = "touchstone";  ///< as it was called
+  std::vector<std::string> files;      ///< logs; "-" is standard input
+  std::string operations = "all";      ///< "all" or names with commas
+  std::string boundary;                ///< of the recorded functions; empty: as the log says
+  std::optional<double> tolerance;     ///< likewise
+  int jobs = 0;                        ///< 0: as many as the machine has
+  std::string shard;                   ///< "I/N"; empty: of the launcher, if one started this
+  std::string json_file, report_directory;
+  bool summary = false;  ///< a row for each operation
+  GateCommand gate;
+};
+
+/// Holds the recorded answers against the truth (audit/judging). Exits as `audit` does.
+int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& err);
+
+}  // namespace touchstone::program

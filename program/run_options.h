@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "program/runs/audit_gate.h"
+
+/// Options of commands that count many answers.
+namespace touchstone::program {
+
+/// What of `audit` is for CI.
+void add_gate(CLI::App& command, GateCommand& gate);
+
+/// How a run is cut, and where its result goes.
+void add_shard(CLI::App& command, std::string& shard, std::string& json_file);
+
+}  // namespace touchstone::program

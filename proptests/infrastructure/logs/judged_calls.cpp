@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+#include <set>
+
+#include "audit/counting/audit_run.h"
+#include "audit/counting/tally_json.h"
+#include "audit/judging/call_judge.h"
+#include "audit/judging/judge_logs.h"
+#include "proptests/drawn.h"
+#include "proptests/infrastructure/program/called.h"
+
+namespace touchstone::proptests::judged_calls_tests {
+namespace {
+
+using namespace audit;
+using Kind = RecordedAnswer::Kind;
+using Ways = std::map<std::string, std::uint64_t>;
+
+/// What an engine in double might have answered, in different detail; every seventh answer is that of another question.
+RecordedAnswer answer_of(const Operation& operation, const Question& question, const Question& other, std::uint64_t i) {
+  const Question& asked = i % 7 == 6 ? other : question;
+  const auto value = i % 3 == 0 ? operation.row().robust(asked, 0) : operation.row().reference(asked);
+  const Json whole = parse_line(one_line(operation.answer_json(value)));
+  const std::optional<bool> yes = yes_or_no(operation.answer_shape(), value.words);
+  if (i % 4 == 1 && yes) return recorded_answer(operation, *yes);
+  if (i % 4 == 3 && whole.is_object()) {  // the decision alone
+    Json decision = Json::object();
+    decision[whole.begin().key()] = whole.begin().value();
+    return recorded_answer(operation, decision);
+  }
+  return recorded_answer(operation, whole);
+}
+
+std::vector<RecordedCall> calls_of(const Operation& operation, std::uint64_t of_each_family) {
+  std::vector<RecordedCall> calls;
+  Question last;
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    for (std::uint64_t i = 0; i < of_each_family; ++i) {
+      DrawStream draws = case_draws(operation, family, 7, i);
+      RecordedCall call;
+      call.operation = &operation;
+      call.question = operation.draw(draws, family);
+      call.ordinal = calls.size() + 1;
+      try {
+        operation.examine(call.question);
+        call.answer = answer_of(operation, call.question, calls.empty() ? call.question : last, i + family);
+        last = call.question;
+      } catch (const InvalidInput&) {
+        call.answer = recorded_answer(operation, true);
+      }
+      calls.push_back(std::move(call));
+    }
+  }
+  return calls;
+}
+
+std::string way_in_words(const Way& way) {
+  return std::string(name_of(way.verdict)) + ": " + way.truth + ", answered " + way.answer;
+}
+
+/// Every call held against the oracle, one by one.
+Ways ways_by_examination(const std::vector<RecordedCall>& calls, const Declaration& declaration) {
+  Ways ways;
+  for (const RecordedCall& call : calls) {
+    try {
+      const auto examination = call.operation->examine(call.question);
+      const Judgement judgement = examination->judge_engine(answer_json(*call.operation, call.answer), declaration);
+      ++ways[way_in_words(way_of(judgement, examination->outcome()))];
+    } catch (const InvalidInput& refused) {
+      ++ways["refused: " + refused.rule()];
+    }
+  }
+  return ways;
+}
+
+Ways ways_of_cell(const Cell& cell) {
+  Ways ways;
+  for (const auto& [way, counted] : cell.ways) ways[way_in_words(way)] += both(counted.cases);
+  for (const auto& [rule, count] : cell.rules) ways["refused: " + rule] += count;
+  return ways;
+}
+
+CallJudge::Counted judged(const std::vector<RecordedCall>& calls, const Declaration& declaration) {
+  CallJudge judge(declaration, {});
+  for (const RecordedCall& call : calls) judge.judge(call);
+  auto all = judge.take();
+  REQUIRE(all.size() == 1);
+  return all.begin()->second;
+}
+
+RecordedCall orientation_call(const std::string& points, const std::string& side) {
+  const Operation& operation = *find_operation("orientation");
+  RecordedCall call;
+  call.operation = &operation;
+  call.question = operation.parse(parse_line(points));
+  call.answer = recorded_answer(operation, Json{{"side", side}});
+  call.ordinal = 1;
+  return call;
+}
+
+Recorded recorded_of(const RecordedCall& call) { return judged({call}, {}).answers.recorded; }
+
+}  // namespace
+
+TEST_CASE("what is vouched for is counted as the oracle would have it") {
+  for (const Operation* operation : all_operations()) {
+    if (operation->metadata().is_implementation()) continue;
+    const std::vector<RecordedCall> calls = calls_of(*operation, affordable(*operation, 12));
+    for (const auto boundary : {Declaration::Boundary::closed, Declaration::Boundary::unspecified}) {
+      Declaration declaration;
+      declaration.boundary = boundary;
+      INFO(operation->name());
+      const CallJudge::Counted counted = judged(calls, declaration);
+      CHECK(ways_of_cell(counted.answers) == ways_by_examination(calls, declaration));
+      CHECK(counted.robust.findings() == 0);
+      CHECK(counted.answers.recorded.calls() == counted.answers.cases());
+    }
+  }
+}
+
+TEST_CASE("nearness is counted in units of the formula's own rounding") {
+  // p is on the line, and the determinant is exactly 0.
+  CHECK(recorded_of(orientation_call(R"({"p0":[0,0],"p1":[2,2],"p":[1,1]})", "on")).nearness[0] == 1);
+  // The products are 1 + 2^-52 and 1, which one rounding of each may exchange.
+  CHECK(recorded_of(orientation_call(R"({"p0":[0,0],"p1":[1.0000000000000002,1],"p":[1,1]})", "left")).nearness[1] ==
+        1);
+  // They are 1 and 0, 2^52 roundings apart.
+  CHECK(recorded_of(orientation_call(R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})", "left")).nearness.back() == 1);
+}
+
+TEST_CASE("recorded calls tell what float and open sets would have answered") {
+  // 16777217 is 2^24 + 1, which float rounds to 2^24: there p is on the line.
+  const RecordedCall beyond_float =
+      orientation_call(R"({"p0":[0,0],"p1":[16777216,16777216],"p":[16777216,16777217]})", "left");
+  CHECK(recorded_of(beyond_float).in_float == 1);
+  CHECK(recorded_of(beyond_float).in_double == 0);
+  // 2^53 - (-1) rounds to 2^53: in double the formula takes p, which is right of the line, to be on it.
+  const RecordedCall beyond_double = orientation_call(
+      R"({"p0":[-1,0],"p1":[9007199254740991,9007199254740992],"p":[9007199254740992,9007199254740992]})", "right");
+  CHECK(recorded_of(beyond_double).in_double == 1);
+  const Operation& operation = *find_operation("segment_segment");
+  RecordedCall touch;
+  touch.operation = &operation;
+  touch.question = operation.parse(parse_line(R"({"a":[[0,0],[2,0]],"b":[[1,0],[1,1]]})"));
+  touch.answer = recorded_answer(operation, true);
+  CHECK(recorded_of(touch).as_open_sets == 1);
+}
+
+TEST_CASE("shards of a log merge to the whole, whatever the jobs, and survive a file") {
+  std::string log = R"({"touchstone_log":1,"engine":"game 1.0"})"
+                    "\n";
+  for (int i = 0; i < 3000; ++i)
+    log += R"({"op":"orientation","input":{"p0":[0,0],"p1":[)" + std::to_string(1 + i % 5) + R"(,1],"p":[)" +
+           std::to_string(i % 11) + R"(,2]},"answer":{"side":"left"},"site":"game.cpp:)" + std::to_string(i % 3) +
+           "\"}\n";
+  log += R"({"end":{"seen":3000,"written":3000,"sampled_out":0,"lost":0}})"
+         "\n";
+  const TextFile file("game.jsonl", log);
+  JudgeOptions options;
+  options.files = {file.path()};
+  options.operations = all_operations();
+  const std::atomic<bool> stop{false};
+  const Tally whole = judge_logs(options, stop).tally;
+  CHECK(whole.operations.at(0).total().cases() == 3000);
+  CHECK(whole.operations.at(0).families.size() == 3);
+  options.jobs = 3;
+  CHECK(tally_json(judge_logs(options, stop).tally) == tally_json(whole));
+  std::optional<Tally> merged;
+  options.shards = 2;
+  for (options.shard = 1; options.shard <= 2; ++options.shard) {
+    const Tally part = read_tally(tally_json(judge_logs(options, stop).tally));
+    merged ? merged->merge(part) : static_cast<void>(merged = part);
+  }
+  merged->grid = whole.grid;
+  CHECK(tally_json(*merged) == tally_json(read_tally(tally_json(whole))));
+}
+
+TEST_CASE("judge exits with 1 where a recorded answer is wrong, and says where it was given") {
+  const TextFile wrong(
+      "wrong.jsonl",
+      R"({"op":"orientation","input":{"p0":[0,0],"p1":[1,0],"p":[0,1]},"answer":{"side":"right"},"site":"walk.cpp:7"})"
+      "\n");
+  const Called call = called({"judge", wrong.path()});
+  CHECK(call.code == 1);
+  CHECK_THAT(call.out, ContainsSubstring("walk.cpp:7") && ContainsSubstring("1 algorithm"));
+  CHECK(called({"judge", wrong.path(), "--fail-on", "none"}).code == 0);
+  const TextFile empty("empty.jsonl", "");
+  require_refused(called({"judge", empty.path()}), 2, "the log holds no call");
+  require_refused(called({"judge", "no_such.jsonl"}), 2, "no_such.jsonl");
+}
+
+}  // namespace touchstone::proptests::judged_calls_tests

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/pages/html_nearness.h"
+
+#include <fmt/format.h>
+
+#include "audit/counted.h"
+#include "report/pages/html_parts.h"
+#include "report/words/wording.h"
+
+namespace touchstone::report {
+namespace {
+
+constexpr std::array<const char*, nearness_classes> class_words{"a tie: two numbers that it compares are equal",
+                                                                "within its own rounding",
+                                                                "1 to 10 times its rounding",
+                                                                "10 to 100 times",
+                                                                "100 to 10\u2074 times",
+                                                                "10\u2074 to 10\u2076 times",
+                                                                "10\u2076 to 10\u2079 times",
+                                                                "10\u2079 times or more"};
+
+std::string bars(const Recorded& recorded) {
+  std::string rows;
+  const std::uint64_t calls = recorded.calls();
+  for (std::size_t c = 0; c < nearness_classes; ++c) {
+    const std::uint64_t n = recorded.nearness[c];
+    const double width = 100 * static_cast<double>(n) / static_cast<double>(calls);
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td class=\"bar-cell wide\"><div class=\"bar thin\"><i "
+        "style=\"width:{:.2f}%;--c:var(--ink)\"></i></div></td><td>{}</td><td>{}</td></tr>",
+        class_words[c], width, grouped(n), n == 0 ? "" : share(n, calls));
+  }
+  return "<table class=\"stack\"><thead><tr><th scope=\"col\">the formula was from another course</th><th "
+         "scope=\"col\" "
+         "class=\"text\"></th><th scope=\"col\">calls</th><th scope=\"col\">share</th></tr></thead><tbody>" +
+         rows + "</tbody></table>";
+}
+
+std::string otherwise(const Recorded& recorded) {
+  return fmt::format(
+      "<p>Of {}, the textbook formula decides {} otherwise than the truth in double, and {} in float. In {} shapes "
+      "only "
+      "touch, so that open sets have another answer than closed ones.</p>",
+      counted(recorded.calls(), "call"), grouped(recorded.in_double), grouped(recorded.in_float),
+      grouped(recorded.as_open_sets));
+}
+
+}  // namespace
+
+std::string nearness_section(const OperationTally& tally) {
+  const Recorded all = tally.total().recorded;
+  if (all.calls() == 0) return "";
+  std::string text =
+      "<h2 id=\"nearness\">How near the calls were to another answer</h2><div class=\"card scroll\"><p>The textbook "
+      "formula is run with a bound on how far rounding may carry each number. The nearest of its comparisons counts, "
+      "in "
+      "units of that bound: what is within it can be decided wrongly.</p>" +
+      bars(all) + otherwise(all);
+  if (tally.families.size() > 1) {
+    text +=
+        "<table class=\"stack\"><thead><tr><th scope=\"col\">call site</th><th scope=\"col\">calls</th><th "
+        "scope=\"col\">ties</th><th scope=\"col\">within rounding</th><th scope=\"col\">otherwise in double</th><th "
+        "scope=\"col\">in float</th><th scope=\"col\">as open sets</th></tr></thead><tbody>";
+    for (const auto& [site, cell] : tally.families) {
+      const Recorded& here = cell.recorded;
+      text += fmt::format("<tr><th scope=\"row\">{}</th>", breakable(site));
+      for (const std::uint64_t n :
+           {here.calls(), here.nearness[0], here.nearness[1], here.in_double, here.in_float, here.as_open_sets})
+        text += "<td>" + grouped(n) + "</td>";
+      text += "</tr>";
+    }
+    text += "</tbody></table>";
+  }
+  return text + "</div>";
+}
+
+}  // namespace touchstone::report
