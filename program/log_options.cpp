@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "program/commands/against.h"
 #include "program/commands/judge.h"
 #include "program/commands/log.h"
 #include "program/option_rules.h"
@@ -42,6 +43,12 @@ void add_judge(CLI::App& program, Action& action) {
   command->add_option("--tolerance", options->tolerance, "Their tolerance, in the unit of the coordinates")
       ->check(positive)
       ->default_str("as the log says");
+  command
+      ->add_option("--against", options->against,
+                   "An engine that is asked the same: on which calls it parts from the log, and who is right")
+      ->check(a_command)
+      ->default_str("");
+  command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
   command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
   add_shard(*command, options->shard, options->json_file);
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
@@ -49,7 +56,10 @@ void add_judge(CLI::App& program, Action& action) {
   command->add_flag("--summary", options->summary, "A row for each operation, without call sites and examples");
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();
-    action = [=] { return judge_command(*options, std::cout, std::cerr); };
+    action = [=] {
+      return options->against.empty() ? judge_command(*options, std::cout, std::cerr)
+                                      : judge_against_command(*options, std::cout, std::cerr);
+    };
   });
 }
 

@@ -9,6 +9,7 @@
 #include "audit/engines/engine.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/command_tree.h"
+#include "program/commands/against.h"
 #include "program/commands/commands.h"
 #include "program/commands/map.h"
 #include "program/documentation.h"
@@ -77,6 +78,11 @@ void add_audit(CLI::App& program, Action& action) {
       ->add_option("--engine", options->engine,
                    "Command that answers questions over pipes; without it, the textbook formulas in double")
       ->check(a_command);
+  command
+      ->add_option("--against", options->against,
+                   "A second engine: on which questions the two part, and who is right, the smallest first")
+      ->check(a_command)
+      ->default_str("");
   command->add_option("--ops", options->operations, "Operations with commas, or all");
   command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
   command->add_flag("--by-cost", options->by_cost,
@@ -116,7 +122,10 @@ void add_audit(CLI::App& program, Action& action) {
       ->excludes(summary);
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();
-    action = [=] { return audit_command(*options, std::cout, std::cerr); };
+    action = [=] {
+      return options->against.empty() ? audit_command(*options, std::cout, std::cerr)
+                                      : audit_against_command(*options, std::cout, std::cerr);
+    };
   });
 }
 
@@ -204,6 +213,16 @@ void add_vectors(CLI::App& program, Action& action) {
   write->add_option("--seed", *seed, "Same seed, same vectors")->check(any_seed);
   write->callback([=, &action] {
     action = [=] { return vectors_write_command(*directory, *operations, *seed, std::cout, std::cerr); };
+  });
+  auto logs = std::make_shared<std::vector<std::string>>();
+  auto jobs = std::make_shared<int>(0);
+  auto* from = command->add_subcommand("from", "Writes the hardest of recorded calls, made smaller, into a directory");
+  from->add_option("logs", *logs, "Logs of recorded calls")->required();
+  from->add_option("--to", *directory, "Where to")->required();
+  from->add_option("--ops", *operations, "Operations with commas, or all");
+  from->add_option("--jobs", *jobs, "Threads")->check(any_jobs)->default_str("one a processor");
+  from->callback([=, &action] {
+    action = [=] { return vectors_from_command(*directory, *logs, *operations, *jobs, std::cout); };
   });
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   auto checked = std::make_shared<VectorsCheckCommand>();

@@ -174,9 +174,11 @@ RecordedAnswer recorded_word(const Operation& operation, Word word) {
 }
 
 Json answer_json(const Operation& operation, const RecordedAnswer& answer) {
+  // The judge takes numbers as parse_line leaves them.
+  const auto as_read = [](const Json& json) { return parse_line(one_line(json)); };
   switch (answer.kind) {
     case RecordedAnswer::Kind::plain: return answer.value.words[0] != 0;
-    case RecordedAnswer::Kind::whole: return operation.answer_json(answer.value);
+    case RecordedAnswer::Kind::whole: return as_read(operation.answer_json(answer.value));
     case RecordedAnswer::Kind::text: return parse_line(answer.text);
     case RecordedAnswer::Kind::error: return nullptr;
     case RecordedAnswer::Kind::partial: break;
@@ -185,10 +187,10 @@ Json answer_json(const Operation& operation, const RecordedAnswer& answer) {
   Json bare = json_of_partial(operation.answer_shape(), at);
   if (bare.is_null()) bare = Json::object();
   const char* const name = operation.metadata().answer;
-  if (name[0] == 0) return bare;
+  if (name[0] == 0) return as_read(bare);
   Json named = Json::object();
   named[name] = std::move(bare);
-  return named;
+  return as_read(named);
 }
 
 void require_shape(const Shape& shape, const std::vector<Word>& words, std::size_t numbers, const char* field,

@@ -171,7 +171,7 @@ Json vector_schema() {
   return schema;
 }
 
-Json vector_schema(const Operation& operation) {
+Json vector_schema(const Operation& operation, bool recorded) {
   Json schema = Json::object();
   schema["$schema"] = draft;
   schema["title"] = "touchstone test vector: " + operation.name();
@@ -183,6 +183,7 @@ Json vector_schema(const Operation& operation) {
   schema["$defs"] = numbers();
   schema["$defs"]["answered"] = answered(operation);
   schema["$defs"]["refused"] = refused(operation);
+  if (recorded) schema["$defs"]["answered"]["properties"]["family"] = {{"const", recorded_family}};
   return schema;
 }
 

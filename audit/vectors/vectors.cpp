@@ -8,6 +8,7 @@
 
 #include "audit/counting/audit_run.h"
 #include "audit/vectors/flags.h"
+#include "audit/vectors/likeness.h"
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
 #include "catalogue/judge/environment.h"
@@ -78,12 +79,9 @@ std::string with_id(std::string line, const std::string& operation, std::size_t 
   return line.insert(line.find("\"op\":"), "\"id\":\"" + id_of(operation, number) + "\",");
 }
 
-/// What makes two vectors alike: the outcome and what the textbook formula makes of it.
 std::string likeness(const Examined& examined) {
   try {
-    const Examination& examination = *examined;
-    return examination.outcome() + (examination.touch() ? " touch " : " ") +
-           name_of(verdict_on_decision(examination.judge_reference()));
+    return audit::likeness(*examined);
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
@@ -167,7 +165,8 @@ std::string robust_complaint(const Json& line, const Examined& examined) {
 std::string other_complaint(const Json& line, const Examined& examined) {
   const std::string family = line.value("family", "");
   const auto& families = examined.operation.families();
-  if (family != not_finite_family && std::find(families.begin(), families.end(), family) == families.end())
+  if (family != not_finite_family && family != recorded_family &&
+      std::find(families.begin(), families.end(), family) == families.end())
     return "family: one of the operation's families";
   const Json written = vector_line(family, examined);
   for (const auto& [field, value] : line["input"].items()) {
@@ -207,6 +206,19 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
   for (std::size_t i = 0; i < vectors.lines.size(); ++i)
     vectors.lines[i] = with_id(vectors.lines[i], operation.name(), i + 1);
   return vectors;
+}
+
+std::vector<std::string> vectors_of(const Operation& operation, const std::vector<Question>& questions) {
+  std::vector<std::string> lines;
+  for (const Question& question : questions)
+    lines.push_back(
+        with_id(one_line(vector_line(recorded_family, {operation, question})), operation.name(), lines.size() + 1));
+  return lines;
+}
+
+std::string likeness(const Examination& examination) {
+  return examination.outcome() + (examination.touch() ? " touch " : " ") +
+         name_of(verdict_on_decision(examination.judge_reference()));
 }
 
 std::string vector_complaint(const std::string& text, const std::string& folder) {

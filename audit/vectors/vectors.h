@@ -22,6 +22,9 @@ struct Vectors {
 };
 Vectors vectors_of(const Operation& operation, std::uint64_t seed);
 
+/// Vectors of one's own: these questions, in the family `recorded`.
+std::vector<std::string> vectors_of(const Operation& operation, const std::vector<Question>& questions);
+
 /// Why a line of vectors is refused: its certificate does not prove its truth, the oracle's truth is another, robust
 /// disagrees, or a mesh that it names is not the catalogue's of that name. Empty if all is well. `folder` is that of
 /// the file in which the line stands.

@@ -24,6 +24,7 @@ namespace touchstone::program {
 struct AuditCommand {
   std::string program = "touchstone";  ///< as it was called
   std::string engine;                  ///< command; empty: our reference in double
+  std::string against;                 ///< command of a second engine: on what the two part; empty: none
   std::string operations = "all";      ///< "all" or names with commas
   std::string families;                ///< names with commas; empty: all
   std::uint64_t cases = 20000, seed = 1;
@@ -155,6 +156,9 @@ int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostre
 int soak_command(const SoakCommand& command, std::ostream& out, std::ostream& err);
 int merge_command(const MergeCommand& command, std::ostream& out, std::ostream& err);
 /// Of the operations named, with commas, or all.
+/// Vectors of one's own from recorded calls.
+int vectors_from_command(const std::string& directory, const std::vector<std::string>& logs,
+                         const std::string& operations, int jobs, std::ostream& out);
 int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
                           std::ostream& out, std::ostream& err);
 /// A few easy questions to every operation of an engine: is it connected correctly?

@@ -33,7 +33,7 @@ JudgeOptions judge_options(const JudgeCommand& command, const Shard& shard) {
   return options;
 }
 
-/// Whether anything was judged, or said why not.
+/// Whether anything was judged; else says why not.
 bool judged_any(const JudgedLogs& judged, std::ostream& err) {
   if (sum_of(judged.tally.operations).cases() > 0) return true;
   std::uint64_t calls = 0;
@@ -62,6 +62,7 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   progress.end();
   for (std::size_t i = 0; i < judged.accounts.size(); ++i) print_account(judged.accounts[i], err);
   Tally& tally = judged.tally;
+  if (!tally.interrupted && !judged_any(judged, err)) return bad_usage;
   tally.max_surplus = command.gate.max_surplus;
   tally.repeat.program = command.program;
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
@@ -82,7 +83,6 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
     err << "touchstone: interrupted; what had been judged until then is what was written\n";
     return interrupted;
   }
-  if (!judged_any(judged, err)) return bad_usage;
   return (command.gate.decides() ? !result.passed() : tally.has_findings()) ? findings : nothing_found;
 }
 

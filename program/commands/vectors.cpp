@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "audit/counted.h"
+#include "audit/parallel.h"
+#include "audit/vectors/from_logs.h"
 #include "audit/vectors/manifest.h"
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
@@ -47,6 +50,25 @@ int vectors_write_command(const std::string& directory, const std::string& opera
   }
   write_text(folder / manifest_name, manifest_of(directory, seed).dump(1) + "\n");
   out << (folder / "meshes").string() << ": " << named_files().size() << " meshes that vectors name\n";
+  return nothing_found;
+}
+
+int vectors_from_command(const std::string& directory, const std::vector<std::string>& logs,
+                         const std::string& operations, int jobs, std::ostream& out) {
+  const auto hardest = hardest_of_logs(logs, operations_named(operations), jobs > 0 ? jobs : audit::jobs_of_machine());
+  if (hardest.empty()) throw UsageError("the logs hold no call that is answered wrongly or is hard to answer");
+  const std::filesystem::path folder = directory;
+  std::filesystem::create_directories(folder / "schemas");
+  write_text(folder / "schema.json", vector_schema().dump(1) + "\n");
+  for (const auto& [operation, questions] : hardest) {
+    std::string text;
+    for (const std::string& line : vectors_of(*operation, questions)) text += line + "\n";
+    const auto path = folder / (operation->name() + ".jsonl");
+    write_text(path, text);
+    write_text(folder / "schemas" / (operation->name() + ".json"), vector_schema(*operation, true).dump(1) + "\n");
+    out << path.string() << ": " << audit::counted(questions.size(), "vector") << '\n';
+  }
+  write_text(folder / manifest_name, manifest_of(directory, 0).dump(1) + "\n");
   return nothing_found;
 }
 

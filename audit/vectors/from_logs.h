@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "audit/uses.h"
+#include "catalogue/operation/operation.h"
+
+namespace touchstone::audit {
+
+/// The hardest questions of recorded calls, by operation: those whose answer is wrong, and those on which the textbook
+/// formula is as near to another course as its own rounding. Each is made smaller while the truth, whether shapes only
+/// touch, and the formula's verdict stay what they are; then none comes twice. Of each such kind a few, the smallest
+/// first. The same logs give the same questions whatever `jobs` is.
+std::map<const Operation*, std::vector<Question>> hardest_of_logs(const std::vector<std::string>& files,
+                                                                  const std::vector<const Operation*>& operations,
+                                                                  int jobs);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "program/commands/commands.h"
+#include "program/commands/judge.h"
+
+namespace touchstone::program {
+
+/// `audit --engine A --against B`: on which questions two engines part, who is right, the smallest question of each
+/// kind. Exits with 1 where they part.
+int audit_against_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
+
+/// `judge LOG --against B`: the same of recorded answers and an engine.
+int judge_against_command(const JudgeCommand& command, std::ostream& out, std::ostream& err);
+
+}  // namespace touchstone::program
