@@ -15,12 +15,12 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INTRODUCTION = """# The deck, page by page
 
-What of the lecture deck *Collision handling: detection and response* is here: for each page the operations whose formulas it has
+This map of the lecture deck *Collision handling: detection and response* lists for each page the operations whose formulas it has
 ([operations.md](operations.md)), and scenes that show it at work (`touchstone simulate`, [simulate.md](simulate.md)). The titles are
 touchstone's; a page that is not listed asks no question of its own.
 
 `./dev deck` writes the same as one living page, build/deck.html: the idea of each page, its formula, a figure to drag or to turn, the
-case that breaks the formula, and a scene that plays. It stands alone: nothing is fetched.
+case that breaks the formula, and a scene that plays. The page needs no network.
 
 This page is written by `proptests/deck.py --program build/release/touchstone --write` from the catalogue, the scenes and
 [report/pages/deck.json](../report/pages/deck.json); do not edit it.
@@ -29,9 +29,9 @@ This page is written by `proptests/deck.py --program build/release/touchstone --
 |---|---|---|---|
 """
 BESIDE = """
-## Beside the deck
+## Operations that are not in the deck
 
-No page asks these; what their formulas are made of is taught on the pages named.
+No page asks these; the pages named teach the parts of their formulas.
 
 | operation | p. |
 |---|---|
