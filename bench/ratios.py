@@ -201,7 +201,7 @@ def arrays(timed):
 
 
 def arrays_from_python(build):
-    """What bench/arrays_python.py prints, or why it is not run."""
+    """Returns what bench/arrays_python.py prints, or why it is not run."""
     if not list((build / "python/touchstone").glob("_touchstone*.so")):
         return f"Arrays from Python: skipped, no module in {build}/python (ninja -C {build} touchstone_python)."
     done = subprocess.run([sys.executable, ROOT / "bench/arrays_python.py", build], capture_output=True, text=True)

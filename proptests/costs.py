@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the operations cost: core-seconds of building and of testing, handwritten lines, and whether Metadata::cost is what a
-question costs. For information: the exit code is 0.
+"""Measures the cost of operations: core-seconds of building and testing, handwritten lines, and whether
+Metadata::cost is what a question costs. For information: the exit code is 0.
 
   costs.py [--json FILE]   the builds in build/release (g++) and build/clang, after ./dev test or ./dev test full
   costs.py --self-check    a small made-up build, whose costs are known

@@ -66,7 +66,7 @@ def page_of(sections, asked, beside, scenes):
 
 
 def defects_of(sections, asked, scenes):
-    """Of deck.json: each operation that the deck asks stands in a section of one of its pages, each scene on its own."""
+    """Checks that deck.json has each operation of the deck in a section of one of its pages, and scenes on theirs."""
     known = {o["name"]: numbers(o["pages"]) for o in asked}
     for section in sections:
         pages = numbers(section["pages"])
@@ -84,7 +84,7 @@ def defects_of(sections, asked, scenes):
 
 
 def asked_and_beside(operations, root):
-    """An implementation without a formula of its own has no header to lead to. What the deck asks, its contract says."""
+    """An implementation without a formula of its own has no header to lead to. The contract of an operation says whether the deck asks it."""
     there = [o for o in operations if (root / header(o)).is_file()]
     asked = [o for o in there if "Deck p. " in (root / header(o)).read_text(encoding="utf-8")]
     return asked, [o for o in there if o not in asked]

@@ -75,7 +75,7 @@ def matches(shown, printed):
 
 
 def printed_on_terminal(command, root):
-    """What is last is a mark that this side writes when the command has ended: some systems lose what is still on its way when
+    """Writes a mark when the command has ended and reads up to it: some systems lose what is still on its way when
     the last writer closes a terminal."""
     terminal, side = pty.openpty()
     end, printed = b"\0", b""

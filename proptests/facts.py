@@ -92,7 +92,7 @@ def proved_operations():
 
 
 def right_hits(engine, gas, column=1):
-    """How many hits of an exact gas an engine answers rightly: one less than the hit at which it parts."""
+    """Counts the hits of an exact gas that an engine answers rightly: one less than the hit at which it parts."""
     section = text_of("docs/simulate_engines.md").partition(f"### {gas}\n")[2].partition("###")[0]
     cells = re.search(rf"^\| {re.escape(engine)} \|(.*)\|$", section, re.MULTILINE).group(1).split("|")
     return int(cells[column - 1]) - 1
@@ -172,10 +172,10 @@ def facts(operations):
          (constant("program/runs/checkpoint.cpp", r"most\{([\d']+)\}") // 1000,)),
         ("docs/simulate.md", "`steps` ({})", (constant("simulate/world/scene.h", r" steps = (\d+);"),)),
         ("docs/simulate.md", "`moments` ({})", (constant("simulate/world/scene.h", r" moments = (\d+);"),)),
-        ("docs/simulate_engines.md", "Of {} hits in the plane Box2D and planck answer {} as they should, Chipmunk {} and ODE {}; "
-         "of {} in space ODE answers {} and rapier {} at 60 steps a second",
-         (hits(plane), right_hits("Box2D 2.4.1", plane), right_hits("Chipmunk 7.0.3", plane), right_hits("ODE 0.16.2", plane), hits(gas),
-          right_hits("ODE 0.16.2", gas), right_hits("@dimforge/rapier3d-compat 0.21.0", gas))),
+        ("docs/simulate_engines.md", "In the plane Box2D and planck answer {} of {} hits as they should, Chipmunk {} and ODE {}; "
+         "in space ODE answers {} of {} and rapier {}, at 60 steps a second",
+         (right_hits("Box2D 2.4.1", plane), hits(plane), right_hits("Chipmunk 7.0.3", plane), right_hits(ode, plane),
+          right_hits(ode, gas), hits(gas), right_hits("@dimforge/rapier3d-compat 0.21.0", gas))),
         ("docs/simulate_engines.md", "ODE has 12 J after 64 steps (+{:.3g}), cannon-es +{:.3g},",
          (energy(ode, "newtons_cradle"), energy(cannon, "newtons_cradle"))),
         ("docs/simulate_engines.md", "Bullet +{:.2g}, cannon-es +{:.2g} and ODE +{:.1g}.",

@@ -181,7 +181,7 @@ def replay(path):
 
 
 def inconsistent(audit):
-    """Whether the counts of an audit are not what its last sentence says."""
+    """Returns whether the counts of an audit differ from its last sentence."""
     answers, wrong = rates(audit)[:2]
     return audit["counts"] is not None and f" {wrong} of {answers} answers wrong " not in audit["printed"][-1]
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether every operation is in every module under its own name, and no module sees one that it must not.
+"""Checks that every operation is in every module under its own name, and no module sees one that it must not.
 
   layout.py --program PATH   the source tree around this file, with the operations that the program knows
   layout.py --self-check     small trees with one defect each: every defect must be found
@@ -28,7 +28,7 @@ MODULES = {
     "python": {"robust", "c", "python"},
     **dict.fromkeys(("engines", "proptests", "fuzz", "bench", "coverage", "examples")),
 }
-# Where an operation's files stand: folder (before the chapter) and suffixes.
+# The files of an operation: folder (before the chapter) and suffixes.
 PLACES = {
     "reference": (".h",),
     "robust": (".h", ".cpp"),
@@ -92,14 +92,14 @@ def operation_files(tree, operations):
 
 
 def claimed(tree, file):
-    """Whether a file holds a true claim, and a false one."""
+    """Returns whether a file holds a true claim, and a false one."""
     text = (tree.root / file).read_text(encoding="utf-8") if (tree.root / file).is_file() else ""
     kinds = {"refused" in json.loads(line) for line in text.splitlines() if line.strip()}
     return False in kinds, True in kinds
 
 
 def evidence(tree, operations):
-    """What an operation needs beside its files, module by module."""
+    """Yields what an operation needs besides its files, module by module."""
     certify = "oracle/certificates/"
     checks = {suffix: "".join(text for name, text in tree.text.items() if name.startswith(certify) and name.endswith(suffix))
               for suffix in (".cpp", ".py")}
@@ -185,7 +185,7 @@ def public_headers(tree):
 
 
 def arguments_of(text, start):
-    """What stands between the commas of the call whose parenthesis opens at start."""
+    """Returns the texts between the commas of the call whose parenthesis opens at start."""
     depth, found = 0, [""]
     for character in text[start:]:
         depth += (character in "([{") - (character in ")]}")

@@ -35,7 +35,7 @@ def lines_of(path):
 
 
 def method_of_oracle(chapter, name):
-    """What its header says after "Truth:", up to the margin, and of the certificate."""
+    """Returns what its header says after "Truth:", up to the margin, and of the certificate."""
     comments = re.findall(r"(?:^///.*\n)+", text_of(f"oracle/{chapter}/{name}.h"), re.MULTILINE)
     for comment in (re.sub(r"\s*^/// ?", " ", comment, flags=re.MULTILINE).strip() for comment in comments):
         found = re.search(r"Truth[:,] (.*?) *(?=Margin|No margin|Certificate:|$)", comment)
@@ -82,7 +82,7 @@ def certificate_kinds(name):
 
 
 def checker_proved(name):
-    """Whether the checks of its certificates are proved: yes, no, or but for which kinds."""
+    """Returns whether the checks of its certificates are proved: yes, no, or but for which kinds."""
     kinds = importlib.import_module("kinds")
     if name not in kinds.operations(kinds.sources()):
         return "-"
@@ -113,7 +113,7 @@ def grids():
 
 
 def configurations(program, name, size):
-    """How many there are: a shard with none of them says so."""
+    """Returns their number, which a shard with none of them reports."""
     said = subprocess.run([program, "exhaust", name, "--grid", str(size), "--shard", f"1/{1 << 63}", "--json", "-"],
                           check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     return json.loads(said)["cases"]

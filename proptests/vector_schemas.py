@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the schemas beside the vectors let the vectors pass and refuse lines with one defect each: vector_schemas.py
-VECTORS. Of each file every outcome and every 50th line is asked: the checker takes milliseconds a line. Exit code 77
+"""Checks that the schemas beside the vectors let the vectors pass and refuse lines with one defect each: vector_schemas.py
+VECTORS. It asks every outcome and every 50th line of each file: the checker takes milliseconds a line. Exit code 77
 if there is no Python package jsonschema."""
 import copy
 import json
