@@ -332,7 +332,7 @@ def circumstances(build):
 def draw_picture(file, words, timed):
     drawn = page.picture(words, timed)
     if not file or not drawn:
-        sys.exit("no times of arrays, of which the picture is" if file else "--times is for --picture FILE.svg")
+        sys.exit("there are no times of arrays for the picture" if file else "--times is for --picture FILE.svg")
     file.write_text(drawn)
 
 

@@ -72,7 +72,7 @@ def defects_of(sections, asked, scenes):
         pages = numbers(section["pages"])
         for name in section["operations"]:
             if not pages & known.get(name, set()):
-                yield f"report/pages/deck.json: p. {section['pages']}: {name} is not asked there"
+                yield f"report/pages/deck.json: p. {section['pages']}: {name} is no operation of that page"
         scene = section.get("scene")
         if scene is not None and not pages & set(scenes.get(scene, ())):
             yield f"report/pages/deck.json: p. {section['pages']}: {scene} is no scene of these pages"
@@ -105,7 +105,7 @@ def self_check():
         wrong.append(f"right sections: {found}")
     for planted, word in [([{**sections[0], "operations": []}, sections[1]], "meet is in no section"),
                           ([{**sections[0], "scene": "ball"}, sections[1]], "ball is no scene"),
-                          ([sections[0], {**sections[1], "operations": ["touch"]}], "touch is not asked"),
+                          ([sections[0], {**sections[1], "operations": ["touch"]}], "touch is no operation"),
                           (sections[::-1], "not in order")]:
         if not any(word in one for one in defects_of(planted, [meet], scenes)):
             wrong.append(f"not found: {word}")

@@ -145,7 +145,7 @@ def malformed(line, audits):
     if not audit_of(line, audits):
         yield "audits.jsonl has no such library, version, engine and operation"
     if line["class"] not in CLASSES:
-        yield f"{line['class']}: no finding's class"
+        yield f"{line['class']}: not a class of findings"
 
 
 def untrue(lines, declared_engine, program):
@@ -203,7 +203,7 @@ def defects(findings, audits, page, program):
                 if inconsistent(audit))
     texts = findings.splitlines()
     if len(set(texts)) != len(texts) or not texts:
-        yield "findings.jsonl: no line, or a line twice"
+        yield "findings.jsonl: no line, or a duplicate line"
     if readable and page != page_of(page, audits, findings):
         yield "docs/engines_audited.md: not what proptests/findings.py --write makes of the data"
 
@@ -212,7 +212,7 @@ def defects(findings, audits, page, program):
 WRONG = [
     ('"truth": {"side": "left"}', '"truth": {"side": "right"}', "the truth is"),
     ('"class": "algorithm"', '"class": "rounding"', "the class is algorithm"),
-    ('"class": "invalid"', '"class": "convention"', "convention: no finding's class"),
+    ('"class": "invalid"', '"class": "convention"', "convention: not a class of findings"),
     ('"version": "1.0.3"', '"version": "1.0.4"', "audits.jsonl has no such"),
     ('"library": "GEOS"', '"library": "JTS"', "audits.jsonl has no such"),
     ('"operation": "ray_segment"', '"operation": "aabb_aabb"', "audits.jsonl has no such"),
@@ -231,8 +231,8 @@ def self_check(findings, audits, page, program):
         if not any(wanted in defect for defect in found):
             yield f"{after}: found {found}"
     first = findings.splitlines()[0]
-    if not any("a line twice" in defect for defect in defects(f"{first}\n{first}\n", audits, page, program)):
-        yield "a line twice was not found"
+    if not any("a duplicate line" in defect for defect in defects(f"{first}\n{first}\n", audits, page, program)):
+        yield "a duplicate line was not found"
     miscounted = audits.replace('"agree": 3698', '"agree": 3699')
     if not any("differ" in defect for defect in defects(first, miscounted, page, program)):
         yield "counts that differ from the audit's last sentence were not found"
