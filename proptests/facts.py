@@ -28,7 +28,7 @@ RUNS_PAGE = "docs/how_it_is_tested.md"
 # Made by other scripts, or about the length of a step and not of a run.
 WITHOUT_TIMES = {"docs/operations.md", "docs/deck.md", "docs/simulate_engines.md"}
 NUMBER = rf"(?:\d[\d.,]*|{'|'.join(WORDS[1:])}|fifteen|twenty|thirty|half an?|quarter of an?)"
-TIME = re.compile(rf"\b{NUMBER}(?: to {NUMBER})? (?:core-)?(?:milli|micro|nano)?(?:seconds?|minutes?|hours?)\b")
+TIME = re.compile(rf"\b{NUMBER}(?: to {NUMBER})? (?:core-)?(?:milli|micro|nano)?(?:seconds?|minutes?|hours?)\b|\ban? (?:minute|hour)\b")
 
 
 def text_of(path):
@@ -260,7 +260,7 @@ def self_check(program, texts, expected, runs):
         wrong = {page: flat(texts[page]).replace(flat(sentence), flat(changed))}
         if not list(untrue(wrong, [(page, sentence)])):
             yield f"{page}: a wrong number was not noticed: {changed}"
-    for planted in ("It takes 3 minutes.", "It takes two seconds a row.", "It takes 20 to 30 minutes.", "After half a minute it ends."):
+    for planted in ("It takes 3 minutes.", "It takes two seconds a row.", "It takes 20 to 30 minutes.", "After half a minute it ends.", "It takes an hour."):
         if not list(times({"a.md": planted}, [])):
             yield f"not noticed: {planted}"
     for innocent in ("`sleep 3 seconds` and no answer in 5 s", "two ulps", "seconds are told"):
