@@ -50,7 +50,8 @@ def written(tables):
     texts = []
     for table in tables:
         rows = ",\n".join(f"  {json.dumps(row)}" for row in table.rows)
-        texts.append(f'{{"measured": {json.dumps(table.measured)},\n "head": {json.dumps(table.head)},\n "rows": [\n{rows}]}}')
+        measured, head = json.dumps(table.measured), json.dumps(table.head)
+        texts.append(f'{{"measured": {measured},\n "head": {head},\n "rows": [\n{rows}]}}')
     return "[\n" + ",\n".join(texts) + "\n]\n"
 
 
@@ -66,7 +67,8 @@ def shown(table):
         return text + f"{table}\n"
     column = table.head.index(CASES)
     rows = [row for row in table.rows if row[column] == SHOWN]
-    return text + f"{Table(table.head, rows)}\n\nThese are the {len(rows)} rows of random cases, of {len(table.rows)} in all.\n"
+    counted = f"These are the {len(rows)} rows of random cases, of {len(table.rows)} in all."
+    return text + f"{Table(table.head, rows)}\n\n{counted}\n"
 
 
 def readme_of(text, tables):
@@ -83,16 +85,18 @@ def keep(new, measured):
 
 
 def self_check():
-    tables = [Table(["decision", CASES, "ns"], [["orientation", "random", "1.2"], ["orientation", "near", "7.5"]], "here")]
+    rows = [["orientation", "random", "1.2"], ["orientation", "near", "7.5"]]
+    tables = [Table(["decision", CASES, "ns"], rows, "here")]
     readme = readme_of("# B\n" + "".join(MARKS) + "end\n", tables)
     newer = [Table(["decision", CASES, "ns"], [["orientation", "random", "1.3"]], "there"), Table(["hulls"], [])]
+    changed = readme.replace("1.2", "1.1")
     checks = {
         "the random row is shown": "| orientation | random | 1.2 |" in readme,
         "other rows are counted, not shown": "of 2 in all" in readme and "7.5" not in readme,
         "text around the marks stays": readme.startswith("# B\n") and readme.endswith("end\n"),
         "the data are read as they were written": read(written(tables)) == tables,
         "a page that holds is what would be written": readme_of(readme, tables) == readme,
-        "a number changed by hand is noticed": readme_of(readme.replace("1.2", "1.1"), tables) != readme.replace("1.2", "1.1"),
+        "a number changed by hand is noticed": readme_of(changed, tables) != changed,
         "a new run replaces a table, and an empty one replaces none": replaced(tables, newer) == newer[:1],
     }
     return [f"not so: {what}" for what, holds in checks.items() if not holds]
@@ -113,7 +117,8 @@ def main():
         if options.write:
             README.write_text(readme_of(readme, tables))
         elif options.check:
-            found = [] if readme == readme_of(readme, tables) else ["bench/README.md: not what bench/tables.py --write makes"]
+            if readme != readme_of(readme, tables):
+                found = ["bench/README.md: not what bench/tables.py --write makes"]
         else:
             chosen = [table for table in tables if not options.names or table.name.split(",")[0] in options.names]
             print("\n\n".join(f"{table.measured}\n\n{table}" for table in chosen))

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The numbers on the pages: each is counted here and has to be on its page.
 
-  facts.py --program PATH            checks every fact, the runs of docs/runs.jsonl, and that no page states a measured time
-  facts.py --program PATH --write    writes the table of runs into docs/how_it_is_tested.md
+  facts.py --program PATH                checks facts and runs (docs/runs.jsonl), and that no page states a measured time
+  facts.py --program PATH --write        writes the table of runs into docs/how_it_is_tested.md
   facts.py --program PATH --self-check   checks that wrong numbers are noticed
 
-A fact is a page, a sentence with {} in place of its numbers, and how they are counted: from the tree, from data or by the
-program. Times depend on a machine; they belong into bench/ratios.json with the processor."""
+A fact is a page, a sentence with {} in place of its numbers, and how they are counted: from the tree, from data or by
+the program. Times depend on a machine; they belong into bench/ratios.json with the processor."""
 import argparse
 import collections
 import importlib
@@ -28,7 +28,8 @@ RUNS_PAGE = "docs/how_it_is_tested.md"
 # Made by other scripts, or about the length of a step and not of a run.
 WITHOUT_TIMES = {"docs/operations.md", "docs/deck.md", "docs/simulate_engines.md"}
 NUMBER = rf"(?:\d[\d.,]*|{'|'.join(WORDS[1:])}|fifteen|twenty|thirty|half an?|quarter of an?)"
-TIME = re.compile(rf"\b{NUMBER}(?: to {NUMBER})? (?:core-)?(?:milli|micro|nano)?(?:seconds?|minutes?|hours?)\b|\ban? (?:minute|hour)\b")
+TIME = re.compile(rf"\b{NUMBER}(?: to {NUMBER})? (?:core-)?(?:milli|micro|nano)?(?:seconds?|minutes?|hours?)\b|"
+                  r"\ban? (?:minute|hour)\b")
 
 
 def text_of(path):
@@ -66,7 +67,8 @@ def vectors():
 
 
 def lines_of(*patterns):
-    return sum(len(path.read_text(encoding="utf-8").splitlines()) for pattern in patterns for path in ROOT.glob(pattern))
+    paths = [path for pattern in patterns for path in ROOT.glob(pattern)]
+    return sum(len(path.read_text(encoding="utf-8").splitlines()) for path in paths)
 
 
 def hundreds(count):
@@ -130,16 +132,23 @@ def facts(operations):
     timeout, flight = constant(PIPE, r" timeout = (\d+);"), constant(PIPE, r" in_flight = (\d+);")
     restarts, in_a_row = constant(PIPE, r" restarts = (\d+);"), constant(PIPE, r" restarts_in_a_row = (\d+);")
     silences = constant(PIPE, r" timeouts = (\d+);")
-    judged, judged_dear = (constant("proptests/agreement/outcomes.cpp", p) for p in (r"judged = (\d+),", r"judged_dear = (\d+);"))
+    outcomes = "proptests/agreement/outcomes.cpp"
+    judged, judged_dear = constant(outcomes, r"judged = (\d+),"), constant(outcomes, r"judged_dear = (\d+);")
     many, few = (constant("cmake/fuzz_targets.cmake", rf"set\(mutations ({n}\d*)\)") for n in (5, 1))
-    of_gcc, of_clang = fraction(r"asked=\$\{TOUCHSTONE_CASES:-([\d.]+)\}"), fraction(r"of_clang=\$\{TOUCHSTONE_CASES:-([\d.]+)\}")
+    of_users, of_gcc, of_clang = (fraction(name + r"=\$\{TOUCHSTONE_CASES:-([\d.]+)\}")
+                                  for name in ("TOUCHSTONE_CASES", "asked", "of_clang"))
+    longest = constant("proptests/layout.py", r"^LONGEST = (\d+)")
+    most_files = constant("proptests/floors.py", r"^MOST_FILES = (\d+)")
+    checkers = [hundreds(lines_of(*of)) for of in (("oracle/certificates/*.cpp", "oracle/certificates/*.h"),
+                                                   ("oracle/certificates/*.py",))]
     explained = "catalogue/operation/probes/explained.cpp"
     gas, plane = "gas_of_27", "gas_in_the_plane"
     bullet, ode, cannon = "Bullet 3.24", "ODE 0.16.2", "cannon-es 0.20.0"
     found = [
         ("README.md", "{} questions with exact answers and {} inputs that must be refused", (answered, refused)),
         ("README.md", "This engine, {} lines of Python,", (lines_of("examples/engine.py"),)),
-        ("README.md", "asks at most {} questions of each operation", (constant("dev", r"set -- --cases (\d+) --by-cost"),)),
+        ("README.md", "asks at most {} questions of each operation",
+         (constant("dev", r"set -- --cases (\d+) --by-cost"),)),
         ("README.md", "after {} restarts the operation is given up", (restarts,)),
         ("README.md", "it takes up to {} times as long as the textbook formula",
          (ratio_to_formula(lambda operation: operation != "bounding_sphere"),)),
@@ -148,34 +157,41 @@ def facts(operations):
         ("README.md", "by all pairs and by {} structures", (word(structures),)),
         *(("README.md", f"| [`{chapter}`](docs/operations.md#{chapter}) | {{}} |", (count,))
           for chapter, count in by_chapter.items()),
-        ("CONTRIBUTING.md", "no file over {} lines", (constant("proptests/layout.py", r"^LONGEST = (\d+)"),)),
+        ("CONTRIBUTING.md", "no file over {} lines", (longest,)),
         ("docs/architecture.md", "Do not let a file grow beyond {} lines, or a folder of the library beyond {} files",
-         (constant("proptests/layout.py", r"^LONGEST = (\d+)"), constant("proptests/floors.py", r"^MOST_FILES = (\d+)"))),
+         (longest, most_files)),
         ("docs/method.md", "{} lines of C++ and {} of Python",
-         (hundreds(lines_of("oracle/certificates/*.cpp", "oracle/certificates/*.h")), hundreds(lines_of("oracle/certificates/*.py")))),
-        (RUNS_PAGE, "`./dev test` asks {} of the cases", (fraction(r"TOUCHSTONE_CASES=\$\{TOUCHSTONE_CASES:-([\d.]+)\}"),)),
+         checkers),
+        (RUNS_PAGE, "`./dev test` asks {} of the cases", (of_users,)),
         (RUNS_PAGE, "{} of the cases with g++ and {} with clang", (of_gcc, of_clang)),
         (RUNS_PAGE, "{} mutants, {} different changes", (planted, different)),
         (RUNS_PAGE, "with {} mutations of it ({} in `./dev test`)", (many, few)),
         (RUNS_PAGE, "and {} % of their branches", (f"{gates['branches']:g}",)),
-        (RUNS_PAGE, "is [a theorem](proofs.md#certificates-that-are-proved-to-prove) for {} operations", (proved_operations(),)),
-        ("docs/adding_an_operation.md", "at least {} mutants", (word(constant("proptests/layout.py", r"^FEWEST_MUTANTS = (\d+)")),)),
-        ("docs/adding_an_operation.md", "the family's first {} questions ({} where a question is dear)", (judged, judged_dear)),
-        ("docs/engines.md", "at most {} easy questions", (word(constant("audit/counting/easy_questions.cpp", r"wanted = (\d+);")),)),
+        (RUNS_PAGE, "is [a theorem](proofs.md#certificates-that-are-proved-to-prove) for {} operations",
+         (proved_operations(),)),
+        ("docs/adding_an_operation.md", "at least {} mutants",
+         (word(constant("proptests/layout.py", r"^FEWEST_MUTANTS = (\d+)")),)),
+        ("docs/adding_an_operation.md", "the family's first {} questions ({} where a question is dear)",
+         (judged, judged_dear)),
+        ("docs/engines.md", "at most {} easy questions",
+         (word(constant("audit/counting/easy_questions.cpp", r"wanted = (\d+);")),)),
         ("docs/engines.md", "Up to {} questions are in flight", (flight,)),
         ("docs/engines.md", "gives no answer for {} s (`--timeout`)", (timeout,)),
-        ("docs/engines.md", "dies {} times in a row without an answer, or {} times in one operation, or times out {} times in it",
+        ("docs/engines.md",
+         "dies {} times in a row without an answer, or {} times in one operation, or times out {} times in it",
          (in_a_row, restarts, silences)),
         ("docs/engines.md", "none of at least {} answers", (constant("audit/counting/tally.cpp", r" many = (\d+);"),)),
         ("docs/engines_audited.md", "crashes {} times in one operation, or is silent {} times,", (restarts, silences)),
         ("docs/judging.md", "Beyond 2^{} steps the formula is not evaluated",
          (constant(explained, r"most_steps = std::uint64_t\{1\} << (\d+),"),)),
-        ("docs/judging.md", "Beyond 2^{} steps no cause is sought", (constant(explained, r"most_exact_steps = .*<< (\d+);"),)),
+        ("docs/judging.md", "Beyond 2^{} steps no cause is sought",
+         (constant(explained, r"most_exact_steps = .*<< (\d+);"),)),
         ("docs/many_machines.md", "At most an eighth of its time is lost, and at most {} seconds",
          (constant("program/runs/checkpoint.cpp", r"most\{([\d']+)\}") // 1000,)),
         ("docs/simulate.md", "`steps` ({})", (constant("simulate/world/scene.h", r" steps = (\d+);"),)),
         ("docs/simulate.md", "`moments` ({})", (constant("simulate/world/scene.h", r" moments = (\d+);"),)),
-        ("docs/simulate_engines.md", "In the plane Box2D and planck answer {} of {} hits as they should, Chipmunk {} and ODE {}; "
+        ("docs/simulate_engines.md",
+         "In the plane Box2D and planck answer {} of {} hits as they should, Chipmunk {} and ODE {}; "
          "in space ODE answers {} of {} and rapier {}, at 60 steps a second",
          (right_hits("Box2D 2.4.1", plane), hits(plane), right_hits("Chipmunk 7.0.3", plane), right_hits(ode, plane),
           right_hits(ode, gas), hits(gas), right_hits("@dimforge/rapier3d-compat 0.21.0", gas))),
@@ -187,14 +203,20 @@ def facts(operations):
          tuple(-energy(engine, "unequal_masses") for engine in (bullet, cannon))),
         ("docs/simulate_engines.md", "takes {:.3g} of its 32.4 J instead of {:.3g}",
          tuple(-energy(engine, "fast_box") for engine in (bullet, "robust"))),
-        ("docs/simulate_engines.md", "lift the resting stack by {:.2g} J", (energy("Box2D 2.4.1", "resting_stack_passes"),)),
+        ("docs/simulate_engines.md", "lift the resting stack by {:.2g} J",
+         (energy("Box2D 2.4.1", "resting_stack_passes"),)),
         ("docs/simulate.md", "shows what {} engines do", (word(engines_beside()),)),
-        ("docs/simulate.md", "what they do with {} scenes", (word(text_of("docs/simulate_engines.md").count("Energy at the start:")),)),
-        ("docs/judging.md", "wrong by at most {} units", (constant("catalogue/operation/blame.cpp", r"most_units = (\d+);"),)),
-        ("docs/judging.md", "With *K* = {}:", (constant("catalogue/operation/judged_numbers.h", r"explained_spreads = (\d+);"),)),
+        ("docs/simulate.md", "what they do with {} scenes",
+         (word(text_of("docs/simulate_engines.md").count("Energy at the start:")),)),
+        ("docs/judging.md", "wrong by at most {} units",
+         (constant("catalogue/operation/blame.cpp", r"most_units = (\d+);"),)),
+        ("docs/judging.md", "With *K* = {}:",
+         (constant("catalogue/operation/judged_numbers.h", r"explained_spreads = (\d+);"),)),
         ("docs/testing.md", "`always` asks {} questions", (constant("testing/asked.h", r" cases = (\d+),"),)),
-        ("docs/vectors.md", "in at most {} lines", (max(lines_of(f"examples/vectors/consumer.{kind}") for kind in ("py", "mjs", "cpp")),)),
-        ("docs/vectors.md", "({} per file;", (word(constant("program/commands/vectors_check.cpp", r"usually_told = (\d+);")),)),
+        ("docs/vectors.md", "in at most {} lines",
+         (max(lines_of(f"examples/vectors/consumer.{kind}") for kind in ("py", "mjs", "cpp")),)),
+        ("docs/vectors.md", "({} per file;",
+         (word(constant("program/commands/vectors_check.cpp", r"usually_told = (\d+);")),)),
     ]
     return [(page, sentence.format(*(value if isinstance(value, float) else number(value) for value in numbers)))
             for page, sentence, numbers in found]
@@ -223,8 +245,8 @@ def run_table(runs):
     lines = ["| command | asks | cases | outcomes | wrong | hash | a test repeats it |", "|---" * 7 + "|"]
     for run in runs:
         outcomes = ", ".join(f"{count:,} {name}" for name, count in run["outcomes"].items())
-        lines.append(f"| `{run['command']}` | {run['asks']} | {run['cases']:,} | {outcomes} | {run['wrong']} | `{run['hash']}` | "
-                     f"{'yes' if run['repeated'] else 'no'} |")
+        lines.append(f"| `{run['command']}` | {run['asks']} | {run['cases']:,} | {outcomes} | {run['wrong']} | "
+                     f"`{run['hash']}` | {'yes' if run['repeated'] else 'no'} |")
     return "\n".join(lines) + "\n"
 
 
@@ -241,7 +263,8 @@ def repeated(program, runs):
                                   stderr=subprocess.DEVNULL)
             told = json.loads(done.stdout)
             of = told["operations"][0]
-            if (told["of"], of["outcomes"], of["wrong"], of["hash"]) != tuple(run[key] for key in ("cases", "outcomes", "wrong", "hash")):
+            found = {"cases": told["of"], **{key: of[key] for key in ("outcomes", "wrong", "hash")}}
+            if any(run[key] != value for key, value in found.items()):
                 yield f"docs/runs.jsonl: {run['command']}: now it is {json.dumps(of)}"
 
 
@@ -260,7 +283,8 @@ def self_check(program, texts, expected, runs):
         wrong = {page: flat(texts[page]).replace(flat(sentence), flat(changed))}
         if not list(untrue(wrong, [(page, sentence)])):
             yield f"{page}: a wrong number was not noticed: {changed}"
-    for planted in ("It takes 3 minutes.", "It takes two seconds a row.", "It takes 20 to 30 minutes.", "After half a minute it ends.", "It takes an hour."):
+    for planted in ("It takes 3 minutes.", "It takes two seconds a row.", "It takes 20 to 30 minutes.",
+                    "After half a minute it ends.", "It takes an hour."):
         if not list(times({"a.md": planted}, [])):
             yield f"not noticed: {planted}"
     for innocent in ("`sleep 3 seconds` and no answer in 5 s", "two ulps", "seconds are told"):
@@ -288,7 +312,8 @@ def main():
     check = self_check if options.self_check else defects
     expected = facts(json.loads(listed))
     found = list(check(options.program.resolve(), {page: text_of(page) for page in pages}, expected, runs))
-    right = "every wrong number is noticed" if options.self_check else f"{len(expected)} facts and {len(runs)} runs hold"
+    counted = f"{len(expected)} facts and {len(runs)} runs hold"
+    right = "every wrong number is noticed" if options.self_check else counted
     print("\n".join(found) or right)
     return 1 if found else 0
 

@@ -5,8 +5,9 @@
   words.py               the source tree around this file
   words.py --self-check  small files with one wrong word or sentence each: every one must be found
 
-No source uses an identifier that the vocabulary has replaced. In pages and in docstrings of Python no sentence begins with
-Of, Whether or What, unless it asks, nor with Where unless a main clause follows a comma. Pages use the field's terms."""
+No source uses an identifier that the vocabulary has replaced. In pages and in docstrings of Python no sentence begins
+with Of, Whether or What, unless it asks, nor with Where unless a main clause follows a comma. Pages use the field's
+terms."""
 import argparse
 import ast
 import pathlib
@@ -59,7 +60,8 @@ def complaints(name, text):
 def prose(page):
     """Without code and headings; lines stay where they are."""
     lines = lambda found: "\n" * found.group().count("\n")
-    return re.sub(r"^#.*$", "", re.sub(r"```.*?```|^ *<!--.*?-->", lines, page, flags=re.DOTALL | re.MULTILINE), flags=re.MULTILINE)
+    without_code = re.sub(r"```.*?```|^ *<!--.*?-->", lines, page, flags=re.DOTALL | re.MULTILINE)
+    return re.sub(r"^#.*$", "", without_code, flags=re.MULTILINE)
 
 
 def fragments(name, text, first=1):
@@ -119,12 +121,14 @@ INNOCENT = ("signal 11 (Segmentation fault)", "DiscardCards", "a fault of the en
 
 
 UNCLEAR = {
-    "a.md": ("Of polygons it has none.", "It ends. Whether it holds is tested.", "\n- What is refused: a ring.", "| field | What it is. |",
+    "a.md": ("Of polygons it has none.", "It ends. Whether it holds is tested.", "\n- What is refused: a ring.",
+             "| field | What it is. |",
              "\n\nWhere two rings meet.\n\n", "The coordinates are whole numbers.", "The first one is told."),
     "a.py": ('"""Whether it holds."""', 'def f():\n    """Of the plane."""', 'def f():\n    """A part. What is left."""'),
 }
 CLEAR = {
-    "a.md": ("What is an orientation?", "Where rings meet, they touch.", "## What it promises", "`Of course`, it says what it is.",
+    "a.md": ("What is an orientation?", "Where rings meet, they touch.", "## What it promises",
+             "`Of course`, it says what it is.",
              "```\nOf code nothing is said.\n```"),
     "a.py": ('"""Returns whether it holds."""', "# Whether", "x = 'Of strings'"),
     "CHANGELOG.md": ("Of whole numbers.",),
