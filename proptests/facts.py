@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The numbers on the pages: each is counted here and has to be on its page.
 
-  facts.py --program PATH                checks facts and runs (docs/runs.jsonl), and that no page states a measured time
+  facts.py --program PATH                checks facts, runs (docs/runs.jsonl) and that no page states a time
   facts.py --program PATH --write        writes the table of runs into docs/how_it_is_tested.md
   facts.py --program PATH --self-check   checks that wrong numbers are noticed
 
 A fact is a page, a sentence with {} in place of its numbers, and how they are counted: from the tree, from data or by
-the program. Times depend on a machine; they belong into bench/ratios.json with the processor."""
+the program. Times depend on a machine; they belong into bench/ratios.json with the processor. Every
+kind of certificate and every operation with one has a row in oracle/certificates/README.md."""
 import argparse
 import collections
 import importlib
@@ -239,6 +240,29 @@ def times(texts, expected):
                 yield f"{page}: {found.group()}: a time that depends on the machine"
 
 
+# The kinds of certificates.
+
+CERTIFICATES = "oracle/certificates/README.md"
+
+
+def claimed():
+    """{operation: kinds of certificates that its true claims have}"""
+    kinds = {}
+    for path in (ROOT / "oracle/certificates/claims").glob("*.jsonl"):
+        true = [line for line in path.read_text(encoding="utf-8").splitlines() if '"refused"' not in line]
+        if true:
+            kinds[path.stem] = set(re.findall(r'"kind": ?"(\w+)"', "\n".join(true)))
+    return kinds
+
+
+def unexplained(page, kinds):
+    """Operations that no row of the page names, and kinds of certificates that no row explains."""
+    rows = "\n".join(re.findall(r"^\|.*", page, re.MULTILINE))
+    for name in sorted(kinds.keys() | set().union(*kinds.values())):
+        if f"`{name}`" not in rows:
+            yield f"{CERTIFICATES}: no row has `{name}`"
+
+
 # The runs.
 
 def run_table(runs):
@@ -273,6 +297,7 @@ def defects(program, texts, expected, runs):
     yield from times({page: text for page, text in texts.items() if page not in WITHOUT_TIMES}, expected)
     if texts[RUNS_PAGE] != page_of(texts[RUNS_PAGE], runs):
         yield f"{RUNS_PAGE}: not what proptests/facts.py --write makes of docs/runs.jsonl"
+    yield from unexplained(text_of(CERTIFICATES), claimed())
     yield from repeated(program, runs)
 
 
@@ -296,6 +321,8 @@ def self_check(program, texts, expected, runs):
             yield f"a run with another {key} was not noticed"
     if page_of(texts[RUNS_PAGE], runs[:1]) == texts[RUNS_PAGE]:
         yield "a missing run was not noticed"
+    if not list(unexplained(text_of(CERTIFICATES), claimed() | {"touch": {"feeling"}})):
+        yield "a kind of certificates without a row was not noticed"
 
 
 def main():
