@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What a call from Python costs beside the same call from C, and beside numpy's naive formula, all in one run.
+"""Compares the time of a call from Python with that of the same call from C and of numpy's naive formula, in one run.
 
   arrays_python.py BUILD [COUNT]   BUILD: a build directory that holds touchstone_python and touchstone_robust; 100000 questions
 
@@ -55,7 +55,7 @@ def side(p, q, r):
 
 
 def naive_segments(a, b):
-    """Whether they meet, where no three ends are on one line."""
+    """Returns whether they meet, if no three ends are on one line."""
     return ((side(a[:, 0], a[:, 1], b[:, 0]) * side(a[:, 0], a[:, 1], b[:, 1]) <= 0) &
             (side(b[:, 0], b[:, 1], a[:, 0]) * side(b[:, 0], b[:, 1], a[:, 1]) <= 0))
 

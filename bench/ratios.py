@@ -5,10 +5,11 @@
   bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--page FILE.html] [--keep FILE.json]
   bench/ratios.py --picture FILE.svg --times FILE.json
 
-BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three where
-three take more than two seconds: what else the machine does only ever adds. The ratios of the medians stand beside those
-that a goal is about. --write puts the tables into bench/README.md, --page writes them with bars and curves (page.py), --keep keeps the times of a run. --picture draws the
-README's picture from the times of this run, or of one that was kept.
+BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three
+where three take more than two seconds: other load only ever adds time. The ratios of the medians are printed beside those
+that have a goal. --write puts the tables into bench/ratios.json and bench/README.md (tables.py), --page writes them with
+bars and curves (page.py), --keep keeps the times of a run. --picture draws the README's picture from the times of this
+run, or of one that was kept.
 """
 
 import argparse
@@ -27,6 +28,7 @@ import tempfile
 import types
 
 import page
+import tables
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 OF_ANGLES = {"parametric_circle", "interior_angles"}  # whose formulas call the library's cosine or arc tangent
@@ -91,12 +93,7 @@ def written(value, unit=""):
 
 
 def table(head, rows):
-    """Empty where nothing was timed."""
-    if not rows:
-        return ""
-    widths = [max(len(str(row[i])) for row in [head, *rows]) for i in range(len(head))]
-    line = lambda row: "| " + " | ".join(str(cell).ljust(width) for cell, width in zip(row, widths)) + " |"
-    return "\n".join([line(head), "|" + "|".join("-" * (width + 2) for width in widths) + "|", *map(line, rows)])
+    return tables.Table(head, [[str(cell) for cell in row] for row in rows])
 
 
 def decisions(timed):
@@ -204,7 +201,7 @@ def arrays(timed):
 
 
 def arrays_from_python(build):
-    """What bench/arrays_python.py prints, or why it is not run."""
+    """Returns what bench/arrays_python.py prints, or why it is not run."""
     if not list((build / "python/touchstone").glob("_touchstone*.so")):
         return f"Arrays from Python: skipped, no module in {build}/python (ninja -C {build} touchstone_python)."
     done = subprocess.run([sys.executable, ROOT / "bench/arrays_python.py", build], capture_output=True, text=True)
@@ -335,7 +332,7 @@ def circumstances(build):
 def draw_picture(file, words, timed):
     drawn = page.picture(words, timed)
     if not file or not drawn:
-        sys.exit("no times of arrays, of which the picture is" if file else "--times is for --picture FILE.svg")
+        sys.exit("there are no times of arrays for the picture" if file else "--times is for --picture FILE.svg")
     file.write_text(drawn)
 
 
@@ -374,7 +371,7 @@ def main():
              "" if options.ops else arrays_from_python(options.build.resolve()), triangulations(timed["triangulation"]),
              hulls(timed["hulls"]), meshes(timed["meshes"]), pairs(timed["pairs"]), answers(timed["operations"]), truths(timed["oracle"]),
              exhausted(timed["oracle"])]
-    report = "\n\n".join(part for part in parts if part)
+    report = "\n\n".join(str(part) for part in parts if part)
     print(report)
     if options.page:
         command = shlex.join(["bench/ratios.py", *sys.argv[1:]])
@@ -386,11 +383,8 @@ def main():
     if options.picture:
         draw_picture(options.picture, circumstances(options.build), timed)
     if options.write:
-        readme = ROOT / "bench/README.md"
-        text = readme.read_text()
-        begin, end = "<!-- ratios -->\n", "<!-- end of ratios -->\n"
-        head, rest = text.split(begin)
-        readme.write_text(head + begin + "\n" + report + "\n\n" + end + rest.split(end)[1])
+        run = f"{circumstances(options.build)} One run of `bench/ratios.py {shlex.join(sys.argv[1:])}`."
+        tables.keep([part for part in parts if isinstance(part, tables.Table)], run)
 
 
 if __name__ == "__main__":

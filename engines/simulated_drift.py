@@ -40,7 +40,7 @@ def engines_in(build, npm):
 
 
 class Run:
-    """What is kept of one run of a trajectory."""
+    """The kept data of one run of a trajectory."""
 
     def __init__(self, name):
         self.name, self.parts, self.contacts = name, dict.fromkeys(PARTS, Fraction(0)), 0
@@ -148,7 +148,7 @@ def table(scene, header, runs):
 
 
 def refereed(program, scene, commands):
-    """What the program says of each engine beside a gas: its name, and where it parts."""
+    """Returns what the program says of each engine beside a gas: its name, and where it parts."""
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
         json.dump(scene, file)
         file.flush()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the operations cost: core-seconds of building and of testing, handwritten lines, and whether Metadata::cost is what a
-question costs. For information: the exit code is 0.
+"""Measures the cost of operations: core-seconds of building and testing, handwritten lines, and whether
+Metadata::cost is what a question costs. For information: the exit code is 0.
 
   costs.py [--json FILE]   the builds in build/release (g++) and build/clang, after ./dev test or ./dev test full
   costs.py --self-check    a small made-up build, whose costs are known
@@ -116,7 +116,7 @@ def table(costs):
     yield row("handwritten lines, an operation, with mutants and claims: mean", costs["lines"]["mean"], LIMITS["lines"])
     yield row(f"  worst: {costs['lines']['worst_operation']}", costs["lines"]["worst"])
     dear = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in costs["testing"].items())
-    yield f"dearest to test: {dear}" if dear else "no tests were run"
+    yield f"most expensive to test: {dear}" if dear else "no tests were run"
     for name, (said, measured) in costs["costs"].items():
         if not said / 3 <= max(1, measured) <= 3 * said:
             yield f"{name}: Metadata::cost is {said}, measured {measured:.1f}"

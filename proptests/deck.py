@@ -15,12 +15,12 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INTRODUCTION = """# The deck, page by page
 
-What of the lecture deck *Collision handling: detection and response* is here: for each page the operations whose formulas it has
+This map of the lecture deck *Collision handling: detection and response* lists for each page the operations whose formulas it has
 ([operations.md](operations.md)), and scenes that show it at work (`touchstone simulate`, [simulate.md](simulate.md)). The titles are
 touchstone's; a page that is not listed asks no question of its own.
 
 `./dev deck` writes the same as one living page, build/deck.html: the idea of each page, its formula, a figure to drag or to turn, the
-case that breaks the formula, and a scene that plays. It stands alone: nothing is fetched.
+case that breaks the formula, and a scene that plays. The page needs no network.
 
 This page is written by `proptests/deck.py --program build/release/touchstone --write` from the catalogue, the scenes and
 [report/pages/deck.json](../report/pages/deck.json); do not edit it.
@@ -29,9 +29,9 @@ This page is written by `proptests/deck.py --program build/release/touchstone --
 |---|---|---|---|
 """
 BESIDE = """
-## Beside the deck
+## Operations that are not in the deck
 
-No page asks these; what their formulas are made of is taught on the pages named.
+No page asks these; the pages named teach the parts of their formulas.
 
 | operation | p. |
 |---|---|
@@ -66,13 +66,13 @@ def page_of(sections, asked, beside, scenes):
 
 
 def defects_of(sections, asked, scenes):
-    """Of deck.json: each operation that the deck asks stands in a section of one of its pages, each scene on its own."""
+    """Checks that deck.json has each operation of the deck in a section of one of its pages, and scenes on theirs."""
     known = {o["name"]: numbers(o["pages"]) for o in asked}
     for section in sections:
         pages = numbers(section["pages"])
         for name in section["operations"]:
             if not pages & known.get(name, set()):
-                yield f"report/pages/deck.json: p. {section['pages']}: {name} is not asked there"
+                yield f"report/pages/deck.json: p. {section['pages']}: {name} is no operation of that page"
         scene = section.get("scene")
         if scene is not None and not pages & set(scenes.get(scene, ())):
             yield f"report/pages/deck.json: p. {section['pages']}: {scene} is no scene of these pages"
@@ -84,7 +84,7 @@ def defects_of(sections, asked, scenes):
 
 
 def asked_and_beside(operations, root):
-    """An implementation without a formula of its own has no header to lead to. What the deck asks, its contract says."""
+    """An implementation without a formula of its own has no header to lead to. The contract of an operation says whether the deck asks it."""
     there = [o for o in operations if (root / header(o)).is_file()]
     asked = [o for o in there if "Deck p. " in (root / header(o)).read_text(encoding="utf-8")]
     return asked, [o for o in there if o not in asked]
@@ -105,7 +105,7 @@ def self_check():
         wrong.append(f"right sections: {found}")
     for planted, word in [([{**sections[0], "operations": []}, sections[1]], "meet is in no section"),
                           ([{**sections[0], "scene": "ball"}, sections[1]], "ball is no scene"),
-                          ([sections[0], {**sections[1], "operations": ["touch"]}], "touch is not asked"),
+                          ([sections[0], {**sections[1], "operations": ["touch"]}], "touch is no operation"),
                           (sections[::-1], "not in order")]:
         if not any(word in one for one in defects_of(planted, [meet], scenes)):
             wrong.append(f"not found: {word}")

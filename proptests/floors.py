@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the folders of the library are floors: includes between folders run one way, no folder is crowded, and
+"""Checks that the folders of the library are floors: includes between folders run one way, no folder is crowded, and
 docs/architecture.md says of every module what it sees.
 
   floors.py               the source tree around this file

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether .clusterfuzzlite keeps the contract of ClusterFuzzLite and OSS-Fuzz, without their images: build.sh configures and
+"""Checks that .clusterfuzzlite keeps the contract of ClusterFuzzLite and OSS-Fuzz, without their images: build.sh configures and
 packs with clang and libFuzzer; every target starts alone in an empty folder and accepts its seeds; a mutant is found.
 In place of compiling everything once more, the targets are linked from what this build compiled, with one mutant.
 usage: fuzzing_service.py SOURCE BUILD OBJECT...      77: not here, with the reason
@@ -23,7 +23,7 @@ BUG = next((number, mutant) for number, mutant in listed() if mutant["id"] == "o
 FLAGS = ["-O1", "-fno-omit-frame-pointer", "-gline-tables-only", "-DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION"]
 ENGINE = "-fsanitize=fuzzer"
 ENGINE_OF_SERVICE = ENGINE + " -Wl,--no-as-needed,-lpthread"  # several words, with commas
-# What the image that runs the targets has.
+# The image that runs the targets has these.
 THERE = ("linux-vdso", "libc.", "libm.", "libgcc_s", "libstdc++", "/lib")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How many lines people wrote for an operation."""
+"""Counts the lines that people wrote for an operation."""
 import re
 
 MODULES = ("reference", "robust", "oracle", "catalogue/rows", "proptests/operations", "fuzz")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether every operation is in every module under its own name, and no module sees one that it must not.
+"""Checks that every operation is in every module under its own name, and no module sees one that it must not.
 
   layout.py --program PATH   the source tree around this file, with the operations that the program knows
   layout.py --self-check     small trees with one defect each: every defect must be found
@@ -28,7 +28,7 @@ MODULES = {
     "python": {"robust", "c", "python"},
     **dict.fromkeys(("engines", "proptests", "fuzz", "bench", "coverage", "examples")),
 }
-# Where an operation's files stand: folder (before the chapter) and suffixes.
+# The files of an operation: folder (before the chapter) and suffixes.
 PLACES = {
     "reference": (".h",),
     "robust": (".h", ".cpp"),
@@ -88,18 +88,18 @@ def operation_files(tree, operations):
         for name in sorted(tree.text):
             for folder in folders:
                 if name.startswith(f"{place}/{folder}/") and name not in allowed:
-                    yield f"{name}: stray, no operation of that chapter has this name"
+                    yield f"{name}: stray file, no operation of that chapter has this name"
 
 
 def claimed(tree, file):
-    """Whether a file holds a true claim, and a false one."""
+    """Returns whether a file holds a true claim, and a false one."""
     text = (tree.root / file).read_text(encoding="utf-8") if (tree.root / file).is_file() else ""
     kinds = {"refused" in json.loads(line) for line in text.splitlines() if line.strip()}
     return False in kinds, True in kinds
 
 
 def evidence(tree, operations):
-    """What an operation needs beside its files, module by module."""
+    """Yields what an operation needs besides its files, module by module."""
     certify = "oracle/certificates/"
     checks = {suffix: "".join(text for name, text in tree.text.items() if name.startswith(certify) and name.endswith(suffix))
               for suffix in (".cpp", ".py")}
@@ -110,9 +110,9 @@ def evidence(tree, operations):
         header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "catalogue/rows"))
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
             if f"robust::{alone}(" not in row:
-                yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
+                yield f"catalogue/rows/{operation['chapter']}/{name}.h: no row evaluates robust::{alone}, the decision alone"
         if "namespace stages {" in header and not re.search(rf"stages =\s+(StagesEither<)?::touchstone::robust::stages::{name}\b", row):
-            yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::stages::{name}, each stage alone"
+            yield f"catalogue/rows/{operation['chapter']}/{name}.h: no row evaluates robust::stages::{name}, each stage alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
@@ -185,7 +185,7 @@ def public_headers(tree):
 
 
 def arguments_of(text, start):
-    """What stands between the commas of the call whose parenthesis opens at start."""
+    """Returns the texts between the commas of the call whose parenthesis opens at start."""
     depth, found = 0, [""]
     for character in text[start:]:
         depth += (character in "([{") - (character in ")]}")
@@ -207,7 +207,7 @@ def draws(tree):
         for call in CALL.finditer(code):
             passed = arguments_of(code, call.end() - 1)
             if sum(bool(DRAW.search(a)) for a in passed if not re.match(r"\(?\s*\[", a)) > 1:
-                yield f"{name}:{code[:call.start()].count(chr(10)) + 1}: two draws in one call, in no order"
+                yield f"{name}:{code[:call.start()].count(chr(10)) + 1}: two draws in one call, in unspecified order"
 
 
 def circles(tree):
@@ -245,7 +245,7 @@ def reach(sees, start):
 def readers(tree):
     for name, text in tree.text.items():
         if name.endswith((".h", ".cpp")) and (found := OTHER_READER.search(COMMENT.sub("", text))):
-            yield f"{name}: {found.group(0)}, another reader of numbers than nearest_double"
+            yield f"{name}: {found.group(0)}, reads numbers without nearest_double"
 
 
 def lengths(tree):
@@ -317,10 +317,10 @@ PLANTED = [
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
     ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
     ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
-    ("robust/lines/touch.h", "inline Side touch_side(int);\n", "nobody asks robust::touch_side"),
+    ("robust/lines/touch.h", "inline Side touch_side(int);\n", "no row evaluates robust::touch_side"),
     ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
     ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
-    ("robust/lines/touch.h", "namespace stages {\nstruct touch;\n}\n", "nobody asks robust::stages::touch"),
+    ("robust/lines/touch.h", "namespace stages {\nstruct touch;\n}\n", "no row evaluates robust::stages::touch"),
     ("robust/lines/touch.h", '#include "robust/rings/simple.h"\n', "rings/simple.h, which is not installed"),
     ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
     ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
@@ -329,7 +329,7 @@ PLANTED = [
     ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
     ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
     ("catalogue/shape/shape.h", '#include "catalogue/operation/row.h"\n', "catalogue/shape: a circle"),
-    ("program/main.cpp", "double x = std::stod(text);\n", "program/main.cpp: stod, another reader of numbers"),
+    ("program/main.cpp", "double x = std::stod(text);\n", "program/main.cpp: stod, reads numbers"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),

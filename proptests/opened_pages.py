@@ -32,7 +32,7 @@ CASES = 40
 PHONE = 390, 844  # pixels: the narrowest window that pages have to fit into
 FLAGS = ("--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-extensions", "--remote-debugging-pipe")
 
-# What is drawn, once all maps are there, and once everything that moves has been moved to both ends.
+# Counts what a page has drawn, once all maps are there and everything that moves has been moved to both ends.
 COUNT = """(async () => {
   const all = (selector, place = document) => [...place.querySelectorAll(selector)];
   const settled = map => map.dataset.walk === 'ready' || map.querySelector('.failed');
@@ -67,7 +67,7 @@ COUNT = """(async () => {
 
 
 class Page(html.parser.HTMLParser):
-    """How many figures a page has, by its text alone."""
+    """Counts the figures of a page, by its text alone."""
 
     def __init__(self, text):
         super().__init__()
@@ -150,7 +150,7 @@ class Browser:
             pass
 
     def open(self, page):
-        """What a page writes to the console, and what is drawn on it."""
+        """Returns what a page writes to the console, and what is drawn on it."""
         self.messages = []
         self.load(page)
         result = self.ask("Runtime.evaluate", expression=COUNT, awaitPromise=True, returnByValue=True)
@@ -175,7 +175,7 @@ class Browser:
 
 
 def complaints(browser, page):
-    """Of one page, and how many figures it has."""
+    """Returns the complaints about one page, and how many figures it has."""
     messages, drawn = browser.open(page)
     wanted = Page(page.read_text(encoding="utf-8")).counts
     found = [f"{page.name}: the console says: {message}" for message in messages]

@@ -32,7 +32,7 @@ def main():
     code, answers, complaints = ask(program, "all_pairs", few, many, few)
     error, pair = {"field": "line", "rule": "answered in the memory there is"}, {"pairs": [[0, 1]]}
     if [answer.get("truth", answer.get("error")) for answer in answers] != [pair, error, pair]:
-        wrong.append(f"not one line is refused: {[list(answer) for answer in answers]}")
+        wrong.append(f"expected that one line is refused: {[list(answer) for answer in answers]}")
     if code != 2 or len(complaints) != 1 or not complaints[0].endswith("line 2: line: answered in the memory there is"):
         wrong.append(f"exit code {code}, {complaints}")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What `touchstone ask OP --as FRAMEWORK` prints runs as it is and can fail, for every operation.
+"""Checks that the test that `touchstone ask OP --as FRAMEWORK` prints runs as it is and can fail, for every operation.
 
 --catch2 FILE writes the tests for Catch2 into a file, of some vectors of every operation, with robust in the place of the
 user's functions: cmake/proptests.cmake builds and runs it, but for the operations of which many answers are right; these

@@ -19,7 +19,7 @@ sys.path.insert(0, str(ROOT / "robust/proofs"))
 sys.path.insert(0, str(ROOT / "oracle/certificates/proved"))
 sys.dont_write_bytecode = True
 STAGES = ("filter", "enclosed", "lattice", "exact")
-KINDS = {"decision": "words are equal", "measure": "numbers in ulps", "set": "equal as sets",
+KINDS = {"decision": "enumerators are equal", "measure": "numbers in ulps", "set": "equal as sets",
          "checked": "a checker accepts it", "covering": "nothing is missing"}
 PARTS_OF_FILTERS = {"FloatFormat", "Sign", "Meeting", "Bounds", "by_sign", "power_of_two", "extent", "apart", "slab",
                     "beyond_interval"}
@@ -35,7 +35,7 @@ def lines_of(path):
 
 
 def method_of_oracle(chapter, name):
-    """What its header says after "Truth:", up to the margin, and of the certificate."""
+    """Returns what its header says after "Truth:", up to the margin, and of the certificate."""
     comments = re.findall(r"(?:^///.*\n)+", text_of(f"oracle/{chapter}/{name}.h"), re.MULTILINE)
     for comment in (re.sub(r"\s*^/// ?", " ", comment, flags=re.MULTILINE).strip() for comment in comments):
         found = re.search(r"Truth[:,] (.*?) *(?=Margin|No margin|Certificate:|$)", comment)
@@ -82,7 +82,7 @@ def certificate_kinds(name):
 
 
 def checker_proved(name):
-    """Whether the checks of its certificates are proved: yes, no, or but for which kinds."""
+    """Returns whether the checks of its certificates are proved: yes, no, or but for which kinds."""
     kinds = importlib.import_module("kinds")
     if name not in kinds.operations(kinds.sources()):
         return "-"
@@ -113,7 +113,7 @@ def grids():
 
 
 def configurations(program, name, size):
-    """How many there are: a shard with none of them says so."""
+    """Returns their number, which a shard with none of them reports."""
     said = subprocess.run([program, "exhaust", name, "--grid", str(size), "--shard", f"1/{1 << 63}", "--json", "-"],
                           check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
     return json.loads(said)["cases"]
@@ -134,7 +134,7 @@ def worlds(program, operation):
 def table(program, operations):
     opinions, without = second_opinions()
     asked = 0
-    columns = ["operation", "judged", "second opinion", "certificates", "checker proved", "worlds", "stages of robust", "proved",
+    columns = ["operation", "judged", "second opinion", "certificates", "checker proved", "small domains", "stages of robust", "proved",
                "mutants", "vectors", "open"]
     lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
     for operation in operations:
@@ -148,7 +148,7 @@ def table(program, operations):
         asked += count
         doubts = [] if name not in without else [without[name]]
         if not whole:
-            doubts.append("no world is asked as a whole")
+            doubts.append("no small domain is asked completely")
         stages = stages_of(chapter, name)
         lines.append("| " + " | ".join([
             f"`{name}`", KINDS[operation["kind"]], "; ".join(opinion) or "-",
@@ -160,30 +160,30 @@ def table(program, operations):
 
 HEAD = """# Status of every operation
 
-Made by `./dev status` from the tree (a test compares); nothing here is written by hand. The operations in the order of
-the chapters:
+Made by `./dev status` from the tree (a test compares); nothing here is written by hand. The operations are in the order of the
+chapters:
 
-- *second opinion*: what else decides the same questions in the test run, beside robust and the oracle. How the oracle
-  does it stands [below](#how-the-oracle-decides).
-- *certificates*: the kinds that the vectors have, each checked by two programs
+- *second opinion*: other programs that decide the same questions in the test run. The method of the oracle is
+  [below](#how-the-oracle-decides).
+- *certificates*: the kinds that the vectors have. Two programs check each
   ([what they prove](../oracle/certificates/README.md)).
-- *checker proved*: of which of these kinds it is a [theorem](proofs.md) that they prove the truth.
-- *worlds*: small worlds of the test run, by the number of values of each coordinate: all configurations, or that many
-  of them, evenly spread. `touchstone exhaust` asks the rest.
-- *stages of robust*: in the order in which they are asked, where they can be asked one by one. `filter`: double and a
-  proved bound. `enclosed`: half as many digits more, and a rounding test. `lattice`: integers below 2^61, products in
-  128 bits. `exact`: integers of any size; how many bits they reach is not recorded.
-- *proved*: the filters and enclosures that it may ask, itself or by what it uses, and that have [theorems](proofs.md).
-  `(derived)`: the bound is derived in a comment and tested. `-`: it has no such bound; it compares, or computes exactly.
-- *mutants*: planted bugs; property suite, vectors and fuzzing alone have to kill each.
-- *open*: what is missing, as far as the tree knows it.
+- *checker proved*: the kinds for which a [theorem](proofs.md) says that they prove the truth.
+- *small domains*: the number of values of each coordinate, and the configurations that the test run asks: all, or that
+  many, evenly spread. `touchstone exhaust` asks the rest.
+- *stages of robust*: in the order in which they run, if they can be run one by one. `filter` is double with a bound.
+  `enclosed` has half as many digits more, and a rounding test. `lattice` has integers below 2^61, with products in 128
+  bits. `exact` has integers of any size.
+- *proved*: the filters and enclosures with [theorems](proofs.md) that it may use, itself or indirectly. `(derived)`: the
+  bound is derived in a comment and tested. `-`: it has no such bound; it compares, or computes exactly.
+- *mutants*: planted bugs, each of which the property suite, the vectors and fuzzing kill alone.
+- *open*: known gaps.
 """
 
 
 def status(program, operations):
     lines, asked = table(program, operations)
     methods = [f"- `{o['name']}`: {method_of_oracle(o['chapter'], o['name'])}" for o in operations]
-    below = ["", "## How the oracle decides", "", "As the headers of `oracle/` say it.", "", *methods, ""]
+    below = ["", "## How the oracle decides", "", "These are the words of the headers of `oracle/`.", "", *methods, ""]
     return "\n".join([HEAD, *lines, *below]), asked
 
 
@@ -220,14 +220,14 @@ def numbers(operations, asked):
     rows = [
         ("operations", len(operations)),
         ("families of inputs, of all operations", sum(len(o["families"]) for o in operations)),
-        ("properties that every operation is asked for", count_in("proptests/agreement", r"^EACH_OPERATION\(|\{Aspect::") - 1),
+        ("properties that are tested for every operation", count_in("proptests/agreement", r"^EACH_OPERATION\(|\{Aspect::") - 1),
         ("other tests", hundreds(count_in("proptests", r"^ *(TEST_CASE|(ROBUST_|EXACT_)?LAW|CONTRACT)\("))),
-        ("configurations of small worlds in a test run", asked),
+        ("configurations of small domains in a test run", asked),
         ("operations with a second truth", sum(o["name"] in truths for o in operations)),
         ("floating-point environments", int(environments)),
         ("mutants, each killed in three ways", mutants),
         ("test vectors", manifest["vectors"]),
-        ("claims that the checkers have to believe, and to refuse", f"{true:,}, {false:,}"),
+        ("claims that the checkers have to accept, and to refuse", f"{true:,}, {false:,}"),
         ("inputs that fuzzing starts from", hundreds(files_in("fuzz/corpus"))),
         ("inputs that fuzzing found, replayed", files_in("fuzz/findings")),
         ("lines of reference, robust and oracle that tests must reach", f"{gates['lines']:g} %"),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether an example of how to use the vectors finds what the vectors say that the textbook formula gets wrong:
+"""Checks that an example of how to use the vectors finds what the vectors say that the textbook formula gets wrong:
 vector_consumers.py VECTORS SOURCE COMMAND..."""
 import json
 import pathlib

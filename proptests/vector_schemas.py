@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the schemas beside the vectors let the vectors pass and refuse lines with one defect each: vector_schemas.py
-VECTORS. Of each file every outcome and every 50th line is asked: the checker takes milliseconds a line. Exit code 77
+"""Checks that the schemas beside the vectors let the vectors pass and refuse lines with one defect each: vector_schemas.py
+VECTORS. It asks every outcome and every 50th line of each file: the checker takes milliseconds a line. Exit code 77
 if there is no Python package jsonschema."""
 import copy
 import json
@@ -45,17 +45,17 @@ def defects(line):
     yield "another operation", line | {"op": "touch"}
     yield "another operation's id", line | {"id": "touch/0001"}
     yield "an id without number", line | {"id": line["op"] + "/one"}
-    yield "a family that is none", line | {"family": "stranger"}
-    yield "a field too many", line | {"comment": ""}
-    yield "a field too many in the input", with_value(line, ("input", "comment"), 0)
-    yield "a field missing in the input", line | {"input": without(line["input"], next(iter(line["input"])))}
+    yield "an unknown family", line | {"family": "stranger"}
+    yield "an unexpected field", line | {"comment": ""}
+    yield "an unexpected field in the input", with_value(line, ("input", "comment"), 0)
+    yield "a missing field in the input", line | {"input": without(line["input"], next(iter(line["input"])))}
     yield "an unknown flag", line | {"flags": ["stranger"]}
-    yield "a flag twice", line | {"flags": ["touch", "touch"]}
+    yield "a duplicate flag", line | {"flags": ["touch", "touch"]}
     for name in ("touchstone", "id", "op", "family", "input", "flags"):
         yield f"no {name}", without(line, name)
     number = first_number(line["input"], ("input",))
     if number is not None:
-        yield "a word for a number", with_value(line, number, "one")
+        yield "text in place of a number", with_value(line, number, "one")
     if "refused" in line:
         yield "refused without a rule", line | {"refused": {"field": "a"}}
         yield "refused and answered", line | {"truth": {}}
@@ -64,17 +64,17 @@ def defects(line):
         yield "infinite input that is not refused", with_value(line, number, "inf")
     yield "a rounded answer of another kind", line | {"rounded": {"rel": "LEFT"}}
     yield "a truth of another kind", line | {"truth": {"rel": "LEFT"}}
-    yield "a margin that is no number", line | {"margin": "banana"}
+    yield "a margin that is not a number", line | {"margin": "banana"}
     yield "a margin in decimals", line | {"margin": "0.5"}
-    yield "as typed, of another kind", line | {"as_typed": "LEFT"}
+    yield "an answer as typed of another kind", line | {"as_typed": "LEFT"}
     yield "a certificate without kind", line | {"certificate": without(line["certificate"], "kind")}
-    yield "a fact that is no list", with_value(line, ("certificate", "fact"), "1/2")
+    yield "a fact that is not a list", with_value(line, ("certificate", "fact"), "1/2")
     yield "a fact in decimals", with_value(line, ("certificate", "fact"), ["0.5"])
     for name in ("truth", "rounded", "certificate"):
         yield f"no {name}", without(line, name)
     for name, value in line["truth"].items():
         if isinstance(value, str) and value[-1].isalpha():
-            yield "a word in capitals", with_value(line, ("truth", name), value.upper())
+            yield "an enumerator in capitals", with_value(line, ("truth", name), value.upper())
 
 
 def outcome(line):

@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether no source uses an identifier that the vocabulary has replaced (CONTRIBUTING.md).
+"""Checks the words of the tree (CONTRIBUTING.md).
 
   words.py               the source tree around this file
-  words.py --self-check  small files with one such identifier each: every one must be found
-"""
+  words.py --self-check  small files with one wrong word or sentence each: every one must be found
+
+No source uses an identifier that the vocabulary has replaced. In pages and in docstrings of Python no sentence begins
+with Of, Whether or What, unless it asks, nor with Where unless a main clause follows a comma. Pages use the field's
+terms."""
 import argparse
+import ast
 import pathlib
 import re
 import sys
@@ -14,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("audit", "bench", "c", "catalogue", "cmake", "coverage", "docs", "engines", "examples", "fuzz", "geometry",
            "oracle", "program", "proptests", "python", "reference", "report", "robust", "simulate", "testing")
 SUFFIXES = {".h", ".cpp", ".py", ".js", ".mjs", ".cmake", ".md"}
-# What was replaced, as a pattern of the whole identifier, and what stands for it.
+# Replaced identifiers, as patterns of the whole identifier, and their replacements.
 REPLACED = {
     r"Card": "Metadata",
     r"Tape": "EncodedValue",
@@ -31,6 +35,18 @@ REPLACED = {
     r"\w+Choices\w*|Choices\w+|choices_\w*|\w+_choices\w*": "draws (DrawStream, case_draws)",
     r"faults?_\w+|\w+_faults?_?": "defect (defects_of_header)",
 }
+# Phrases in pages, and the field's terms for them.
+PHRASES = {
+    r"whole numbers?": "integers",
+    r"(?:is|are) told(?! to)": "reported, named",
+    r"there twice": "duplicate",
+}
+PHRASE = re.compile("|".join(rf"(?P<p{i}>\b(?:{old})\b)" for i, old in enumerate(PHRASES)))
+# The start of a sentence: of a page, a paragraph, an item, a cell, or after the end of another.
+START = r"(?:\A|(?<=\n\n)|(?<=[.!?;] )|(?<=\.\n)|(?<=\.\n  )|(?<=\n- )|(?<=\n\* )|(?<=\| ))"
+FRAGMENT = re.compile(START + r"(Of|Whether|What|Where|So many|How many)\b([^|]*?)(\?|[.;!](?=\s|\Z)|\n\n|\||\Z)")
+# The first tells what was called how; the program prints the second; the third has titles in cells.
+MADE = {"CHANGELOG.md", "docs/operations.md", "docs/deck.md"}
 PATTERN = re.compile("|".join(rf"(?P<w{i}>\b(?:{old})\b)" for i, old in enumerate(REPLACED)))
 
 
@@ -39,6 +55,44 @@ def complaints(name, text):
         for found in PATTERN.finditer(line):
             new = list(REPLACED.values())[int(found.lastgroup[1:])]
             yield f"{name}:{number}: {found.group()}: the word is {new}"
+
+
+def prose(page):
+    """Without code and headings; lines stay where they are."""
+    lines = lambda found: "\n" * found.group().count("\n")
+    without_code = re.sub(r"```.*?```|^ *<!--.*?-->", lines, page, flags=re.DOTALL | re.MULTILINE)
+    return re.sub(r"^#.*$", "", without_code, flags=re.MULTILINE)
+
+
+def fragments(name, text, first=1):
+    """Sentences without a main clause. first: the line of the text's beginning."""
+    for found in FRAGMENT.finditer(text):
+        word, rest, end = found.groups()
+        if end != "?" and not (word == "Where" and "," in rest):
+            line = first + text.count("\n", 0, found.start())
+            yield f"{name}:{line}: {' '.join((word + rest).split())[:50]}: the sentence begins with {word}"
+
+
+def phrases(name, text):
+    for found in PHRASE.finditer(text):
+        line = 1 + text.count("\n", 0, found.start())
+        yield f"{name}:{line}: {found.group()}: the word is {list(PHRASES.values())[int(found.lastgroup[1:])]}"
+
+
+def docstrings(text):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.FunctionDef, ast.ClassDef)) and ast.get_docstring(node):
+            yield node.body[0].lineno, ast.get_docstring(node)
+
+
+def unclear(name, text):
+    """The sentences of a page, or of a script's docstrings."""
+    if name.endswith(".md") and name not in MADE:
+        yield from fragments(name, prose(text))
+        yield from phrases(name, re.sub(r"`[^`\n]*`", "", prose(text)))
+    elif name.endswith(".py"):
+        for line, docstring in docstrings(text):
+            yield from fragments(name, docstring, line)
 
 
 def sources():
@@ -51,8 +105,9 @@ def sources():
 
 def found_in_tree():
     for path in sources():
-        if path.name != "CHANGELOG.md":  # it tells what was called how
+        if path.name not in MADE:
             yield from complaints(path.relative_to(ROOT), path.read_text(encoding="utf-8"))
+        yield from unclear(path.relative_to(ROOT).as_posix(), path.read_text(encoding="utf-8"))
 
 
 PLANTED = ("const Card& card();", "using Tape = int;", "Choices& c", "if (doubtful) return;", "looked_at = true;",
@@ -65,12 +120,29 @@ INNOCENT = ("signal 11 (Segmentation fault)", "DiscardCards", "a fault of the en
             "encoded_.words[0]")
 
 
+UNCLEAR = {
+    "a.md": ("Of polygons it has none.", "It ends. Whether it holds is tested.", "\n- What is refused: a ring.",
+             "| field | What it is. |",
+             "\n\nWhere two rings meet.\n\n", "The coordinates are whole numbers.", "The first one is told."),
+    "a.py": ('"""Whether it holds."""', 'def f():\n    """Of the plane."""', 'def f():\n    """A part. What is left."""'),
+}
+CLEAR = {
+    "a.md": ("What is an orientation?", "Where rings meet, they touch.", "## What it promises",
+             "`Of course`, it says what it is.",
+             "```\nOf code nothing is said.\n```"),
+    "a.py": ('"""Returns whether it holds."""', "# Whether", "x = 'Of strings'"),
+    "CHANGELOG.md": ("Of whole numbers.",),
+}
+
+
 def self_check():
-    wrong = [f"not found: {line}" for line in PLANTED if not list(complaints("planted.h", line))]
+    wrong = [f"not found: {text}" for name, texts in UNCLEAR.items() for text in texts if not list(unclear(name, text))]
+    wrong += [f"wrongly found: {text}" for name, texts in CLEAR.items() for text in texts if list(unclear(name, text))]
+    wrong += [f"not found: {line}" for line in PLANTED if not list(complaints("planted.h", line))]
     wrong += [f"wrongly found: {line}" for line in INNOCENT if list(complaints("innocent.h", line))]
     if len(list(sources())) < 500:
         wrong.append("the tree's sources are not read")
-    checks = len(PLANTED) + len(INNOCENT) + 1
+    checks = len(PLANTED) + len(INNOCENT) + 1 + sum(map(len, [*UNCLEAR.values(), *CLEAR.values()]))
     print(f"self-check: {checks - len(wrong)} of {checks} as expected")
     return wrong
 

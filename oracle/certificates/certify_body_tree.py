@@ -27,7 +27,7 @@ def ray_in_space(value, what):
 
 
 def meets_box(proof, low, high, body_low, body_high):
-    """Whether a body meets a box, as the proof says."""
+    """Returns whether a body meets a box, as the proof says."""
     if proof.kind() == "common_point":
         proof.facts("point")
         p = triple(proof, "point")
@@ -95,7 +95,7 @@ class Met:
         self.met += [] if first is None else [(first, index)]
 
     def opens(self, low, high):
-        """Whether the next proof leaves what is in the box open; else it shows the query to miss it."""
+        """Returns whether the next proof leaves open what is in the box; else it shows that the query misses it."""
         proof = self.next()
         if proof.kind() == "open":
             proof.facts()
@@ -104,7 +104,7 @@ class Met:
         return False
 
     def bodies(self):
-        """Of a ray, in the order of the first t."""
+        """Returns the bodies along a ray in the order of the first t."""
         expect(self.used == len(self.proofs), "certificate: a proof for each body")
         return [index for _, index in sorted(self.met)]
 

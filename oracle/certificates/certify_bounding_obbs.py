@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of oriented boxes around points, as in check_bounding_obbs.cpp."""
+"""The checks of certify.py for oriented boxes around points, as in check_bounding_obbs.cpp."""
 
 from certify_reading import expect, only
 from certify_space import dot, exact_triple, list_of_three, named, points_in_space
@@ -30,7 +30,7 @@ def check_obb_of_points(claim):
         return [x * scale - y for x, y in zip(p, middle)]
 
     def ratio(p, k):
-        """Of p's coordinate along a half axis to the half axis, as a numerator and the denominator."""
+        """Returns the ratio of p's coordinate along a half axis to the half axis, as numerator and denominator."""
         axis, d = proper[k]
         return dot(from_middle(p), axis) * d, squares[k] * scale
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of balls around points, as in check_bounding_spheres.cpp."""
+"""The checks of certify.py for balls around points, as in check_bounding_spheres.cpp."""
 
 from fractions import Fraction
 

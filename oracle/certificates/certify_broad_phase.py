@@ -136,7 +136,7 @@ def query(command, what):
 
 
 def carry_out(command, bodies, count, what):
-    """How many bodies there have been after the command. bodies: what is written and both ends, by index."""
+    """Returns how many bodies there have been after the command. bodies: what is written and both ends, by index."""
     expect(isinstance(command, dict), what + ": a command")
     if "insert" in command:
         only(command, what, ["insert"])
@@ -210,7 +210,7 @@ def check_broad_phase(claim):
     trees.expect_used()
 
 
-# What other structures answer is proved in the same way.
+# The answers of other structures are proved in the same way.
 check_sphere_hierarchy = check_all_pairs
 check_bounding_volume_hierarchy = check_uniform_grid = check_broad_phase
 check_quadtree = check_octree = check_bsp_tree = check_broad_phase

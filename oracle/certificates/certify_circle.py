@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of a point on a circle, as in check_circle.cpp.
+"""The checks of certify.py for a point on a circle, as in check_circle.cpp.
 
 Pairs are whole numbers of some unit 2^-bits, low and high, with the true value between them.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of nearest points, and of the contacts that follow from them, as in check_closest.cpp."""
+"""The checks of certify.py for nearest points, and of the contacts that follow from them, as in check_closest.cpp."""
 
 from certify_meshes import mesh, outward_planes
 from certify_reading import WRONG_KIND, exact_value, expect, number, only

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of meshes as surfaces, as in check_complexity.cpp."""
+"""The checks of certify.py for meshes as surfaces, as in check_complexity.cpp."""
 
 import json
 from collections import defaultdict
@@ -132,8 +132,8 @@ def expect_apart(space, i, j, normals):
 
 
 def first_meeting(claim, space, normals, weights):
-    """Of faces with areas: the first pair in the order of their places that meets beyond what both name. Where faces are
-    cut, `triangles` names one of each."""
+    """Among faces with areas, finds the first pair, in the order of their indices, that meets beyond what both name.
+    Where faces are cut, `triangles` names one of each."""
     named = named_pair(claim, len(space.cuts))
     for i, cut in enumerate(space.cuts):
         for j in range(i + 1, len(space.cuts)):

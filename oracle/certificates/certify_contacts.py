@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of bodies in several contacts, as in check_contacts.cpp."""
+"""The checks of certify.py for bodies in several contacts, as in check_contacts.cpp."""
 
 from certify_bodies import minus, normal, restitution
 from certify_reading import expect, number, only

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of the convexity of polygons, as in check_convexity.cpp."""
+"""The checks of certify.py for the convexity of polygons, as in check_convexity.cpp."""
 
 from fractions import Fraction
 from math import floor

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of steps with moments, as in check_impacts.cpp."""
+"""The checks of certify.py for steps with moments, as in check_impacts.cpp."""
 
 from fractions import Fraction
 from math import isqrt
@@ -14,7 +14,7 @@ MOST_MOMENTS, MOST_CONTACTS_AT_A_ROOT = 16, 6
 
 
 def product(x, y):
-    """Of numbers over one root, that of the moment's t."""
+    """Multiplies numbers over one root, that of the moment's t."""
     r = x.r if x.q != 0 else y.r
     return Surd(x.p * y.p + x.q * y.q * r, x.p * y.q + x.q * y.p, r)
 
@@ -154,7 +154,7 @@ class Step:
         return total(height.square(), inner(n, n) * -(radius**2)).sign()
 
     def collides_until(self, pair, t, counts):
-        """Whether the pair collides before t, or at t as well if it `counts`."""
+        """Returns whether the pair collides before t, or at t as well if it `counts`."""
         start = self.start_of(pair)
         begin = Surd(start)
         wait = (t + -start).sign()
@@ -172,7 +172,7 @@ class Step:
         return gap < 0 or (counts and gap == 0) or self.parting_at(pair, t).sign() > 0
 
     def another(self):
-        """Whether a pair collides in what is left of the step."""
+        """Returns whether a pair collides in what is left of the step."""
         return any(pair not in self.settled and self.collides_until(pair, Surd(Fraction(1)), True)
                    for pair in self.pairs())
 

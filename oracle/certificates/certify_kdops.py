@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of volumes of intervals around points, boxes and k-DOPs, as in check_kdops.cpp."""
+"""The checks of certify.py for volumes of intervals around points, boxes and k-DOPs, as in check_kdops.cpp."""
 
 from certify_reading import exact_pair, exact_value, expect, number, only, point
 from certify_space import dot, point_in_space, points_in_space
@@ -8,7 +8,7 @@ WRONG_VALUE = "certificate: the value of N . P is wrong"
 
 
 def points(value, what):
-    """Of one dimension, two or three; at least one."""
+    """Reads points of one dimension, two or three; there is at least one."""
     expect(isinstance(value, list) and value, what + ": at least 1 point")
     found = []
     for i, written in enumerate(value):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of points, lines, segments and rays: one function an operation, as in check_lines.cpp."""
+"""The checks of certify.py for points, lines, segments and rays: one function an operation, as in check_lines.cpp."""
 
 from certify_reading import circle, expect, line_of_two_points, number, point, ray, segment
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the checks of polyhedra share, as in check_meshes.cpp."""
+"""Shared parts of the checks of polyhedra, as in check_meshes.cpp."""
 
 from collections import Counter
 

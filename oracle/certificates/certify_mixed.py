@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of shapes of two chapters: one function an operation, as in check_mixed.cpp."""
+"""The checks of certify.py for shapes of two chapters, one function for each operation, as in check_mixed.cpp."""
 
 from certify_reading import WRONG_KIND, expect
 from certify_space import ball, box_holds, box_in_space, dot, plane, triple
@@ -33,7 +33,7 @@ def check_sphere_plane(claim):
 
 
 def expect_between(claim, corners, box, disjoint):
-    """What the plane has to keep apart stands in check_mixed.cpp."""
+    """Checks the plane; check_mixed.cpp says what it has to keep apart."""
     normal, offset = triple(claim, "normal"), claim.single("offset")
     expect(normal != (0, 0, 0), "certificate: the normal is zero")
     lowest = tuple(least if slope > 0 else greatest for slope, least, greatest in zip(normal, *box))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of two polygons, as in check_overlap.cpp."""
+"""The checks of certify.py for two polygons, as in check_overlap.cpp."""
 
 from certify_reading import WRONG_KIND, expect, polygon
 from certify_rings import edge, expect_simple, meet

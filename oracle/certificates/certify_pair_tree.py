@@ -94,7 +94,7 @@ def tree(cuts, boxes):
 
 
 def count(nodes, boxes, steps):
-    """How many pairs meet, by the steps."""
+    """Counts the pairs that meet, by the steps."""
     found = taken = 0
     waiting = [(0, 0)] if nodes else []
     while waiting:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of points, polygons and planes in space: one function an operation, as in check_planes.cpp."""
+"""The checks of certify.py for points, polygons and planes in space: one function an operation, as in check_planes.cpp."""
 
 from certify_reading import exact_value, expect, only
 from certify_space import dot, exact_triple, list_of_three, plane, point_in_space, polygon_in_space

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of polygons: one function an operation, as in check_polygons.cpp."""
+"""The checks of certify.py for polygons, one function for each operation, as in check_polygons.cpp."""
 
 from certify_lines import along, cross, minus, within
 from certify_reading import expect, point, polygon

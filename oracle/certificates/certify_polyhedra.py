@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of polyhedra: one function an operation, as in check_polyhedra.cpp."""
+"""The checks of certify.py for polyhedra, one function for each operation, as in check_polyhedra.cpp."""
 
 from certify_meshes import height, mesh, outward_planes
 from certify_reading import expect

@@ -34,7 +34,7 @@ def heights(polygon, half):
 
 
 def clipped(polygon, above):
-    """What of a convex polygon is not below 0, with these heights."""
+    """Cuts a convex polygon with these heights at 0 and returns the part that is not below."""
     kept = []
     for i, (p, at_p) in enumerate(zip(polygon, above)):
         q, at_q = polygon[(i + 1) % len(polygon)], above[(i + 1) % len(polygon)]

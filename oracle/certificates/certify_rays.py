@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of rays and segments: one function an operation, as in check_rays.cpp.
+"""The checks of certify.py for rays and segments, one function for each operation, as in check_rays.cpp.
 
 A line is (from, way, ends): the points from + t way with t >= 0, and t <= 1 where it ends."""
 

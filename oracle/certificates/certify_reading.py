@@ -32,7 +32,7 @@ def binary64(value):
 
 
 NOT_FINITE = ("inf", "-inf", "nan")
-# Where a member stands among those of its shape. They come in the order of the letters, but for these.
+# The order of members within a shape is alphabetical, except for these.
 FIRST = ("origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity", "segment")
 
 
@@ -41,7 +41,7 @@ def rank(member):
 
 
 def expect_finite(value, what):
-    """Of a whole field, in the order of its shape."""
+    """Checks a whole field, in the order of its shape."""
     expect(not isinstance(value, str) or value not in NOT_FINITE, what + ": finite number")
     if isinstance(value, list):
         for i, part in enumerate(value):

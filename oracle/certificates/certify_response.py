@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of collision response: one function an operation, as in check_response.cpp."""
+"""The checks of certify.py for collision response, one function for each operation, as in check_response.cpp."""
 
 from certify_bodies import (bodies, minus, moving_body, normal, plus, restitution, rigid_body, times,
                             two_bodies, velocity_at)

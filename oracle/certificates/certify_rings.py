@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the checks of polygons share, as in check_rings.cpp."""
+"""Shared parts of the checks of polygons, as in check_rings.cpp."""
 
 from certify_lines import cross, dot, minus
 from certify_reading import Refusal, expect

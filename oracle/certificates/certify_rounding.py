@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether a claimed number stands for an irrational one between two bounds, as in check_rounding.cpp."""
+"""Checks whether a claimed number stands for an irrational one between two bounds, as in check_rounding.cpp."""
 
 from fractions import Fraction
 

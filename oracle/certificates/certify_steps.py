@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of steps, as in check_steps.cpp."""
+"""The checks of certify.py for steps, as in check_steps.cpp."""
 
 from fractions import Fraction
 

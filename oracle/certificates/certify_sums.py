@@ -26,7 +26,7 @@ def times(factor, values):
 
 
 def plus(one, other):
-    """Of two (vector, d)."""
+    """Adds two (vector, d)."""
     (v, c), (w, d) = one, other
     if c == d:
         return tuple(x + y for x, y in zip(v, w)), c

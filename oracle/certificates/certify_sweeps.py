@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of moving shapes: one function an operation, as in check_sweeps.cpp."""
+"""The checks of certify.py for moving shapes, one function for each operation, as in check_sweeps.cpp."""
 
 from certify_reading import WRONG_KIND, expect
 from certify_space import ball, dot, plane, point_in_space, triple

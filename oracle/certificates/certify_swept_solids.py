@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of convex solids that move along straight lines, as in check_swept_solids.cpp."""
+"""The checks of certify.py for convex solids that move along straight lines, as in check_swept_solids.cpp."""
 
 from certify_meshes import mesh, outward_planes
 from certify_reading import WRONG_KIND, exact_value, expect, number

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of segments and triangles of space, as in check_triangles.cpp."""
+"""The checks of certify.py for segments and triangles of space, as in check_triangles.cpp."""
 
 from certify_reading import expect, list_of_two
 from certify_space import cross, dot, exact_triple, point_in_space, triple
@@ -73,7 +73,7 @@ def check_segment_triangle(claim):
 
 
 def rank(displacements):
-    """How many of the displacements are independent."""
+    """Returns the number of independent displacements."""
     independent = []
     for v in displacements:
         if not independent:
@@ -92,14 +92,14 @@ def ways(corners):
 
 
 def in_plane(plane, side, corners):
-    """What of the corners is in the plane; `side` times the others' heights is positive."""
+    """Returns the corners that are in the plane; `side` times the heights of the others is positive."""
     heights = [side * (dot(plane, corner) - plane[3]) for corner in corners]
     expect(all(height >= 0 for height in heights), "certificate: the plane does not separate")
     return [corner for corner, height in zip(corners, heights) if height == 0]
 
 
 def most_dimensions(a, b):
-    """What is common lies in each of the planes, so what is left of both holds it, and with it the planes, lines or
+    """The common part lies in each of the planes, so what is left of both holds it, and with it the planes, lines or
     points that they span."""
     return rank(ways(a)) + rank(ways(b)) - rank(ways(a) + ways(b))
 

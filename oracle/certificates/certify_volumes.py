@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What certify.py checks of bounding volumes: one function an operation, as in check_volumes.cpp."""
+"""The checks of certify.py for bounding volumes, one function for each operation, as in check_volumes.cpp."""
 
 from certify_reading import WRONG_KIND, exact_value, expect
 from certify_space import ball_or_disc, box, box_holds, two_or_three

@@ -113,7 +113,7 @@ def defects(source, prefix, scratch):
         yield "a naive engine: no JSON"
     headline = re.compile(r"^### touchstone audit\n[^\n]*textbook in Python.*?```text\n.*^segment_segment ", re.DOTALL | re.MULTILINE)
     if not headline.search(summary):
-        yield f"a naive engine: on the page of the run stands {summary}"
+        yield f"a naive engine: the page of the run has {summary}"
 
     code, _, _ = runner.use(engine=engine, args=wrong, working_directory="my engines", fail_on="invalid")
     if code:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the installed package holds what users need, nothing else, and headers that name each other as <touchstone/...>.
+"""Checks that the installed package holds what users need, nothing else, and headers that name each other as <touchstone/...>.
 
   package_holds.py SOURCE PREFIX   the package installed below PREFIX from the sources in SOURCE
   package_holds.py --self-check    listings with one defect each: every defect must be found

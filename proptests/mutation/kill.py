@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the property suite alone, the vectors alone and fuzzing alone kill the mutants.
+"""Tests that the property suite alone, the vectors alone and fuzzing alone kill the mutants.
 
 Writes the time of each kill to the file MATRIX, and prints it; the last line names the survivors. Exit code 1 if a
-mutant survives, or on a false alarm: a way finds something in the baseline, which has no mutant. Of the property suite
-it runs what compares robust with the oracle, and arrays with single questions (agreement/interrogation.cpp,
+mutant survives, or on a false alarm: a way finds something in the baseline, which has no mutant. From the property
+suite it runs what compares robust with the oracle, and arrays with single questions (agreement/interrogation.cpp,
 refusals.cpp, arrays.cpp)."""
 import argparse
 import collections

@@ -27,7 +27,7 @@ def listed():
 def chosen(mutants, share, ways=WAYS):
     """Which (number, mutant, way) are run. share: "all"; "N/M", every M-th from the N-th; or "test", a third: each
     mutant in one way, which changes with its place among those of its operation, so that every operation is run in
-    every way; and what several operations list only for the first of them. Of these, those of the given ways."""
+    every way; and what several operations list only for the first of them. Only those of the given ways are taken."""
     everything = [(number, mutant, way) for number, mutant in mutants for way in WAYS]
     if share == "test":
         everything = third(mutants)

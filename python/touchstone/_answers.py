@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What decisions over arrays return. The number of the first enumerator is 0: as a truth value it would be false, as an
+"""The answers of decisions over arrays. The number of the first enumerator is 0: as a truth value it would be false, as an
 index the first row. So neither enumerators nor their arrays serve as conditions, masks or indices."""
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class Answers:
         raise TypeError(f"answers are no mask and no index: write answers == {first!s} for a mask, answers.numbers for numbers")
 
     def _numbers_of(self, other: object) -> Union[int, NDArray[numpy.uint8]]:
-        """Of an enumerator or of other answers; those of another enumeration would compare by chance."""
+        """Returns the numbers of an enumerator or of other answers; those of another enumeration would compare by chance."""
         if isinstance(other, self.enumeration):
             return int(other)
         if isinstance(other, Answers) and other.enumeration is self.enumeration:

@@ -21,7 +21,7 @@ _whole = -1  # instead of a number of axes: one array for all rows, a polygon or
 
 
 class Shape:
-    """What an operand consists of: columns (None) and other shapes, by name."""
+    """The parts of an operand, by name: columns (None) and other shapes."""
 
     def __init__(self, **members: Optional[Shape]) -> None:
         self.members = members
@@ -38,7 +38,7 @@ class Shape:
         return f"an array of the shape {arrays}, or ({', '.join(self.members)})"
 
     def axes_of(self, shape: tuple[int, ...]) -> Optional[int]:
-        """How many axes of an array of that shape are not of rows; None where it is no array of such operands."""
+        """Returns how many axes of an array of that shape are not of rows; None if it is no array of such operands."""
         for axes in (self.axes, (self.numbers,)):
             if axes is not None and shape[-len(axes):] == axes and len(shape) <= len(axes) + 1:
                 return len(axes)
@@ -170,7 +170,7 @@ class Form:
         self.name, self.operands = name, operands
 
     def fits(self, values: tuple[Any, ...]) -> bool:
-        """Whether each operand that is an array has a shape for it."""
+        """Returns whether each operand that is an array has a shape for it."""
         return all(not isinstance(shape, Shape) or not isinstance(value, numpy.ndarray) or shape.axes_of(value.shape) is not None
                    for shape, value in zip(self.operands.values(), values))
 
@@ -217,7 +217,7 @@ def decide(forms: tuple[Form, ...], enumeration: type[Enumeration], out: Out, *v
 
 
 def _count(form: Form, located: list[Located]) -> int:
-    """How many rows there are; 1 where all operands are shared."""
+    """Returns the number of rows, which is 1 if all operands are shared."""
     rows = {array.shape[0] for array, axes in located if axes != _whole and array.ndim > axes}
     if len(rows) > 1:
         rows.discard(1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is raised."""
+"""The exceptions that the module raises."""
 
 
 class InvalidInput(ValueError):

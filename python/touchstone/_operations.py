@@ -61,7 +61,7 @@ class Question(Truth):
 
 
 def answer(operation: str, question: Mapping[str, Any]) -> dict[str, Any]:
-    """What robust answers: right, with every number rounded once."""
+    """Returns the answer of robust: right, with every number rounded once."""
     answered: dict[str, Any] = _floats(json.loads(_touchstone.answer(operation, _text(question))))
     return answered
 
@@ -100,7 +100,7 @@ def draw(operation: str, cases: int = 100, seed: int = 1, families: Union[str, I
 
 
 def operations() -> dict[str, dict[str, Any]]:
-    """What there is: for each operation the question, fields, answer, enumerators ("words") and families."""
+    """Lists the operations: for each the question, fields, answer, enumerators ("words") and families."""
     return {operation["name"]: operation for operation in json.loads(_touchstone.operations())}
 
 
@@ -118,7 +118,7 @@ def _text(question: Mapping[str, Any]) -> str:
 
 
 def _number(value: Any) -> Any:
-    """What JSON has no form for: arrays and numbers of numpy, and fractions that are doubles."""
+    """Converts what JSON has no form for: arrays and numbers of numpy, and fractions that are doubles."""
     if isinstance(value, Fraction):
         if Fraction(float(value)) != value:
             raise InvalidInput("question", f"numbers that are doubles, found {value}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """robust/kernel/enclosed/enclosed.h and push.h as Coq definitions: each function from its own text, operation by operation, a
-call of another function by that one's definition. What this does not understand is an error. See extract.py."""
+call of another function by that one's definition. Text that this does not understand is an error. See extract.py."""
 import re
 from fractions import Fraction
 
@@ -27,7 +27,7 @@ NAMES = {
     "rounded": ("rounded", "Enclosed"), "share_of_number": ("share", "Float"),
     "push": ("along", "Float Share Factor"), "enclosed_push": ("enclosed_push", "Float Share Factor"),
 }
-# What has a theorem: the definitions that it is about. The others are parts of these.
+# Each of these has a theorem about these definitions. The others are parts of these.
 PROVED = {name: [name] for name in "two_sum difference add subtract multiply along rounded".split()} | {
     "product": ["factor_of_pair", "factor_of_number", "product"], "divide": ["divisor_of", "divide"],
     "sum": ["sum_first", "sum_plus", "sum_minus", "sum_plus_number", "sum_value"],
@@ -158,7 +158,7 @@ class Definition:
         return Value(f"({struct} {' '.join(v.text for v in values)})", struct)
 
     def statements(self):
-        """What is returned."""
+        """Runs the statements up to the end and returns their value."""
         while True:
             token = self.peek()
             if token is None:

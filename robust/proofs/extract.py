@@ -6,7 +6,7 @@
 
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
-own text. What this does not understand is an error, never left out. enclosed.py does the same for enclosed.h and
+own text. Text that this does not understand is an error, never left out. enclosed.py does the same for enclosed.h and
 push.h, lane_text.py and lane_shapes.py for the filters of arrays.
 """
 import hashlib
@@ -178,7 +178,7 @@ def digest(parts):
 
 
 def folded(source, name, owner):
-    """A class that its constructor starts, that add goes on with and that sign ends. Of each a definition: from the
+    """A class that its constructor starts, that add goes on with and that sign ends. Each gets a definition, from the
     numbers of the class (the constructor has none yet) and its arguments to these numbers again, or to the answer."""
     kept, used, texts = [n for kind, n in source.data[owner] if kind == "Float"], {}, []
     for method in ("this", "add", "sign"):
@@ -209,7 +209,7 @@ def folded(source, name, owner):
 
 
 def crossings(source, name, owner):
-    """Of robust/polygons/point_in_polygon.cpp: what one lane adds, and what is answered of two."""
+    """Reads in robust/polygons/point_in_polygon.cpp what one lane adds, and what is answered of two."""
     texts = []
     for method, lanes in (("add", ("",)), ("location", ("0", "1"))):
         run, names = Run(source, 0), []

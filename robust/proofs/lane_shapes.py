@@ -56,7 +56,7 @@ def parameters_of(text):
 
 
 class Shapes:
-    """What the classes and functions of triangles.h are, as text."""
+    """The text of the classes and functions of triangles.h."""
 
     def __init__(self, source, root):
         self.source = source
@@ -219,7 +219,7 @@ class Reader(Body):
             self.at = outside
 
     def after(self, at):
-        """Where a statement ends."""
+        """Returns where a statement ends."""
         if self.tokens[at] == "for":
             return self.after(self.tokens.index(")", at) + 1)
         depth = 0

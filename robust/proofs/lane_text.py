@@ -2,7 +2,7 @@
 """The filters of robust/batch/isa as Coq functions: what their C++ text computes in one lane, operation by operation.
 
 A class of kernels.h is run on names instead of numbers: its `of` becomes one function of the columns, or its
-constructor one of the numbers that it is given. What this does not understand is an error, never left out. See
+constructor one of the numbers that it is given. Text that this does not understand is an error, never left out. See
 extract.py.
 """
 import re

@@ -19,7 +19,7 @@ ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 MULTIPLE = re.compile(r"above\((\d+) \* B::u\)")
 LEAST = re.compile(r"least\(\) \{ return Format::above\(power_of_two\(-(\d+)")
 UNITS_OF_LANES = re.compile(r"(\d+) \* v\b")
-# Of the filters of arrays: the other choice, 0 taken for positive, an answer turned over, numbers that may be infinite.
+# For the filters of arrays: the other choice, 0 taken for positive, an answer turned over, numbers that may be infinite.
 OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.compile(r"\bgreater\("), "lesser("),
             ("flipped", re.compile(r"\babove\((?=\w+(?:\([\w, ]*\))?, same\(0\)\))"), "not_below("),
             ("flipped", re.compile(r"\bnegative\(depth\)"), "above(depth, same(0))"),

@@ -102,7 +102,7 @@ def reviewed():
 
 
 def faults(files, filters, folder=HERE):
-    """What is refused before Coq is asked."""
+    """Yields what is refused before Coq is asked."""
     for path in folder.iterdir():
         if path.suffix in (".vo", ".vos", ".vok", ".glob", ".aux") or path.name.endswith(".cache"):
             yield f"{path.name} is here: proofs start from nothing"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a function of the headers is run on; see extract.py."""
+"""The values that a function of the headers is run on; see extract.py."""
 import re
 
 TYPES = {

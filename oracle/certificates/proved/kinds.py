@@ -60,7 +60,7 @@ def theorems(files):
 
 
 def refused(files):
-    """What is refused before Coq is asked."""
+    """Yields what is refused before Coq is asked."""
     for folder in (SPEC, HERE):
         for path in folder.iterdir():
             if path.suffix in (".vo", ".vos", ".vok", ".glob", ".aux") or path.name.endswith(".cache"):
@@ -78,7 +78,7 @@ def refused(files):
 
 
 def not_told(files):
-    """What docs/proofs.md does not say."""
+    """Yields what docs/proofs.md does not say."""
     page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8").partition("## Certificates that are proved to prove")[2]
     told = set(re.findall(r"`(\w+)`", "".join(line for line in page.splitlines() if line.startswith("|"))))
     yield from (f"docs/proofs.md: no row names {name}" for name in operations(files) if name not in told)

@@ -61,7 +61,7 @@ std::size_t all(Lonely& lonely) { return audit::served(lonely).operations.size()
 NO_OPERATION = "the engine has no member function of the name and arguments of an operation"
 WRONG_MEMBER = "the engine's member point_in_polygon cannot be called"
 
-# What the message has to hold, as both compilers write types.
+# The message has to hold these, as both compilers write types.
 EXPECTED = {
     "explicit_line": "Height ?(double, double, Point2<double>)",
     "line_line": "LineLine<double> ?(Line2<double>, Line2<double>)",

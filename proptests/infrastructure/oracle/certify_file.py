@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the one file that ./dev certify-file makes checks certificates where nothing else of the project is: it accepts
+"""Checks whether the one file that ./dev certify-file makes checks certificates where nothing else of the project is: it accepts
 what certify.py accepts and refuses, with the same words, a claim with another answer."""
 import json
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether certify.py gives every claim the verdict, and the reason, that is written beside it.
+"""Checks whether certify.py gives every claim the verdict, and the reason, that is written beside it.
 
 usage: checkers_agree.py CLAIMS [VERDICTS]
 CLAIMS: one claim a line. Line by line VERDICTS says what the C++ checker said ("accepted" or the reason); without it,

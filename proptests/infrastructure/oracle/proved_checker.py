@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the proved checker gives the same verdicts as the two that are written by hand.
+"""Checks whether the proved checker gives the same verdicts as the two that are written by hand.
 
   proved_checker.py --program PATH [--work DIR]   builds certify_proved, and gives it and the others claims:
       all test vectors of operations with proved kinds, and their claims; and claims that are tampered with in one

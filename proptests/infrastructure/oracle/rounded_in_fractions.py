@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whether `rounded` of a test vector is its truth in doubles, by fractions and Python's division, which rounds integers
+"""Checks whether `rounded` of a test vector is its truth in doubles, by fractions and Python's division, which rounds integers
 correctly: an opinion to compare certify_proved with, since certify and certify.py do not look at `rounded`."""
 import math
 import sys
@@ -15,7 +15,7 @@ GREATEST = sys.float_info.max
 
 
 def bounds(text):
-    """Of the exact value: itself twice if it is a fraction."""
+    """Returns bounds of the exact value, which are equal if it is a fraction."""
     x = exact_surd(text, "truth")
     square = x.r << 2 * PLACES
     root = math.isqrt(square)
@@ -73,7 +73,7 @@ def same(truth, rounded):
 
 
 def is_rounded(claim):
-    """Of a claim whose truth holds; one without `rounded` claims nothing."""
+    """Returns whether `rounded` is right, for a claim whose truth holds; a claim without it claims nothing."""
     if "rounded" not in claim or claim["op"] in BY_CONTRACT:
         return True
     truth, rounded = claim["truth"], claim["rounded"]

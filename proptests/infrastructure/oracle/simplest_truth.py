@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A second truth: slower, shorter, in Python's fractions. What two shapes have in common is found by cutting the
+"""A second truth: slower, shorter, in Python's fractions. The common part of two shapes is found by cutting the
 interval of the first one's parameter with half-planes; margins follow from their definition.
 
 usage: simplest_truth.py CLAIMS OPERATIONS
@@ -40,7 +40,7 @@ def words_in(truth):
 
 
 def unseen(operations, truths, without, seen):
-    """What is missing of the catalogue: operations without a truth here, words that no claim had."""
+    """Yields what is missing of the catalogue: operations without a truth here, and enumerators that no claim had."""
     for operation in operations:
         name = operation["name"]
         if name in without:

@@ -65,7 +65,7 @@ def solved(rows):
 
 
 def smallest_of_few(points):
-    """Of the balls through up to four points, with their center in the flat of these, the least that contains all."""
+    """Returns the smallest ball through up to four points, with its center in their affine hull, that contains all."""
     least = None
     for size in range(1, 5):
         for first, *others in combinations(points, size):
@@ -81,7 +81,7 @@ def smallest_of_few(points):
 
 
 def smallest(points):
-    """Of some of the points, to which the one farthest outside is added until none is."""
+    """Takes the ball of some of the points, and adds the point farthest outside until none is outside."""
     some = [points[0]]
     while True:
         center, square = smallest_of_few(some)

@@ -5,7 +5,7 @@ from simplest_truth_reading import dot, minus, number, point
 
 
 def lack_of_balls(a, b):
-    """What the squared radii's sum lacks to the squared distance."""
+    """Returns the squared distance less the square of the radii's sum."""
     between = minus(point(b["center"]), point(a["center"]))
     return dot(between, between) - (number(a["radius"]) + number(b["radius"])) ** 2
 
@@ -33,7 +33,7 @@ def lines(ray, box):
 
 
 def on_ray(ray, box):
-    """What the ray lacks to meet the box, the least over t >= 0 of how far it is beyond a face; and when it enters. The
+    """Returns how much the ray lacks to meet the box, the least over t >= 0 of how far it is beyond a face; and when it enters. The
     least is at the start or where two faces are equally far, the entry where one is on a face."""
     faces = lines(ray, box)
     beyond = lambda t: max(height + slope * t for height, slope in faces)

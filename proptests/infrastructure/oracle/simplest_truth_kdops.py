@@ -30,7 +30,7 @@ def truth_point_in_kdop(q):
 
 
 def truth_kdop_kdop(q):
-    """Of the four ends of two slabs, and the numbers halfway between neighbours, one is in both slabs, or none is; and
+    """One of the four ends of two slabs, or of the numbers halfway between neighbours, is in both slabs, or none is; and
     inside both. Margin: how little an end of a slab has to be moved, alone, for the least overlap to change."""
     pairs = [tuple(map(number, s + t)) for s, t in zip(q["a"]["slabs"], q["b"]["slabs"])]
 
@@ -45,7 +45,7 @@ def truth_kdop_kdop(q):
 
 
 def truth_kdop_of_points(q):
-    """Of all N . P, the one that none is below, and the one that none is above."""
+    """Takes the least and the greatest of all N . P."""
     slabs = []
     for normal in map(point, q["normals"]):
         values = [dot(normal, point(p)) for p in q["points"]]

@@ -63,7 +63,7 @@ def solved(matrix, right):
 
 
 def foot_on_face(p, a, b, c):
-    """Where the foot of the perpendicular is in the triangle: [the foot], else []."""
+    """Returns [the foot] of the perpendicular if it is in the triangle, else []."""
     v, w, way = minus(b, a), minus(c, a), minus(p, a)
     weights = solved(((dot(v, v), dot(v, w)), (dot(v, w), dot(w, w))), (dot(way, v), dot(way, w)))
     if weights is None or min(*weights, 1 - sum(weights)) < 0:
@@ -88,7 +88,7 @@ def nearest_pairs(a, b):
 
 
 def truth_segment_segment_distance(q):
-    """Of several pairs the one whose point on a is nearest to the beginning of a."""
+    """Takes among several pairs the one whose point on a is nearest to the beginning of a."""
     a, b = (tuple(map(point, q[name])) for name in "ab")
     x, y = min(nearest_pairs(a, b), key=lambda pair: (square(*pair), square(pair[0], a[0])))
     return {"on_a": [str(n) for n in x], "on_b": [str(n) for n in y], "squared_distance": str(square(x, y)),
@@ -160,7 +160,7 @@ def greatest_depth(corners, heights):
 
 
 def truth_triangle_aabb(q):
-    """What of the triangle is in the box, cut face by face; the mean of its vertices is inside if any of it is. Margin:
+    """Cuts the triangle with the box, face by face; the mean of its vertices is inside if any of it is. Margin:
     how deep a point of the triangle can be within all faces."""
     corners, low, high = list(map(point, q["triangle"])), point(q["aabb"]["min"]), point(q["aabb"]["max"])
     heights = [lambda p, k=k: p[k] - low[k] for k in range(3)] + [lambda p, k=k: high[k] - p[k] for k in range(3)]

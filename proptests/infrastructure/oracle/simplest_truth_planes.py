@@ -24,7 +24,7 @@ def truth_point_plane(q):
 
 
 def truth_point_plane_toi(q):
-    """Where the height over the plane, linear in t, is not positive: the interval [0, 1] cut."""
+    """Cuts the interval [0, 1] to where the height over the plane, linear in t, is not positive."""
     normal, start, end = point(q["plane"]["normal"]), point(q["start"]), point(q["end"])
     first, last = (dot(normal, p) + number(q["plane"]["offset"]) for p in (start, end))
     behind = cut((Fraction(0), Fraction(1)), first - last, -first)

@@ -25,7 +25,7 @@ def turn(ring, i):
 
 
 def crosses_itself(ring):
-    """Whether two edges, which are no points, have in common what is not the one vertex that neighbours share."""
+    """Returns whether two edges, which are no points, have more in common than the one vertex that neighbours share."""
     edges = [(p, ring[(i + 1) % len(ring)]) for i, p in enumerate(ring)]
     for j, (c, d) in enumerate(edges):
         for i, (a, b) in enumerate(edges[:j]):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the second truths share: numbers and points as JSON has them, vectors, intervals of a parameter."""
+"""Shared parts of the second truths: numbers and points as JSON has them, vectors, intervals of a parameter."""
 from fractions import Fraction
 from math import isqrt
 
@@ -11,12 +11,12 @@ def number(value):
 
 
 def point(value):
-    """Of the plane or of space; so the two below."""
+    """Returns a point of the plane or of space as a tuple of fractions."""
     return tuple(map(number, value))
 
 
 def triangles(mesh):
-    """Where faces are polygons, those of their cut."""
+    """Returns the triangles of a mesh: those of its cut where faces are polygons."""
     return mesh.get("cut", mesh["faces"])
 
 

@@ -28,7 +28,7 @@ def plus(p, *terms):
 
 
 def foot(points):
-    """Where the plane through the points is nearest to 0, if that is between them."""
+    """Returns the point of the plane through the points that is nearest to 0, if it is between them."""
     edges = [minus(p, points[0]) for p in points[1:]]
     weights = solved([[dot(v, w) for w in edges] for v in edges], [-dot(v, points[0]) for v in edges])
     if weights is None or min([*weights, 1 - sum(weights)]) < 0:
@@ -71,8 +71,8 @@ def first_in(level, sides, start):
 
 
 def truth_convex_distance(q):
-    """Whether they meet, and the margin, as of a sweep of velocity 0. The points on a are those between its planes and
-    between b's, moved by the shortest way."""
+    """They meet, and have the margin, as in a sweep of velocity 0. The points on a are those between its planes and
+    between b's, moved by the shortest displacement."""
     hit, margin = simplest_truth_sweeps.truth_swept_convex_polyhedra({**q, "velocity": [0, 0, 0]})
     if hit["relation"] == "hit":
         return {"relation": "meeting", "squared_distance": "0", "distance": "0"}, margin

@@ -62,7 +62,8 @@ def squared_distance_of_segments(s, r):
 
 
 def squared_way_to_touch(ends, corners):
-    """Of an end from the triangle where its foot is inside, and of the segment from each edge."""
+    """Returns the least squared distance: of an end from the triangle, if its foot is inside, and of the segment from an
+    edge."""
     distances = [squared_distance_of_segments(ends, edge) for edge in combinations(corners, 2)]
     normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))
     for p in ends if any(normal) else ():

@@ -46,7 +46,7 @@ def truth_closest_point_on_aabb(q):
 
 
 def truth_sphere_aabb(q):
-    """Whether the ball reaches the box is told by the point nearest to its center, found as above; whether it reaches into
+    """The point nearest to its center, found as above, decides whether the ball reaches the box; whether it reaches into
     the box, of a box and a ball that have an interior, by the same. Margin: how far the squared distance is from the
     square of the radius, and, where they meet, how wide the box is, squared."""
     p, r = point(q["sphere"]["center"]), number(q["sphere"]["radius"])

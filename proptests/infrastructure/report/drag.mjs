@@ -64,13 +64,13 @@ for (const [name, points, answer] of [
   test(`drag: ${name} of ${JSON.stringify(points)}`, () => assert.equal(said(name, points), answer));
 }
 
-test('drag: what the formula says is shown beside the truth where it is not right even in exact arithmetic', () => {
+test('drag: a formula that is wrong even in exact arithmetic is shown next to the truth', () => {
   const overlap = [[0, 0], [2, 0], [1, 0], [3, 0]];
   assert.equal(said('segment_segment', overlap, inDouble), 'disjoint');
   assert.equal(said('point_on_segment', [[1, 0], [1, 2], [1, 1]], inDouble), 'not on it');
 });
 
-test('drag: points that are found break the formula in double, and are different ones', () => {
+test('drag: the points that it finds break the formula in double, and differ from each other', () => {
   for (const name of ['orientation', 'segment_segment', 'sphere_sphere', 'obb_obb']) {
     const points = drag.breaking(figures[name], 1);
     assert.notEqual(said(name, points, inDouble), said(name, points), name);

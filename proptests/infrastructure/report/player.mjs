@@ -25,7 +25,7 @@ const data = (more = {}) => ({
   partings: [{step: 3, runs: ['float', 'double'], contact: 'ball and box'}], ...more,
 });
 
-test('player: the view holds what every frame of every run holds', () => {
+test('player: the view contains every frame of every run', () => {
   const {low, high, middle, scale, fastest} = player.extent(data());
   assert.deepEqual([low, high], [[-0.5, -2, -1], [10, 2, 1]]);
   assert.deepEqual(middle, [4.75, 0, 0]);
@@ -34,7 +34,7 @@ test('player: the view holds what every frame of every run holds', () => {
   assert.deepEqual(player.extent(data({room: [[-9, -9, -9], [11, 9, 9]]})).low, [-9, -9, -9]);
 });
 
-test('player: bodies are drawn where they are, in the size they have', () => {
+test('player: bodies are drawn at their place and in their size', () => {
   const one = data(), within = player.extent(one);
   const [floor, sphere, arrow, solid] = player.figures(one, one.runs[1], 1, within, all);
   assert.equal(floor.kind, 'plane');
@@ -63,7 +63,7 @@ test('player: a contact is a ring in its own frame, a trail the places before', 
                    [0, 1, 2, 3]);  // one more is the velocity
 });
 
-test('player: every number is finite, whatever stands still or coincides', () => {
+test('player: every number is finite, also when bodies rest or coincide', () => {
   const still = {name: 'only', frames: [[1, 1, 1, 0, 0, 0]], contacts: [[[1, 1, 1]]], energy: [0], law: [0],
                  scheme: [0], decision: [0], rounding: [0], momentum: [[0, 0, 0]]};
   const point = {name: 'p', shape: 'particle', radius: 0, half: [0, 0, 0], fixed: false};
@@ -75,7 +75,7 @@ test('player: every number is finite, whatever stands still or coincides', () =>
   for (const drawn of [svg, lines, none]) assert.doesNotMatch(drawn, /NaN|Infinity|undefined/);
 });
 
-test('player: a plot leads from its least to its greatest value, and marks where runs part', () => {
+test('player: a plot spans its least to its greatest value, and marks where runs part', () => {
   const svg = player.plot([{name: 'a', values: [1, 3, 2], style: 'q0', dash: ''}], {frame: 1, marks: [2, 9], label: '<x>'});
   assert.match(svg, /d="M62 150L206 10L350 80"/);
   assert.equal(count(svg, 'class="mark"'), 1);
@@ -84,7 +84,7 @@ test('player: a plot leads from its least to its greatest value, and marks where
   assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]), ['1', '2', '3']);
 });
 
-test('player: what is drawn of a wall is within reach', () => {
+test('player: a wall is drawn no larger than the frame', () => {
   const bounce = {...run('float', 0), frames: [0, 2].map(y => [0, y, 0, 0, 0, 0])};
   const point = {name: 'p', shape: 'particle', radius: 0, half: [0, 0, 0], fixed: false};
   const one = data({bodies: [point], walls: [{name: 'floor', normal: [0, 1, 0], offset: 0}], runs: [bounce]});
@@ -95,7 +95,7 @@ test('player: what is drawn of a wall is within reach', () => {
   assert.ok(Math.hypot(...corner) > 0.99 * within.reach);
 });
 
-test('player: what stays in a plane is first seen from the front, and fills the frame', () => {
+test('player: a scene in a plane is first viewed from the front, and fills the frame', () => {
   const one = data({walls: [{name: 'floor', normal: [0, 1, 0], offset: 2}]}), within = player.extent(one);
   assert.ok(within.flat);
   const svg = player.drawn(one, one.runs[1], 0, within, bare, player.front);
@@ -111,7 +111,7 @@ test('player: what stays in a plane is first seen from the front, and fills the 
   assert.ok(!deep({walls: [{name: 'w', normal: [0, 1, 1], offset: 1}]}, still));
 });
 
-test('player: beside an engine robust is drawn as a ghost, without names and arrows', () => {
+test('player: next to an engine robust is drawn as a ghost, without names and arrows', () => {
   const engine = {...run('engine', 0.5), engine: true};
   const one = data({runs: [run('double', 0), run('robust', 0), engine]});
   const within = player.extent(one), said = frame => player.figures(one, engine, frame, within, all)
@@ -142,7 +142,7 @@ test('player: ticks are round numbers within the plot', () => {
   assert.deepEqual(ticks([9.9, 10.1]), ['9.9', '10', '10.1']);
 });
 
-test('player: of many bodies the numbers alone are shown after the first of a name', () => {
+test('player: among many bodies of one name, later ones show only their number', () => {
   const bodies = ['wall', 'ball_1', 'ball_2', 'cue', 'ball_10'].map(name => ({...ball, name}));
   const names = count => {
     const one = data({bodies: bodies.slice(0, count)}), frame = bodies.flatMap((_, i) => [i, 0, 0, 0, 0, 0]);
@@ -153,7 +153,7 @@ test('player: of many bodies the numbers alone are shown after the first of a na
   assert.deepEqual(names(3), ['wall', 'ball_1', 'ball_2']);
 });
 
-test('player: where numbers differ far behind the point, ticks tell by how much', () => {
+test('player: if numbers differ only far behind the decimal point, ticks show the difference', () => {
   const svg = player.plot([{name: 'a', values: [4.5, 4.5 - 2e-6], style: 'q0', dash: ''}], {frame: 0, marks: [], label: ''});
   assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]),
                    ['\u22122.0e\u22126', '\u22121.0e\u22126', '0', 'differences from 4.5']);
@@ -175,7 +175,7 @@ test('player: a logarithmic plot leaves out what is 0', () => {
   assert.match(svg, />1e\u22128</);
 });
 
-test('player: an engine that ended stands where it came to, and its lines end there', () => {
+test('player: an engine that ended stays where it ended, and its lines end there', () => {
   const short = {...run('engine', 0), engine: true, ended: 'step 2: no answer'};
   for (const list of ['frames', 'contacts', 'energy', 'law', 'scheme', 'decision', 'rounding', 'momentum'])
     short[list] = short[list].slice(0, 2);
@@ -267,7 +267,7 @@ test('player: a page whose address names a step begins there, and goes there whe
   }
 });
 
-test('player: it plays as fast as time passes, by its speed, and stops at the end', () => {
+test('player: it plays in real time, scaled by its speed, and stops at the end', () => {
   const page = shown(), play = page.part('.play');
   page.click('.play');
   assert.deepEqual([play.textContent, play.attributes['aria-pressed']], ['Pause', 'true']);
@@ -290,7 +290,7 @@ test('player: it plays as fast as time passes, by its speed, and stops at the en
   assert.match(page.where(), /^step 0 /);
 });
 
-test('player: a drag turns every run alike; velocities and trails can be switched off', () => {
+test('player: a drag rotates every run alike; velocities and trails can be switched off', () => {
   const page = shown(), [first, second] = page.place.parts['.run'], views = () =>
       [first, second].map(view => view.querySelector('.turning').innerHTML);
   const before = views();
@@ -309,7 +309,7 @@ test('player: a drag turns every run alike; velocities and trails can be switche
   assert.equal(count(views()[0], ' head"'), 1);  // that of the floor
 });
 
-test('player: of a long run every second step is told', () => {
+test('player: a long run shows every second step', () => {
   const page = shown(data({stride: 2}));
   page.click('.next');
   assert.equal(page.where(), 'step 2 of 6, 1.000 s');

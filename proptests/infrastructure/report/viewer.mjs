@@ -55,7 +55,7 @@ test('viewer: the truth is a ring and says so, an answer has a colour of its own
                                 ['truth', 'truth']]);
 });
 
-test('viewer: a list has one colour and its name once, a line drawn to help none', () => {
+test('viewer: a list has one colour and one name, an auxiliary line has none', () => {
   const list = [...Array(3).keys()].map(i => figure('point', [[end - i * 60000, 0, 0]], {label: `points[${i}]`}));
   const svg = drawn([...list, figure('segment', [o, y], {label: ''}), figure('point', [z])]);
   assert.deepEqual(texts(svg), [['q0', 'points[0]'], ['q0', '[1]'], ['q0', '[2]'], ['q1', 'point']]);
@@ -92,7 +92,7 @@ test('viewer: a label is no markup', () => {
   assert.deepEqual(texts(svg), [['q0', '<b>&"']]);
 });
 
-test('viewer: from before x is to the right and y up; a quarter turn brings z there', () => {
+test('viewer: from the front x is to the right and y up; a quarter turn brings z there', () => {
   const place = (p, turn) =>
       /<circle class="q0 dot" cx="(.*?)" cy="(.*?)"/.exec(drawn([figure('point', [p])], turn)).slice(1, 3).map(Number);
   const quarter = {...fromBefore, cosYaw: 0, sinYaw: 1}, above = {...fromBefore, cosPitch: 0, sinPitch: 1};
@@ -113,7 +113,7 @@ test('viewer: a plane is a square about its point, twice its normal to each side
   assert.match(drawn([plane], fromBefore), / head" d="M200 102.6L/);  // 150 - 134 / (2 sqrt(2))
 });
 
-test('viewer: what is nearer is drawn later', () => {
+test('viewer: nearer figures are drawn later', () => {
   for (const points of [[z, [0, 0, -end]], [[0, 0, -end], z]]) {
     const kinds = points.map(p => figure(p[2] > 0 ? 'point' : 'sphere', [p], {radius: 10}));
     const svg = drawn(kinds, fromBefore);
@@ -142,7 +142,7 @@ test('viewer: a mesh is drawn without a face that names no vertex', () => {
   assert.deepEqual(strokes(drawn([mesh])), {...none, dots: 2});
 });
 
-test('viewer: of what a lens holds nothing, nothing is drawn; what follows keeps its colour', () => {
+test('viewer: a figure outside a lens is not drawn, and the next one keeps its colour', () => {
   const kinds = ['point', 'segment', 'arrow', 'plane', 'polygon', 'box', 'sphere', 'mesh'];
   for (const kind of kinds) {
     const svg = drawn([figure(kind, [], {radius: end, faces: [], places: []}), figure('point', [x], {label: 'seen'})]);
@@ -150,7 +150,7 @@ test('viewer: of what a lens holds nothing, nothing is drawn; what follows keeps
   }
 });
 
-test('viewer: a figure that cannot be drawn says so, in words too, and the figures after it are drawn', () => {
+test('viewer: a figure that cannot be drawn says so in text, and the figures after it are drawn', () => {
   const place = (space, words) => {
     const made = Object.assign(new Element(), {dataset: {space}});
     made.parts.noscript = [{textContent: words}];
@@ -170,13 +170,13 @@ test('viewer: a figure that cannot be drawn says so, in words too, and the figur
   });
 });
 
-test('viewer: what is too small to see gets a dot, and one point alone is in the middle', () => {
+test('viewer: a figure that is too small to see gets a dot, and a single point is in the middle', () => {
   const small = figure('polygon', [x, [end - 9, 0, 0], [end, 9, 0]]), far = figure('point', [o]);
   assert.equal(strokes(drawn([small, far])).dots, 2);
   assert.match(drawn([figure('point', [o])]), /cx="200" cy="150"/);
 });
 
-test('viewer: every number is finite, whatever coincides', () => {
+test('viewer: every number is finite, also when figures coincide', () => {
   const kinds = [figure('segment', [o, o]), figure('arrow', [o, o]), figure('polygon', [o, o, o]),
                  figure('box', [o, o]), figure('sphere', [o], {radius: 0}),
                  figure('mesh', [o, o, o], {faces: [[0, 1, 2]]}),
@@ -217,7 +217,7 @@ function shown(...figures) {
   }};
 }
 
-test('viewer: the first view is the same everywhere: no function of which a browser has its own is asked', () => {
+test('viewer: the first view uses no function that browsers implement differently', () => {
   const {sin, cos} = Math, refused = () => { throw new Error('asked'); };
   Object.assign(Math, {sin: refused, cos: refused});
   try {
@@ -227,7 +227,7 @@ test('viewer: the first view is the same everywhere: no function of which a brow
   }
 });
 
-test('viewer: the arrow keys turn the figure, and Home turns it back', () => {
+test('viewer: the arrow keys rotate the figure, and Home rotates it back', () => {
   const page = shown(tetrahedron), press = (key, more = {}) => page.svg.send('keydown', {key, ...more});
   const views = ['ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown'].map(key => {
     assert.ok(press(key));
@@ -244,7 +244,7 @@ test('viewer: the arrow keys turn the figure, and Home turns it back', () => {
   assert.equal(page.now(), page.first);
 });
 
-test('viewer: it turns no further than to see from straight above or below', () => {
+test('viewer: it rotates no further than to the view from straight above or below', () => {
   const page = shown(tetrahedron), turned = (key, times) => {
     for (let i = 0; i < times; ++i) page.svg.send('keydown', {key});
     return page.now();
@@ -253,7 +253,7 @@ test('viewer: it turns no further than to see from straight above or below', () 
   assert.notEqual(turned('ArrowUp', 1), turned('ArrowUp', 1));
 });
 
-test('viewer: a drag turns it, by the pointer that holds it, until it lets go', () => {
+test('viewer: a drag rotates it with the pointer that holds it, until the pointer is released', () => {
   const page = shown(tetrahedron), send = (type, clientX, clientY, more = {}) =>
       page.svg.send(type, {clientX, clientY, ...more});
   send('pointermove', 50, 50);
@@ -276,7 +276,7 @@ test('viewer: a drag turns it, by the pointer that holds it, until it lets go', 
   }
 });
 
-test('viewer: what moves is where the clock says, in one scale, and turns with the rest', () => {
+test('viewer: a moving figure is where the clock says, in one scale, and rotates with the rest', () => {
   const still = figure('point', [y]), moves = [[-end, 0, 0], [0, 0, 2 * end]];
   const ball = figure('point', [o], {label: 'ball', moves});
   const page = shown(still, ball), slider = page.place.querySelector('.time input');
@@ -328,7 +328,7 @@ test('viewer: a figure in which nothing moves has no clock', () => {
   assert.doesNotMatch(shown(tetrahedron).place.innerHTML, /range/);
 });
 
-test('viewer: below the frame stand the spans, then a bar as long as it says, then remarks', () => {
+test('viewer: below the frame are the spans, then a bar of the stated length, then remarks', () => {
   const place = new Element();
   viewer.show(place, {...modelOf(figure('segment', [o, x])), bar: [end / 2, '0.5'], remarks: ['a remark']});
   const below = plain(place.innerHTML.replace(/<g class="turning">.*?<\/g>/s, '').replaceAll('</text>', '\n'));
@@ -337,7 +337,7 @@ test('viewer: below the frame stand the spans, then a bar as long as it says, th
   assert.match(place.innerHTML, /<title>a title<\/title>/);
 });
 
-test('viewer: a mesh of many faces is opaque, its inside of another colour, and places are seen through it', () => {
+test('viewer: a mesh of many faces is opaque, its inside has another colour, and marked places show through it', () => {
   // A fan of triangles across the x-y plane, which turns to the reader, and one that turns away behind it.
   const rays = 500, fan = [...Array(rays).keys()].map(i => [0, 1 + i, 1 + (i + 1) % rays]);
   const ring = depth => [[0, 0, depth], ...[...Array(rays).keys()].map(i =>
@@ -353,7 +353,7 @@ test('viewer: a mesh of many faces is opaque, its inside of another colour, and 
   assert.deepEqual([count(few, 'facet'), count(few, ' face"')], [0, 450]);
 });
 
-test('viewer: an arrow without length has no name, and many names stand in a legend, the arrows numbered', () => {
+test('viewer: an arrow without length has no name; many names go into a legend, and the arrows are numbered', () => {
   const arrows = [...Array(7).keys()].map(i => figure('arrow', [o, [end, i * 9000, 0]], {label: `velocity of ${'abcdefg'[i]}`}));
   const nothing = figure('arrow', [x, x], {label: 'at rest'});
   const few = new viewer.Strokes(modelOf(...arrows, nothing));
