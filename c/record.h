@@ -3,6 +3,8 @@
 
 #include <touchstone_record.h>
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -99,6 +101,32 @@ inline constexpr bool holds<std::tuple<Ts...>, Real> = (holds<Ts, Real> || ...);
 template <class... Ts>
 using number_type = std::conditional_t<(holds<Ts, float> || ...) && !(holds<Ts, double> || ...), float, double>;
 
+/// Writes these numbers in their order.
+template <class Real, class T>
+constexpr void put_numbers(const T& value, Real*& at) {
+  if constexpr (catalogue::Composite<T>) {
+    catalogue::spread([&](const auto&... member) { (put_numbers(value.*member.pointer, at), ...); },
+                      catalogue::Described<T>::members);
+  } else {
+    *at++ = static_cast<Real>(value);
+  }
+}
+
+/// Whether a value is its numbers in their order, and nothing else.
+template <class Real, class T>
+constexpr bool is_its_numbers() {
+  constexpr std::size_t count = fixed_numbers<T>();
+  if constexpr (std::is_trivially_copyable_v<T> && sizeof(T) == count * sizeof(Real)) {
+    std::array<Real, count> counted{}, found{};
+    for (std::size_t i = 0; i < count; ++i) counted[i] = static_cast<Real>(i);
+    Real* at = found.data();
+    put_numbers(std::bit_cast<T>(counted), at);
+    return found == counted;
+  } else {
+    return false;
+  }
+}
+
 /// How many numbers a question of these arguments has; 0: they differ, or there are words.
 template <class... Arguments>
 constexpr std::size_t numbers_of() {
@@ -154,7 +182,15 @@ void record_answer(touchstone_record_site& site, const Answer& answer, const Arg
   if constexpr (answer_kind<Answer>() != TOUCHSTONE_RECORD_WHOLE && numbers > 0) {
     Real question[numbers];
     Real* at = question;
-    (catalogue::for_each_number(arguments, [&at](auto number) { *at++ = static_cast<Real>(number); }), ...);
+    const auto put = [&at](const auto& argument) {
+      if constexpr (is_its_numbers<Real, std::remove_cvref_t<decltype(argument)>>()) {
+        std::memcpy(at, &argument, sizeof argument);
+        at += sizeof argument / sizeof(Real);
+      } else {
+        put_numbers(argument, at);
+      }
+    };
+    (put(arguments), ...);
     touchstone_record_fixed_(&site, question, sizeof question, static_cast<std::uint32_t>(answer));
   } else {
     thread_local catalogue::EncodedValue<Real> encoded;

@@ -19,9 +19,13 @@
 #ifndef TOUCHSTONE_RECORD_H
 #define TOUCHSTONE_RECORD_H
 
+#include <errno.h>
 #include <math.h>
+#include <pthread.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #ifdef __cplusplus
@@ -95,7 +99,7 @@ static inline void touchstone_record_call(touchstone_record_site* site, const to
 
 /* ---- How it is done ---- */
 
-#include "touchstone_record_log.h"
+#include <touchstone_record_log.h>
 
 #define TOUCHSTONE_RECORD_TEXT_(x) #x
 #define TOUCHSTONE_RECORD_LINE_(x) TOUCHSTONE_RECORD_TEXT_(x)

@@ -1,17 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The file of touchstone_record.h: its blocks, its declarations, its end mark, and the buffers of threads. Nothing here
- * is called by users, nor on the way of a call that finds room in its buffer. */
+ * is called by users, nor for a call that finds room in its buffer. Included by that header alone. */
 #ifndef TOUCHSTONE_RECORD_LOG_H
 #define TOUCHSTONE_RECORD_LOG_H
 
-#include <errno.h>
-#include <pthread.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-enum { touchstone_record_block_ = 1 << 16, touchstone_record_head_ = 16, touchstone_record_reserve_ = 256 };
+enum { touchstone_record_block_ = 1 << 17, touchstone_record_head_ = 16, touchstone_record_reserve_ = 256 };
 
 /* The counters of one site in one thread. */
 typedef struct touchstone_record_count_ {
