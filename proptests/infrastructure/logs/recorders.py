@@ -76,6 +76,19 @@ def in_c(logs, commands):
         require(sum(call["answer"] for call in calls if call["input"]["a"][0][1] == 0) == 10000, "answers")
 
 
+def in_cpp(logs, compiler):
+    """The example of bugs: its own tests pass, and what it records is in float."""
+    program, log = logs.folder / "arena", logs.folder / "arena.log"
+    subprocess.run([compiler, *WARNINGS[:3], "-Werror", "-std=c++20", "-pthread", "-I", ROOT, "-I", ROOT / "c",
+                    ROOT / "examples/record/arena.cpp", "-o", program], check=True)
+    subprocess.run([program, "--test"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([program, log, "1"], check=True, stdout=subprocess.DEVNULL)
+    _, calls, end, told = logs.read(log)
+    require(not told and end["seen"] == len(calls) > 10000, f"{end} {told}")
+    require({call["number"] for call in calls} == {"binary32"}, "the game is in float")
+    require({call["op"] for call in calls} == {"segment_aabb", "segment_segment", "sphere_aabb", "sphere_sphere"}, "operations")
+
+
 def in_python(logs):
     record = loaded()
     log = logs.folder / "python.jsonl"
@@ -194,7 +207,7 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         logs = Logs(options.program, pathlib.Path(folder))
-        for test in (lambda: in_c(logs, [options.cc + " -std=c99", options.cxx + " -x c++ -std=c++17"]), lambda: in_python(logs),
+        for test in (lambda: in_c(logs, [options.cc + " -std=c99", options.cxx + " -x c++ -std=c++17"]), lambda: in_cpp(logs, options.cxx), lambda: in_python(logs),
                      lambda: killed_in_python(logs), lambda: over_numpy(logs), lambda: in_node(logs)):
             try:
                 test()
