@@ -41,8 +41,8 @@ typedef struct touchstone_record_state_ {
   int prepared;
 } touchstone_record_state_;
 
-/* One in the program, however many files include this. */
-#define TOUCHSTONE_RECORD_SHARED_ __attribute__((weak))
+/* One in the program, however many of its files and shared libraries include this. */
+#define TOUCHSTONE_RECORD_SHARED_ __attribute__((weak, visibility("default")))
 TOUCHSTONE_RECORD_SHARED_ touchstone_record_state_ touchstone_record_state = {
     PTHREAD_MUTEX_INITIALIZER, 0, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 0, 0, 0, 0, 0, 0};
 TOUCHSTONE_RECORD_SHARED_ __thread touchstone_record_thread_* touchstone_record_thread = NULL;
