@@ -277,7 +277,10 @@ if(NOT PROJECT_IS_TOP_LEVEL)  # then users see that folder, and nothing else sha
   set(touchstone_c_headers ${PROJECT_BINARY_DIR}/c)
 endif()
 configure_file(${PROJECT_SOURCE_DIR}/robust/c/touchstone_robust.h.in ${touchstone_c_headers}/touchstone_robust.h @ONLY)
-configure_file(${PROJECT_SOURCE_DIR}/c/touchstone.h ${touchstone_c_headers}/touchstone.h COPYONLY)
+foreach(header touchstone touchstone_record touchstone_record_log)
+  configure_file(${PROJECT_SOURCE_DIR}/c/${header}.h ${touchstone_c_headers}/${header}.h COPYONLY)
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/c/record.h ${touchstone_generated}/record.h COPYONLY)  # <touchstone/record.h>
 set(array_forms_source ${PROJECT_BINARY_DIR}/array_forms/touchstone_robust.cpp)
 configure_file(${PROJECT_SOURCE_DIR}/robust/c/touchstone_robust.cpp.in ${array_forms_source} @ONLY)
 foreach(name _decisions arrays)

@@ -25,7 +25,8 @@ install(CODE "set(touchstone_generated \"${touchstone_generated}\")
 include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
 touchstone_write_headers(\"${PROJECT_SOURCE_DIR}\" \"${PROJECT_BINARY_DIR}/include\" ${touchstone_built})")
 install(DIRECTORY ${PROJECT_BINARY_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# Those of C stand above it: <touchstone_robust.h>, and with the component c <touchstone.h>.
+# Those of C stand above it: <touchstone_record.h>, <touchstone_robust.h>, and with the component c <touchstone.h>.
+install(FILES c/touchstone_record.h c/touchstone_record_log.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 if("robust" IN_LIST touchstone_built)
   install(FILES ${touchstone_c_headers}/touchstone_robust.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endif()

@@ -198,6 +198,12 @@ endfunction()
 example_suite(hypothesis "${TOUCHSTONE_SYSTEM_PYTHON}" test_hypothesis.py)
 example_suite(fast_check "${TOUCHSTONE_NODE}" test_fast_check.mjs)
 
+# The recorders of calls, each in the language that it is for.
+if(TOUCHSTONE_SYSTEM_PYTHON AND TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
+  add_test(NAME logs/recorders COMMAND ${TOUCHSTONE_SYSTEM_PYTHON} -B ${PROJECT_SOURCE_DIR}/proptests/infrastructure/logs/recorders.py
+                                       --program $<TARGET_FILE:touchstone> --cxx ${CMAKE_CXX_COMPILER})
+endif()
+
 # The Python module, by the Python for which it is built.
 if(NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   foreach(name arrays operations types)

@@ -22,7 +22,8 @@ struct DeclaredSite {
   std::size_t site = 0;
   bool binary32 = false, stored_as_floats = false;
   std::optional<Size> question, answer_size;
-  bool checked = false;  ///< every question has the right numbers and no words
+  bool that_fits = false;  ///< values do not say which alternative they are: the first that fits
+  bool checked = false;    ///< every question has the right numbers and no words
 };
 
 std::optional<Size> read_size(const Json& declaration, const char* field) {
@@ -67,7 +68,7 @@ class BinaryForm : public LogForm {
         }
       }
       if (!next_frame()) {
-        end_file();
+        end_file(!stopped_);
         return false;
       }
     }
@@ -142,7 +143,8 @@ class BinaryForm : public LogForm {
   }
 
   void declare(const Json& json) {
-    require_fields(json, "", {"id", "op", "site", "number", "stored", "answer", "question_size", "answer_size"});
+    require_fields(json, "",
+                   {"id", "op", "site", "number", "stored", "answer", "question_size", "answer_size", "alternative"});
     const std::uint32_t id = read_index(json.contains("id") ? json["id"] : Json(nullptr), "id");
     if (id > most_declared) throw InvalidInput("id", "at most " + std::to_string(most_declared));
     DeclaredSite site;
@@ -152,6 +154,8 @@ class BinaryForm : public LogForm {
     site.stored_as_floats = json.contains("stored") ? place_of(json, "stored", number_names) == 1 : site.binary32;
     site.question = read_size(json, "question_size");
     site.answer_size = read_size(json, "answer_size");
+    constexpr const char* alternatives[] = {"that_fits"};
+    site.that_fits = json.contains("alternative") && place_of(json, "alternative", alternatives) == 0;
     try {
       site.site = site_of(text_at(json, "site"));
       site.operation = &recorded_operation(text_at(json, "op"));
@@ -203,8 +207,9 @@ class BinaryForm : public LogForm {
     call.operation = site.operation;
     call.site = site.site;
     call.binary32 = site.binary32;
-    if (!site.checked)
-      require_shape(site.operation->question_shape(), call.question.words, call.question.numbers.size(), "input");
+    const Shape& shape = site.operation->question_shape();
+    if (site.that_fits) say_alternative(shape, call.question);
+    if (!site.checked) require_shape(shape, call.question.words, call.question.numbers.size(), "input");
     finish(site, answer);
     return true;
   }
@@ -227,6 +232,7 @@ class BinaryForm : public LogForm {
         return;
       case RecordedAnswer::Kind::whole:
       case RecordedAnswer::Kind::partial:
+        if (site.that_fits) say_alternative(site.operation->answer_shape(), answer.value);
         return require_shape(site.operation->answer_shape(), answer.value.words, answer.value.numbers.size(), "answer",
                              answer.kind == RecordedAnswer::Kind::partial);
       case RecordedAnswer::Kind::text: parse_line(answer.text); return;

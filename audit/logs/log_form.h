@@ -24,8 +24,8 @@ class LogForm {
   /// A log begins; the one before it, if it is still open, had no end mark.
   void begin_log(LogHeader header);
   void end_log(const LogEnd& end);
-  /// The file has ended.
-  void end_file();
+  /// The file has ended, or what is left of it cannot be read, which was told.
+  void end_file(bool read_all = true);
   void refuse(const std::string& place, const InvalidInput& reason, std::uint64_t calls = 1);
   void remark(const std::string& place, const std::string& what);
   /// The place of that text in the account's sites.

@@ -38,11 +38,12 @@ void LogForm::end_log(const LogEnd& end) {
   account_.end.lost += end.lost;
 }
 
-void LogForm::end_file() {
+void LogForm::end_file(bool read_all) {
   if (!source_.broken().empty()) remark("", source_.broken());
   if (!open_) return;
   ++account_.cut;
   open_ = false;
+  if (!read_all) return;
   remark("", "the log has no end mark: the program was ended before it closed the log, or is running");
 }
 

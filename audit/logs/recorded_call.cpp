@@ -113,6 +113,11 @@ std::uint64_t read_count(const Json& json, const char* field) {
   return static_cast<std::uint64_t>(count);
 }
 
+bool fits(const Shape& shape, const std::vector<Word>& words, std::size_t numbers, bool partial) {
+  Supply from{words.data(), words.data() + words.size(), numbers};
+  return take(shape, from, partial) && from.word == from.end && from.numbers == 0;
+}
+
 /// Appends that nothing of a shape is there, where it can be left out.
 void leave_out(const Shape& shape, std::vector<Word>& words) {
   if (shape.kind != Shape::Kind::record) return words.push_back(0);
@@ -195,9 +200,19 @@ Json answer_json(const Operation& operation, const RecordedAnswer& answer) {
 
 void require_shape(const Shape& shape, const std::vector<Word>& words, std::size_t numbers, const char* field,
                    bool partial) {
-  Supply from{words.data(), words.data() + words.size(), numbers};
-  if (!take(shape, from, partial) || from.word != from.end || from.numbers != 0)
+  if (!fits(shape, words, numbers, partial))
     throw InvalidInput(field, "expected the numbers and words of " + one_line(catalogue::json_of(shape)));
+}
+
+void say_alternative(const Shape& shape, EncodedValue<double>& value) {
+  const auto takes = [&value](const Shape& part) { return fits(part, value.words, value.numbers.size(), false); };
+  if (shape.kind != Shape::Kind::choice || takes(shape)) return;
+  Word which = 0;
+  for (const Shape::Part& part : shape.parts) {
+    if (takes(*part.shape)) break;
+    ++which;
+  }
+  value.words.insert(value.words.begin(), which);
 }
 
 LogHeader read_log_header(const Json& fields) {

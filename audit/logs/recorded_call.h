@@ -51,6 +51,10 @@ Json answer_json(const Operation& operation, const RecordedAnswer& answer);
 void require_shape(const Shape& shape, const std::vector<Word>& words, std::size_t numbers, const char* field,
                    bool partial = false);
 
+/// Where a value of alternatives leaves out the word that says which it is: puts it before the other words. It is the
+/// first alternative that words and numbers fit.
+void say_alternative(const Shape& shape, EncodedValue<double>& value);
+
 struct RecordedCall {
   const Operation* operation = nullptr;
   Question question;  ///< its numbers may be NaN or infinite, and it may break any rule that the oracle checks

@@ -16,16 +16,16 @@
 namespace touchstone::program {
 namespace {
 
-using Cells = std::array<std::string, 4>;
+using Cells = std::array<std::string, 5>;
 
 /// Columns as wide as they have to be.
 void print_columns(const std::vector<Cells>& rows, std::ostream& out) {
-  std::array<std::size_t, 4> width{};
+  std::array<std::size_t, 5> width{};
   for (const Cells& row : rows)
     for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
   for (const Cells& row : rows) {
-    std::string line =
-        fmt::format("{:{}}  {:{}}  {:>{}}  {}", row[0], width[0], row[1], width[1], row[2], width[2], row[3]);
+    std::string line = fmt::format("{:{}}  {:{}}  {:>{}}  {:{}}  {}", row[0], width[0], row[1], width[1], row[2],
+                                   width[2], row[3], width[3], row[4]);
     out << line.erase(line.find_last_not_of(' ') + 1) << '\n';
   }
 }
@@ -37,7 +37,6 @@ std::string header_in_words(const LogReader& log) {
   if (log.account().logs == 0) return words + ", no header";
   const Declaration& declared = header.declaration;
   if (!declared.engine.empty()) words += ", recorded from " + declared.engine;
-  words += std::string(", ") + number_names[declared.binary32];
   if (header.fields.contains("sampled")) words += ", sampled " + one_line(header.fields["sampled"]);
   return words;
 }
@@ -53,17 +52,17 @@ std::string end_in_words(const LogAccount& account) {
 void show(const std::string& file, std::ostream& out) {
   LogReader log(file);
   constexpr std::array<const char*, 5> kinds{"true or false", "whole", "partial", "no answer of it", "error"};
-  using Row = std::tuple<std::string, std::size_t, std::size_t>;
+  using Row = std::tuple<std::string, std::size_t, bool, std::size_t>;
   std::map<Row, std::uint64_t> counts;
   for (RecordedCall call; log.next(call);)
-    ++counts[{call.operation->name(), call.site, static_cast<std::size_t>(call.answer.kind)}];
+    ++counts[{call.operation->name(), call.site, call.binary32, static_cast<std::size_t>(call.answer.kind)}];
   const LogAccount& account = log.account();
   out << (file == "-" ? "standard input" : file) << ": " << header_in_words(log) << '\n';
   if (account.logs > account.cut) out << end_in_words(account) << '\n';
-  std::vector<Cells> rows{{"operation", "site", "calls", "answers"}};
+  std::vector<Cells> rows{{"operation", "site", "calls", "numbers", "answers"}};
   for (const auto& [row, count] : counts) {
-    const auto& [operation, site, kind] = row;
-    rows.push_back({operation, excerpt(log.sites()[site], 60), grouped(count), kinds[kind]});
+    const auto& [operation, site, binary32, kind] = row;
+    rows.push_back({operation, excerpt(log.sites()[site], 60), grouped(count), number_names[binary32], kinds[kind]});
   }
   if (rows.size() > 1) print_columns(rows, out);
   else out << "no calls\n";

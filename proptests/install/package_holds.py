@@ -22,7 +22,8 @@ HELD = [
     rf"{LIB}/cmake/touchstone/touchstone-({COMPONENTS})(-\w+)?\.cmake",
     rf"{LIB}/cmake/touchstone/(components|touchstone_add_(audit|engine)|FindGMP|FindMPFR)\.cmake",
     rf"{LIB}/pkgconfig/touchstone-({COMPONENTS})\.pc",
-    r"include/touchstone(_robust)?\.h",
+    r"include/touchstone(_robust|_record(_log)?)?\.h",
+    r"include/touchstone/record\.h",
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/rows)/{CHAPTER}/\w+\.h",
     r"include/touchstone/reference/standard/\w+\.h",
@@ -99,7 +100,7 @@ def defects(source, prefix):
 
 def right_listing():
     config = "touchstone-config.cmake touchstone-robust-release.cmake components.cmake".split()
-    include = """geometry/points.h reference/lines/touch.h robust/kernel/filters/staged.h oracle/truth.h catalogue/operation/row.h
+    include = """record.h geometry/points.h reference/lines/touch.h robust/kernel/filters/staged.h oracle/truth.h catalogue/operation/row.h
         reference/standard/slabs.h catalogue/rows/all.h audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +

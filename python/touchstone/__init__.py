@@ -8,6 +8,7 @@
     touchstone.certify(truth.claim)                whether the certificate proves the answer
     touchstone.draw("segment_segment", 100)        questions that are degenerate on purpose, with their truth
     touchstone.operations()                        what there is
+    touchstone.record                              records the calls of your own functions (docs/own_inputs.md)
 
 Input outside the contract raises InvalidInput, a ValueError that names the field and the rule.
 """

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <touchstone.h>
+#include <touchstone_record.h>
 
 static int wrong = 0;
 
@@ -143,7 +144,20 @@ static void errors(void) {
   touchstone_free(text);
 }
 
+static void records(void) {
+  const double points[6] = {0, 0, 1, 0, 2, 0};
+  FILE* log;
+  char first[6] = {0};
+  check(touchstone_record_open("from_c.log", NULL) == 0, "a log is open");
+  TOUCHSTONE_RECORD_DOUBLES("orientation", points, 6, TOUCHSTONE_RECORD_WORD, 1);
+  check(touchstone_record_close() == 0, "a log is closed");
+  log = fopen("from_c.log", "rb");
+  check(log != NULL && fread(first, 1, 6, log) == 6 && memcmp(first, "\x89TSLOG", 6) == 0, "a log is written");
+  if (log != NULL) fclose(log);
+}
+
 int main(void) {
+  records();
   decisions();
   shapes();
   errors();

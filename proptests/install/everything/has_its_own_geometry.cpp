@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The user's own geometry/ stands first among the include directories, as it does in most projects.
+#include <touchstone/record.h>
 #include <touchstone/reference/lines/orientation.h>
 #include <touchstone/robust/lines/orientation.h>
 
@@ -11,6 +12,9 @@
 #endif
 
 int main() {
-  const touchstone::Side side = touchstone::robust::orientation({0, 0}, {2, 0}, {1, 1});
+  using touchstone::Point2d;
+  const auto left = [] { return touchstone::robust::orientation({0, 0}, {2, 0}, {1, 1}); };
+  const touchstone::Recording recording("has_its_own_geometry.log");
+  const touchstone::Side side = touchstone::record("orientation", left, Point2d{0, 0}, Point2d{2, 0}, Point2d{1, 1});
   return side == touchstone::Side::left && user::Point2d{}.x == 42 ? 0 : 1;
 }

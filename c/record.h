@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <touchstone_record.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "catalogue/shape/described_all.h"
+#include "catalogue/shape/encoded_value.h"
+
+/// Records calls of one's own functions, with their answers, in a log (docs/own_inputs.md). Headers alone: nothing is
+/// linked but POSIX threads. What the log loses, and when, is said in touchstone_record.h.
+///
+///   touchstone::Recording recording("game.log", {.engine = "my game 1.0", .one_in = 100});
+///   ...
+///   const bool hit = touchstone::record("segment_segment", [&] { return my_test(a, b); }, segment_of(a), segment_of(b));
+namespace touchstone {
+
+/// As touchstone_record_options says.
+struct RecordingOptions {
+  const char *engine = nullptr, *boundary = nullptr;
+  double tolerance = 0;
+  unsigned long one_in = 1, first = 0;
+  double near = 0;
+  unsigned long long most_bytes = 0;
+};
+
+/// A log that is open while the object lives. One at a time: another closes the one before.
+class Recording {
+ public:
+  /// Throws std::system_error naming the file where it cannot be written.
+  explicit Recording(const std::string& file, const RecordingOptions& options = {}) {
+    const touchstone_record_options same{options.engine, options.boundary, options.tolerance, options.one_in,
+                                         options.first,  options.near,     options.most_bytes};
+    if (const int error = touchstone_record_open(file.c_str(), &same); error != 0)
+      throw std::system_error(error, std::generic_category(), file);
+  }
+  ~Recording() { touchstone_record_close(); }
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+};
+
+/// How near to degenerate the call is that this thread records next: |determinant| / error bound. May be said inside of
+/// the function that is recorded.
+inline void record_nearness(double nearness) { touchstone_record_nearness(nearness); }
+
+/// The name of an operation, and the line that named it.
+struct OperationHere {
+  const char *operation, *file;
+  int line;
+  OperationHere(const char* name, const char* in_file = __builtin_FILE(), int in_line = __builtin_LINE())
+      : operation(name), file(in_file), line(in_line) {}
+};
+
+namespace recording {
+
+/// How many numbers a value has, where all of its type have as many and nothing else; else 0.
+template <class T>
+constexpr std::size_t fixed_numbers() {
+  if constexpr (catalogue::Composite<T>) {
+    return catalogue::spread(
+        [](const auto&... member) {
+          constexpr bool fixed =
+              ((fixed_numbers<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>>() > 0) && ...);
+          return fixed ? (fixed_numbers<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>>() + ...) : 0;
+        },
+        catalogue::Described<T>::members);
+  } else {
+    return std::is_floating_point_v<T> ? 1 : 0;
+  }
+}
+
+/// Whether a value of the type has numbers of the type Real.
+template <class T, class Real>
+inline constexpr bool holds = std::is_same_v<T, Real>;
+template <catalogue::Composite T, class Real>
+inline constexpr bool holds<T, Real> = catalogue::spread(
+    [](const auto&... member) {
+      return (holds<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>, Real> || ...);
+    },
+    catalogue::Described<T>::members);
+template <class T, class Real>
+inline constexpr bool holds<std::optional<T>, Real> = holds<T, Real>;
+template <class T, class Real>
+inline constexpr bool holds<std::vector<T>, Real> = holds<T, Real>;
+template <class... Ts, class Real>
+inline constexpr bool holds<std::tuple<Ts...>, Real> = (holds<Ts, Real> || ...);
+
+/// Float where a call has floats and no doubles.
+template <class... Ts>
+using number_type = std::conditional_t<(holds<Ts, float> || ...) && !(holds<Ts, double> || ...), float, double>;
+
+/// Writes these numbers in their order.
+template <class Real, class T>
+constexpr void put_numbers(const T& value, Real*& at) {
+  if constexpr (catalogue::Composite<T>) {
+    catalogue::spread([&](const auto&... member) { (put_numbers(value.*member.pointer, at), ...); },
+                      catalogue::Described<T>::members);
+  } else {
+    *at++ = static_cast<Real>(value);
+  }
+}
+
+/// Whether a value is its numbers in their order, and nothing else.
+template <class Real, class T>
+constexpr bool is_its_numbers() {
+  constexpr std::size_t count = fixed_numbers<T>();
+  if constexpr (std::is_trivially_copyable_v<T> && sizeof(T) == count * sizeof(Real)) {
+    std::array<Real, count> counted{}, found{};
+    for (std::size_t i = 0; i < count; ++i) counted[i] = static_cast<Real>(i);
+    Real* at = found.data();
+    put_numbers(std::bit_cast<T>(counted), at);
+    return found == counted;
+  } else {
+    return false;
+  }
+}
+
+/// How many numbers a question of these arguments has; 0: they differ, or there are words.
+template <class... Arguments>
+constexpr std::size_t numbers_of() {
+  return ((fixed_numbers<Arguments>() > 0) && ...) ? (fixed_numbers<Arguments>() + ...) : 0;
+}
+
+/// What a function answers where it answers.
+template <class Answer>
+struct Given {
+  using type = Answer;
+};
+template <class Answer>
+struct Given<std::optional<Answer>> {
+  using type = Answer;
+};
+
+template <class Real>
+touchstone_record_value value_of(const catalogue::EncodedValue<Real>& value) {
+  return {value.numbers.data(), value.numbers.size(), value.words.data(), value.words.size()};
+}
+
+template <class Answer>
+constexpr touchstone_record_answer answer_kind() {
+  if constexpr (std::is_same_v<Answer, bool>) return TOUCHSTONE_RECORD_FLAG;
+  else return catalogue::Enumeration<Answer> ? TOUCHSTONE_RECORD_WORD : TOUCHSTONE_RECORD_WHOLE;
+}
+
+/// One place in a program: OperationHere tells it when the first call is made, and it stays for the log.
+template <class Real>
+touchstone_record_site site_at(const OperationHere& here, touchstone_record_answer kind, std::size_t numbers) {
+  const std::string place = std::string(here.file) + ":" + std::to_string(here.line);
+  char* const kept = static_cast<char*>(std::malloc(place.size() + 1));  // for as long as the program runs
+  if (kept != nullptr) std::memcpy(kept, place.c_str(), place.size() + 1);
+  return {here.operation, kept != nullptr ? kept : "", sizeof(Real), kind, numbers, 0};
+}
+
+/// The arguments as the operation's question.
+template <class Real, class... Arguments>
+void record_at(touchstone_record_site& site, const catalogue::EncodedValue<Real>* answer, const char* error,
+               const Arguments&... arguments) {
+  thread_local catalogue::EncodedValue<Real> question;
+  question.clear();
+  (catalogue::pack(arguments, question), ...);
+  const touchstone_record_value asked = value_of(question);
+  const touchstone_record_value answered = answer != nullptr ? value_of(*answer) : touchstone_record_value{};
+  touchstone_record_call(&site, &asked, &answered, error);
+}
+
+/// A short answer, or an answer as a whole.
+template <class Real, class Answer, class... Arguments>
+void record_answer(touchstone_record_site& site, const Answer& answer, const Arguments&... arguments) {
+  constexpr std::size_t numbers = numbers_of<Arguments...>();
+  if constexpr (answer_kind<Answer>() != TOUCHSTONE_RECORD_WHOLE && numbers > 0) {
+    Real question[numbers];
+    Real* at = question;
+    const auto put = [&at](const auto& argument) {
+      if constexpr (is_its_numbers<Real, std::remove_cvref_t<decltype(argument)>>()) {
+        std::memcpy(at, &argument, sizeof argument);
+        at += sizeof argument / sizeof(Real);
+      } else {
+        put_numbers(argument, at);
+      }
+    };
+    (put(arguments), ...);
+    touchstone_record_fixed_(&site, question, sizeof question, static_cast<std::uint32_t>(answer));
+  } else {
+    thread_local catalogue::EncodedValue<Real> encoded;
+    encoded.clear();
+    catalogue::pack(answer, encoded);
+    record_at<Real>(site, &encoded, nullptr, arguments...);
+  }
+}
+
+}  // namespace recording
+
+/// Makes the call, records it with its answer as one of the operation, and returns the answer. The arguments are the
+/// operation's (docs/operations.md), over double or float, as they are after the call; the answer is what a function of
+/// an engine may return (docs/engines.md): true or false, an enumerator, the whole answer, or a std::optional of one of
+/// these, of which an empty one is not recorded. An exception is recorded as an error, and goes on.
+template <class Call, class... Arguments>
+std::invoke_result_t<Call&> record(const OperationHere& here, Call&& call, const Arguments&... arguments) {
+  using Answer = std::remove_cvref_t<std::invoke_result_t<Call&>>;
+  using Given = typename recording::Given<Answer>::type;
+  using Real = recording::number_type<Given, Arguments...>;
+  static touchstone_record_site site =
+      recording::site_at<Real>(here, recording::answer_kind<Given>(), recording::numbers_of<Arguments...>());
+  const auto recorded = [&](const Given& answer) {
+    if (touchstone_record_wants(&site) != 0) recording::record_answer<Real>(site, answer, arguments...);
+  };
+  try {
+    std::invoke_result_t<Call&> answer = call();
+    if constexpr (!catalogue::is_optional<Answer>) recorded(answer);
+    else if (answer) recorded(*answer);
+    return answer;
+  } catch (const std::exception& thrown) {
+    static touchstone_record_site errors = recording::site_at<Real>(here, TOUCHSTONE_RECORD_ERROR, 0);
+    if (touchstone_record_wants(&errors) != 0) recording::record_at<Real>(errors, nullptr, thrown.what(), arguments...);
+    throw;
+  }
+}
+
+}  // namespace touchstone
