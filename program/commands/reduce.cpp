@@ -108,7 +108,7 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
     asked = command.engine.empty() ? formula_as_respondent(command.with == "reference,float")
                                    : respondent(engines_of(command, operation, jobs, notes));
     auto same = std::make_unique<SameFinding>(operation, *asked,
-                                              SameFindingOptions{command.same_answer, command.allow_invalid});
+                                              SameFindingOptions{command.any_answer, command.allow_invalid});
     question = same->fitted(question);
     try {
       const std::string why_not = same->begin(question);
