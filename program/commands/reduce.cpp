@@ -152,7 +152,7 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
   Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
   const Reduced found =
       reduced(operation, question, *decide.interest,
-              {jobs, TimeLimit(command.seconds), &Interruptible::stopped(),
+              {jobs, TimeLimit(command.seconds), command.allow_degenerate, &Interruptible::stopped(),
                [&](const Question& best) { progress.tell("reduce: " + one_line(size_of(operation, best))); }});
   progress.end();
   notes.tell(err);
@@ -165,11 +165,11 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
   line["input"] = operation.print(found.question);
   std::unique_ptr<const Examination> examination;
   std::string outside;
+  const bool too_large = steps_too_many(operation, found.question);
   try {
-    examination = operation.examine(found.question);
-    line["truth"] = examination->truth();
+    if (too_large) line["robust"] = operation.answer_json(operation.row().robust(found.question, 0));
+    else examination = operation.examine(found.question), line["truth"] = examination->truth();
   } catch (const InvalidInput& refused) {
-    line["truth"] = nullptr;
     outside = refused.what();
   }
   smallest.examination = examination.get();
@@ -178,9 +178,10 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
     smallest.declaration = &decide.asked->declaration();
     smallest.answer = kept(reply.answer);
     if (examination) smallest.judgement = decide.asked->judgement(reply, *examination);
-    else smallest.judgement = {Verdict::invalid, 0, reply.remark};
+    else if (reply.kind == Reply::Kind::failed) smallest.judgement = {Verdict::invalid, 0, reply.remark};
     line["engine"]["name"] = smallest.declaration->engine;
     line["engine"].update(verdict_json(smallest.judgement, smallest.answer));
+    if (too_large && reply.kind != Reply::Kind::failed) line["engine"]["verdict"] = "not robust's answer";
   }
   if (!outside.empty()) line["outside_the_contract"] = outside;
   line["before"] = smallest.before, line["after"] = smallest.after;
