@@ -32,8 +32,10 @@ void add_reduce(CLI::App& program, std::function<int()>& action) {
       ->excludes(engine)
       ->excludes(with)
       ->default_str("");
-  command->add_flag("--same-answer", options->same_answer,
-                    "The truth and the answer have to stay the same in words, not only the cause");
+  command->add_flag("--any-answer", options->any_answer,
+                    "The same cause will do, whatever is true and answered in words");
+  command->add_flag("--allow-degenerate", options->allow_degenerate,
+                    "Points may become equal or collinear, radii 0 ..., although those of the question are not");
   command->add_flag("--allow-invalid", options->allow_invalid,
                     "Questions outside the contract are tried, too: of a crash, or with --until");
   command->add_option("--seconds", options->seconds, "Limit; what is smallest by then is printed")

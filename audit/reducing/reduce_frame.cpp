@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "audit/reducing/passes.h"
@@ -88,12 +89,28 @@ std::vector<int> exponents_of_scales(const Question& question) {
   return exponents;
 }
 
-bool scale_to_one(Search& search) {
+/// Every coordinate along an axis times 2^exponent.
+Question scaled_along(const Question& question, const QuestionParts& parts, std::size_t axis, int exponent) {
+  Question result = question;
+  for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+    const NumberPlace& place = parts.numbers[i];
+    const bool coordinate = place.meaning == Meaning::place || place.meaning == Meaning::direction;
+    if (coordinate && place.axis == axis) result.numbers[i] = std::ldexp(result.numbers[i], exponent);
+  }
+  return result;
+}
+
+/// All lengths, or the coordinates along one axis alone.
+bool scale_to_one(Search& search, std::optional<std::size_t> axis) {
   const QuestionParts parts = parts_of(*search.operation().row().question, search.best());
   if (parts.numbers.size() > most_numbers) return false;
+  Question measured = search.best();
+  for (std::size_t i = 0; axis && i < measured.numbers.size(); ++i)
+    if (parts.numbers[i].axis != *axis) measured.numbers[i] = 0;
   std::vector<Question> candidates;
-  for (const int exponent : exponents_of_scales(search.best()))
-    candidates.push_back(scaled(search.operation(), search.best(), parts, exponent));
+  for (const int exponent : exponents_of_scales(measured))
+    candidates.push_back(axis ? scaled_along(search.best(), parts, *axis, exponent)
+                              : scaled(search.operation(), search.best(), parts, exponent));
   std::sort(candidates.begin(), candidates.end(),
             [&](const Question& a, const Question& b) { return shorter(search.operation(), a, b); });
   return search.first(candidates.size(), [&](std::size_t i) { return candidates[i]; }).has_value();
@@ -141,7 +158,8 @@ bool order_list(Search& search, std::size_t number) {
 
 bool reduce_frame(Search& search) {
   bool better = move_to_origin(search);
-  better = scale_to_one(search) || better;
+  better = scale_to_one(search, std::nullopt) || better;
+  for (const std::size_t axis : {0, 1, 2}) better = scale_to_one(search, axis) || better;
   const Shape& shape = *search.operation().row().question;
   for (std::size_t list = 0; list < parts_of(shape, search.best()).lists.size() && !search.over(); ++list) {
     while (order_list(search, list)) better = true;

@@ -55,6 +55,25 @@ class Formula final : public Respondent {
   Declaration declaration_;
 };
 
+std::vector<std::string> parts_of_outcome(const std::string& outcome) {
+  std::vector<std::string> parts(1);
+  for (const char c : outcome) {
+    if (c == '/') parts.emplace_back();
+    else parts.back() += c;
+  }
+  return parts;
+}
+
+/// Where an answer has as many enumerators as the truth, those that differ: "disjoint, not touching; ".
+std::string difference(const std::string& truth, const std::string& answer) {
+  const std::vector<std::string> right = parts_of_outcome(truth), said = parts_of_outcome(answer);
+  if (right.size() != said.size()) return answer + ", not " + truth;
+  std::string text;
+  for (std::size_t i = 0; i < right.size(); ++i)
+    if (right[i] != said[i]) text += std::to_string(i) + ": " + said[i] + ", not " + right[i] + "; ";
+  return text;
+}
+
 }  // namespace
 
 std::unique_ptr<Respondent> respondent(std::vector<std::unique_ptr<Engine>> engines) {
@@ -89,50 +108,47 @@ Question SameFinding::fitted(const Question& question) const {
   return catalogue::fitted(operation_, question, declaration);
 }
 
-SameFinding::Target SameFinding::target_of(const Judgement& judgement, const std::string& truth) const {
-  const Way way = way_of(judgement, truth);
-  return {cause_of(judgement), judgement.verdict == Verdict::invalid ? reason_of(judgement.remark) : "", false,
-          way.truth, way.answer};
-}
-
 SameFinding::Target SameFinding::failure(const Reply& reply) {
-  return {name_of(Verdict::invalid), reason_of(reply.remark), true, "", no_valid_answer};
+  return {name_of(Verdict::invalid), reason_of(reply.remark), true, ""};
 }
 
 bool SameFinding::matches(const Target& found) const {
-  const bool same_words = found.truth == target_.truth && found.answer == target_.answer;
+  const bool same_words = found.difference == target_.difference;
   if (target_.cause.empty()) return same_words;
-  return found.cause == target_.cause && found.reason == target_.reason && (!options_.same_answer || same_words);
+  return found.cause == target_.cause && found.reason == target_.reason && (options_.any_answer || same_words);
 }
 
 std::optional<SameFinding::Target> SameFinding::against_robust(const Json& answer,
                                                                const EncodedValue<double>& robust) const {
   const RowFunctions& row = operation_.row();
-  Target found;
-  found.truth = outcome_of(*row.answer, robust.words);
+  const std::string truth = outcome_of(*row.answer, robust.words);
+  std::string said;
   if (answer.is_boolean()) {
-    found.answer = answer.get<bool>() ? "true" : "false";
     if (yes_or_no(*row.answer, robust.words) == answer.get<bool>()) return std::nullopt;
-    return found;
+    said = answer.get<bool>() ? "true" : "false";
+  } else {
+    try {
+      const std::string name = row.metadata->answer;
+      const bool partial = row.defect == nullptr;
+      EncodedValue<double> encoded;
+      read_json(*row.answer, name.empty() ? answer : answer.at(name), "answer", encoded, read_answer_number, partial);
+      said = outcome_of(*row.answer, encoded.words, partial);
+    } catch (const std::exception&) {
+      return std::nullopt;
+    }
   }
-  try {
-    const std::string name = row.metadata->answer;
-    const bool partial = row.defect == nullptr;
-    EncodedValue<double> encoded;
-    read_json(*row.answer, name.empty() ? answer : answer.at(name), "answer", encoded, read_answer_number, partial);
-    found.answer = outcome_of(*row.answer, encoded.words, partial);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  if (found.answer == found.truth) return std::nullopt;
-  return found;
+  if (said == truth) return std::nullopt;
+  return Target{"", "", false, difference(truth, said)};
 }
 
 std::optional<SameFinding::Target> SameFinding::examined(const Question& question, const Reply& reply) const {
   const auto examination = operation_.examine(question);
   const Judgement judgement = respondent_.judgement(reply, *examination);
   if (!is_shown(judgement)) return std::nullopt;
-  return target_of(judgement, examination->outcome());
+  const bool invalid = judgement.verdict == Verdict::invalid;
+  const Way way = way_of(judgement, examination->outcome());
+  return Target{cause_of(judgement), invalid ? reason_of(judgement.remark) : "", false,
+                invalid ? "" : difference(way.truth, way.answer)};
 }
 
 std::string SameFinding::begin(const Question& question) {

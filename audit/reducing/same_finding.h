@@ -27,12 +27,13 @@ std::unique_ptr<Respondent> respondent(std::vector<std::unique_ptr<Engine>> engi
 std::unique_ptr<Respondent> formula_as_respondent(bool binary32);
 
 struct SameFindingOptions {
-  bool same_answer = false;    ///< the truth and the answer are the same in words, not the cause alone
+  bool any_answer = false;     ///< the same cause will do, whatever is true and answered
   bool allow_invalid = false;  ///< of a crash: questions outside the contract are asked, too
 };
 
-/// Questions on which somebody is wrong with the same cause as on the first: `cancellation`, `out_of_range`,
-/// `algorithm` ...; where it gave no answer, with the same exit code, signal or complaint.
+/// Questions on which somebody is wrong as on the first: with the same cause (`cancellation`, `out_of_range`,
+/// `algorithm` ...), and the enumerators of the answer that differ from the truth's are the same, as are the truth's
+/// there; where it gave no answer, with the same exit code, signal or complaint.
 ///
 /// The exact truth is only found of questions on which an answer differs from robust's. Where that, or the cause, is
 /// too dear (steps_too_many), answers must differ from robust's in the same words; the cause is then that of the first
@@ -53,9 +54,8 @@ class SameFinding final : public Interest {
   struct Target {
     std::string cause, reason;  ///< empty cause: not known yet
     bool no_answer = false;     ///< the engine failed
-    std::string truth, answer;  ///< as in Way
+    std::string difference;     ///< the enumerators in which the answer is wrong: "inside, not outside"
   };
-  Target target_of(const Judgement& judgement, const std::string& truth) const;
   bool matches(const Target& found) const;
   static Target failure(const Reply& reply);
   /// What is wrong with an answer in words; nothing where robust's has the same.

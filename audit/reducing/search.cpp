@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <vector>
 
+#include "audit/counting/generic.h"
 #include "audit/counting/tally.h"
 #include "audit/parallel.h"
 
@@ -25,13 +27,20 @@ std::uint64_t hash_of(const Question& question) {
 }  // namespace
 
 bool shorter(const Operation& operation, const Question& a, const Question& b) {
+  const Range range_a = range_of(a), range_b = range_of(b);
+  if (range_a != range_b) return range_a < range_b;
   const Word elements_a = elements_of_lists(*operation.row().question, a),
              elements_b = elements_of_lists(*operation.row().question, b);
   return elements_a != elements_b ? elements_a < elements_b : smaller(a, b);
 }
 
 Search::Search(const Operation& operation, Question question, Interest& interest, const SearchOptions& options)
-    : operation_(operation), interest_(interest), options_(options), best_(std::move(question)) {}
+    : operation_(operation),
+      interest_(interest),
+      options_(options),
+      best_(std::move(question)),
+      most_features_(options.allow_degenerate ? std::numeric_limits<std::size_t>::max()
+                                              : degenerate_features(operation, best_, false)) {}
 
 bool Search::over() const { return options_.limit.over() || (options_.stop != nullptr && *options_.stop); }
 
@@ -42,6 +51,7 @@ Search::Looked Search::looked_at(std::size_t job, std::optional<Question> candid
   if (!shorter(operation_, question, best_)) return looked;
   looked.hash = hash_of(question);
   if (failed_.count(looked.hash) > 0) return looked;
+  if (!options_.allow_degenerate && degenerate_features(operation_, question, false) > most_features_) return looked;
   looked.look = interest_.look(job, question);
   looked.question = std::move(question);
   return looked;
@@ -55,7 +65,7 @@ std::optional<std::size_t> Search::first(std::size_t count, const Make& make) {
     in_parallel(options_.jobs, batch.size(), [&](std::size_t i) { batch[i] = looked_at(i, make(begin + i)); });
     if (over()) break;  // an engine that was stopped has said nothing
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      if (!batch[i].question) continue;
+      if (!batch[i].question || failed_.count(batch[i].hash) > 0) continue;
       ++candidates_, ++looked_;
       refused_ += batch[i].look == Look::refused;
       if (batch[i].look != Look::holds) {

@@ -13,14 +13,17 @@
 
 namespace touchstone::audit {
 
-/// Whether a question is shorter than another: fewer elements in its lists, then `smaller` (audit/counting/tally.h). A
-/// total order without infinite descent.
+/// Whether a question is shorter than another: of ordinary size where the other is not, then fewer elements in its
+/// lists, then `smaller` (audit/counting/tally.h). A total order without infinite descent.
 bool shorter(const Operation& operation, const Question& a, const Question& b);
 
 /// How a search is run.
 struct SearchOptions {
   int jobs = 1;
   TimeLimit limit{};
+  /// A question may get degenerate features (audit/counting/generic.h) that the first one has not. A reader takes them
+  /// for the cause.
+  bool allow_degenerate = false;
   const std::atomic<bool>* stop = nullptr;          ///< ends the search once it is true
   std::function<void(const Question&)> progress{};  ///< hears each question that is shorter
 };
@@ -42,8 +45,8 @@ class Search {
   /// Looks for the first of so many candidates that is shorter than the best and holds; it is the best from then on.
   /// Several jobs look at several candidates, of which the first in order counts.
   std::optional<std::size_t> first(std::size_t count, const Make& make);
-  /// Whether all candidates of the last call that were shorter, and there was one, were outside the contract.
-  bool all_refused() const { return refused_ > 0 && refused_ == looked_; }
+  /// Whether a candidate of the last call that was looked at was within the contract.
+  bool any_within() const { return looked_ > refused_; }
   /// Whether a question holds, be it shorter or not.
   bool holds(const Question& question);
 
@@ -59,6 +62,7 @@ class Search {
   Interest& interest_;
   SearchOptions options_;
   Question best_;
+  std::size_t most_features_;
   std::unordered_set<std::uint64_t> failed_;
   std::uint64_t candidates_ = 0, looked_ = 0, refused_ = 0;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands/reduce.h"
 
-#include <fmt/format.h>
+#include <unistd.h>
 
+#include "audit/counting/repeat.h"
 #include "audit/engines/pipe.h"
 #include "audit/parallel.h"
 #include "audit/reducing/reduced.h"
@@ -12,12 +13,17 @@
 #include "catalogue/operation/probes/explained.h"
 #include "program/commands/file_meshes.h"
 #include "program/commands/geometries.h"
+#include "program/commands/reduced_files.h"
 #include "program/terminal/each_line.h"
 #include "program/terminal/exit_codes.h"
 #include "program/terminal/interruptible.h"
+#include "program/terminal/out_of_memory.h"
+#include "program/terminal/progress.h"
 
 namespace touchstone::program {
 namespace {
+
+constexpr const char* with_float = "reference,float";
 
 /// The one question of the file.
 Question question_of(const ReduceCommand& command, const Operation& operation, const FileMeshes& meshes) {
@@ -89,6 +95,50 @@ Json size_of(const Operation& operation, const Question& question) {
   return size;
 }
 
+/// Who decides whether a question is still of interest.
+struct Deciding {
+  std::unique_ptr<Respondent> asked{};  ///< nullptr: a command decides
+  std::unique_ptr<Interest> interest{};
+};
+
+/// Rounds the question as it will be asked. Throws UsageError where there is nothing to reduce.
+Deciding deciding(const ReduceCommand& command, const Operation& operation, int jobs, EngineNotes& notes,
+                  Question& question) {
+  Deciding made;
+  if (!command.until.empty()) {
+    made.interest = std::make_unique<Until>(operation, command.until, command.timeout, command.allow_invalid);
+    const Look look = made.interest->look(0, question);
+    if (look == Look::refused) throw UsageError("the question is outside the contract; --allow-invalid takes it");
+    if (look == Look::fails) throw UsageError("--until: the command does not end with exit code 0 on the question");
+    return made;
+  }
+  made.asked = command.engine.empty() ? formula_as_respondent(command.with == with_float)
+                                      : respondent(engines_of(command, operation, jobs, notes));
+  auto same = std::make_unique<SameFinding>(operation, *made.asked,
+                                            SameFindingOptions{command.any_answer, command.allow_invalid});
+  question = same->fitted(question);
+  try {
+    const std::string why_not = same->begin(question);
+    if (!why_not.empty()) throw UsageError("nothing to reduce: " + why_not);
+  } catch (const InvalidInput& refused) {
+    throw UsageError(std::string("the question is outside the contract: ") + refused.what());
+  }
+  made.interest = std::move(same);
+  return made;
+}
+
+/// The line that asks the question again.
+std::string repeat_line(const ReduceCommand& command, const Operation& operation, const Question& question,
+                        const Repeat& repeat) {
+  if (!command.until.empty())
+    return "echo '" + one_line(operation.print(question)) + "' | (" + command.until + "); echo $?";
+  std::string line = repeat_command(operation, question, repeat, !command.engine.empty());
+  // `ask` evaluates the formula in double alone.
+  if (command.engine.empty() && command.with == with_float)
+    line.replace(line.rfind(" ask "), std::string::npos, " reduce " + operation.name() + " --with " + with_float);
+  return line;
+}
+
 }  // namespace
 
 int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream& err) {
@@ -98,53 +148,47 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
   const int jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
   const Interruptible interruptible;
   EngineNotes notes;
-  std::unique_ptr<Respondent> asked;
-  std::unique_ptr<Interest> interest;
-  if (!command.until.empty()) {
-    interest = std::make_unique<Until>(operation, command.until, command.timeout, command.allow_invalid);
-    if (interest->look(0, question) != audit::Look::holds)
-      throw UsageError("--until: the command does not end with exit code 0 on the question itself");
-  } else {
-    asked = command.engine.empty() ? formula_as_respondent(command.with == "reference,float")
-                                   : respondent(engines_of(command, operation, jobs, notes));
-    auto same = std::make_unique<SameFinding>(operation, *asked,
-                                              SameFindingOptions{command.same_answer, command.allow_invalid});
-    question = same->fitted(question);
-    try {
-      const std::string why_not = same->begin(question);
-      if (!why_not.empty()) throw UsageError("nothing to reduce: " + why_not);
-    } catch (const InvalidInput& refused) {
-      throw UsageError(std::string("the question is outside the contract: ") + refused.what());
-    }
-    interest = std::move(same);
-  }
-  SearchOptions options{jobs, TimeLimit(command.seconds), &Interruptible::stopped(), {}};
-  const Reduced found = reduced(operation, question, *interest, options);
+  const Deciding decide = deciding(command, operation, jobs, notes, question);
+  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  const Reduced found =
+      reduced(operation, question, *decide.interest,
+              {jobs, TimeLimit(command.seconds), command.allow_degenerate, &Interruptible::stopped(),
+               [&](const Question& best) { progress.tell("reduce: " + one_line(size_of(operation, best))); }});
+  progress.end();
   notes.tell(err);
+  Smallest smallest{operation, found.question};
+  smallest.before = size_of(operation, question), smallest.after = size_of(operation, found.question);
+  smallest.again = repeat_of(command.program, command.engine, command.timeout);
+  smallest.repeat = repeat_line(command, operation, found.question, smallest.again);
   Json line = Json::object();
   line["op"] = operation.name();
   line["input"] = operation.print(found.question);
+  std::unique_ptr<const Examination> examination;
+  std::string outside;
+  const bool too_large = steps_too_many(operation, found.question);
   try {
-    const auto examination = operation.examine(found.question);
-    line["truth"] = examination->truth();
-    if (asked) {
-      const Reply reply = asked->reply(0, operation, found.question);
-      Json said = Json::object();
-      said["name"] = asked->declaration().engine;
-      said.update(verdict_json(asked->judgement(reply, *examination), kept(reply.answer)));
-      line["engine"] = said;
-    }
+    if (too_large) line["robust"] = operation.answer_json(operation.row().robust(found.question, 0));
+    else examination = operation.examine(found.question), line["truth"] = examination->truth();
   } catch (const InvalidInput& refused) {
-    line["truth"] = nullptr;
-    line["refused"] = refused.what();
+    outside = refused.what();
   }
-  line["before"] = size_of(operation, question);
-  line["after"] = size_of(operation, found.question);
-  line["candidates"] = found.candidates;
-  line["rounds"] = found.rounds;
-  line["finished"] = found.finished;
+  smallest.examination = examination.get();
+  if (decide.asked) {
+    const Reply reply = decide.asked->reply(0, operation, found.question);
+    smallest.declaration = &decide.asked->declaration();
+    smallest.answer = kept(reply.answer);
+    if (examination) smallest.judgement = decide.asked->judgement(reply, *examination);
+    else if (reply.kind == Reply::Kind::failed) smallest.judgement = {Verdict::invalid, 0, reply.remark};
+    line["engine"]["name"] = smallest.declaration->engine;
+    line["engine"].update(verdict_json(smallest.judgement, smallest.answer));
+    if (too_large && reply.kind != Reply::Kind::failed) line["engine"]["verdict"] = "not robust's answer";
+  }
+  if (!outside.empty()) line["outside_the_contract"] = outside;
+  line["before"] = smallest.before, line["after"] = smallest.after;
+  line["candidates"] = found.candidates, line["rounds"] = found.rounds, line["finished"] = found.finished;
   out << one_line(line) << '\n';
-  return nothing_found;
+  if (!command.directory.empty()) write_reduced_files(smallest, command.directory);
+  return Interruptible::stopped() ? interrupted : nothing_found;
 }
 
 }  // namespace touchstone::program

@@ -17,7 +17,7 @@ struct ReduceCommand {
   std::string with = "reference";      ///< or "reference,float"
   std::string until;                   ///< command that decides; empty: the judge does
   double timeout = usual_timeout;
-  bool same_answer = false, allow_invalid = false;
+  bool any_answer = false, allow_degenerate = false, allow_invalid = false;
   double seconds = 0;
   int jobs = 0;           ///< 0: as many as the machine has
   std::string directory;  ///< empty: nothing but standard output

@@ -101,6 +101,10 @@ constexpr const char* to_be_written = "call your implementation here";
 
 }  // namespace
 
+std::string test_file(const std::string& framework) {
+  return "test_" + framework + (framework == "pytest" ? ".py" : framework == "jest" ? ".test.js" : ".cpp");
+}
+
 std::string RegressionTests::next(const Examination& examination, const Json& engine) {
   const Operation& operation = examination.operation();
   const std::string name = operation.name() + "_" + std::to_string(++count_), mine = "my_" + operation.name();

@@ -12,6 +12,9 @@ namespace touchstone::program {
 
 inline constexpr std::array<const char*, 4> test_frameworks{"catch2", "gtest", "pytest", "jest"};
 
+/// What a file of tests is called: "test_catch2.cpp", "test_pytest.py".
+std::string test_file(const std::string& framework);
+
 /// Questions as regression tests, text of one file: each calls a function my_OPERATION, whose body is the user's to
 /// write, with the exact input, and expects the truth in nearest doubles.
 class RegressionTests {
