@@ -3,9 +3,9 @@
 
 #include <iostream>
 
-#include "program/commands/against.h"
-#include "program/commands/judge.h"
-#include "program/commands/log.h"
+#include "program/commands/recorded/against.h"
+#include "program/commands/recorded/judge.h"
+#include "program/commands/recorded/log.h"
 #include "program/option_rules.h"
 #include "program/run_options.h"
 

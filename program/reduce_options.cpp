@@ -4,7 +4,7 @@
 #include <iostream>
 #include <memory>
 
-#include "program/commands/reduce.h"
+#include "program/commands/recorded/reduce.h"
 #include "program/mesh_options.h"
 #include "program/option_rules.h"
 

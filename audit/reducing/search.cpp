@@ -44,7 +44,7 @@ Search::Search(const Operation& operation, Question question, Interest& interest
 
 bool Search::over() const { return options_.limit.over() || (options_.stop != nullptr && *options_.stop); }
 
-Search::Looked Search::looked_at(std::size_t job, std::optional<Question> candidate) const {
+Search::Looked Search::reviewed(std::size_t job, std::optional<Question> candidate) const {
   Looked looked;
   if (!candidate) return looked;
   Question question = interest_.fitted(*candidate);
@@ -62,7 +62,7 @@ std::optional<std::size_t> Search::first(std::size_t count, const Make& make) {
   const auto jobs = static_cast<std::size_t>(std::max(options_.jobs, 1));
   for (std::size_t begin = 0; begin < count && !over(); begin += jobs) {
     std::vector<Looked> batch(std::min(jobs, count - begin));
-    in_parallel(options_.jobs, batch.size(), [&](std::size_t i) { batch[i] = looked_at(i, make(begin + i)); });
+    in_parallel(options_.jobs, batch.size(), [&](std::size_t i) { batch[i] = reviewed(i, make(begin + i)); });
     if (over()) break;  // an engine that was stopped has said nothing
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (!batch[i].question || failed_.count(batch[i].hash) > 0) continue;

@@ -56,7 +56,7 @@ class Search {
     std::uint64_t hash = 0;
     Look look = Look::fails;
   };
-  Looked looked_at(std::size_t job, std::optional<Question> candidate) const;
+  Looked reviewed(std::size_t job, std::optional<Question> candidate) const;
 
   const Operation& operation_;
   Interest& interest_;

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 
 #include "audit/counting/tally.h"
 #include "audit/reducing/passes.h"
 #include "audit/reducing/question_parts.h"
+#include "catalogue/codec/nearest_double.h"
 
 namespace touchstone::audit::reducing {
 namespace {
@@ -18,7 +18,7 @@ constexpr std::size_t most_others = 32;  // other numbers of a question that a n
 double to_digits(double number, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*e", digits - 1, number);
-  return std::strtod(text, nullptr);
+  return *nearest_double(text);
 }
 
 double to_bits(double number, int bits) {

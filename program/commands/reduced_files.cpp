@@ -12,7 +12,7 @@
 #include "program/terminal/names.h"
 #include "program/terminal/regression_test.h"
 #include "report/pages/html_finding.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/wording.h"
 
 namespace touchstone::program {

@@ -10,7 +10,7 @@
 
 While a Recording is open, calls of decorated functions go into it, from any thread; at other times they cost nothing to
 speak of. Each thread fills a buffer of its own; one is written as whole lines when it is full and when the log is closed.
-What a process that is killed has lost is what was in its buffers; the log then has no end mark.
+A process that is killed loses what was in its buffers; the log then has no end mark.
 """
 import atexit
 import functools
@@ -37,7 +37,7 @@ def nearness(value: float) -> None:
 
 
 class _Buffer:
-    """What one thread has recorded."""
+    """The calls of one thread."""
 
     def __init__(self) -> None:
         self.lines: "list[str]" = []
@@ -112,7 +112,7 @@ class Recording:
         return buffer
 
     def wants(self, function: int) -> bool:
-        """Whether the next call of a function is written: it is counted."""
+        """Counts the next call of a function and says whether it is written."""
         buffer, near = self._buffer(), getattr(_local, "nearness", float("inf"))
         _local.nearness = float("inf")
         buffer.seen += 1
@@ -187,7 +187,7 @@ def recorded(operation: str, *, fields: "Optional[list[str]]" = None, answer: Op
              rows: bool = False) -> Callable[[Function], Function]:
     """A decorator: calls of the function are recorded as calls of an operation (`touchstone ops`).
 
-    fields: the operation's names of the arguments, where the function's parameters have others. What the function returns
+    fields: the operation's names of the arguments, where the function's parameters have others. The return value
     is true or false, or the whole answer as a dict; with `answer`, it is the value of that one field. None is not
     recorded; an exception is, as an error. rows: arguments and answer are arrays over many questions, each row a call.
     """

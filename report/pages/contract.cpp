@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "report/figures/labels.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/formula.h"
 
 namespace touchstone::report {

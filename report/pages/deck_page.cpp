@@ -9,7 +9,7 @@
 #include "report/pages/contract.h"
 #include "report/pages/html_finding.h"
 #include "report/pages/html_footer.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/ways.h"
 
 namespace touchstone::report {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/wording.h"
 
 namespace touchstone::report {

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/phrases.h"
 
 namespace touchstone::report {

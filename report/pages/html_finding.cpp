@@ -17,8 +17,8 @@
 #include "geometry/invalid_input.h"
 #include "report/figures/space_model.h"
 #include "report/figures/svg.h"
-#include "report/pages/html_parts.h"
 #include "report/pages/html_search.h"
+#include "report/parts/html_parts.h"
 #include "report/words/answered.h"
 #include "report/words/phrases.h"
 

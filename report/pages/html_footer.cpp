@@ -8,7 +8,7 @@
 #include <png.h>
 
 #include "audit/version.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/wording.h"
 
 namespace touchstone::report {

@@ -13,7 +13,7 @@
 #include "report/pages/html_compare.h"
 #include "report/pages/html_footer.h"
 #include "report/pages/html_map.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 
 namespace touchstone::report {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "catalogue/codec/json.h"
 #include "catalogue/numbers/ulps.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/phrases.h"
 
 namespace touchstone::report {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "audit/counted.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/wording.h"
 
 namespace touchstone::report {

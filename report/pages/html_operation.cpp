@@ -13,8 +13,8 @@
 #include "report/pages/html_footer.h"
 #include "report/pages/html_map.h"
 #include "report/pages/html_nearness.h"
-#include "report/pages/html_parts.h"
 #include "report/pages/html_search.h"
+#include "report/parts/html_parts.h"
 #include "report/words/phrases.h"
 #include "report/words/ways.h"
 

@@ -10,7 +10,7 @@
 #include "geometry/invalid_input.h"
 #include "report/figures/space_model.h"
 #include "report/figures/svg.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 
 namespace touchstone::report {
 namespace {

@@ -8,7 +8,7 @@
 #include "audit/meshes/in_words.h"
 #include "report/figures/coarse_mesh.h"
 #include "report/figures/space_model.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 
 namespace touchstone::report {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "catalogue/codec/nearest_double.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/wording.h"
 
 namespace touchstone::report {

@@ -3,7 +3,7 @@
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 #include "report/pages/deck_page.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 
 /// The deck as one page.
 namespace touchstone::proptests::deck_tests {

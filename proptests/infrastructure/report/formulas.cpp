@@ -2,7 +2,7 @@
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 #include "report/pages/contract.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/formula.h"
 
 /// Formulas of contracts in MathML; what is expected is written by hand.

@@ -5,7 +5,7 @@
 #include "proptests/uses.h"
 #include "report/pages/html.h"
 #include "report/pages/html_map.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/wording.h"
 
 /// Failure maps: where they are centred, and what their legends say.

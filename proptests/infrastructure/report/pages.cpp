@@ -13,7 +13,7 @@
 #include "report/pages/html_confusion.h"
 #include "report/pages/html_finding.h"
 #include "report/pages/html_footer.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/answered.h"
 #include "report/words/phrases.h"
 

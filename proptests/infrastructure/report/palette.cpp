@@ -10,7 +10,7 @@
 
 #include "proptests/catch.h"
 #include "proptests/uses.h"
-#include "report/pages/html_style.h"
+#include "report/parts/html_style.h"
 
 /// Colours by the formulas of WCAG 2.1 (relative luminance, contrast ratio) and CIE 1976 (L*a*b*).
 namespace touchstone::proptests::palette_tests {

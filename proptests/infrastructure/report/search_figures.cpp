@@ -10,8 +10,8 @@
 #include "proptests/uses.h"
 #include "report/figures/space_model.h"
 #include "report/figures/svg.h"
-#include "report/pages/html_parts.h"
 #include "report/pages/html_search.h"
+#include "report/parts/html_parts.h"
 
 /// Searches in structures over bodies, as they are drawn and counted.
 namespace touchstone::proptests::search_figures_tests {

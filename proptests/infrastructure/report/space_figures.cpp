@@ -9,7 +9,7 @@
 #include "proptests/infrastructure/report/in_node.h"
 #include "proptests/uses.h"
 #include "report/figures/space_model.h"
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 #include "report/words/answered.h"
 
 /// Scenes in space as a page holds them; what its script draws of them: viewer.mjs.

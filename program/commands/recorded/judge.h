@@ -18,8 +18,8 @@ struct JudgeCommand {
   std::optional<double> tolerance;     ///< likewise
   std::string against;                 ///< command of an engine that is asked the same; empty: none
   double timeout = usual_timeout;
-  int jobs = 0;                        ///< 0: as many as the machine has
-  std::string shard;                   ///< "I/N"; empty: of the launcher, if one started this
+  int jobs = 0;       ///< 0: as many as the machine has
+  std::string shard;  ///< "I/N"; empty: of the launcher, if one started this
   std::string json_file, report_directory;
   bool summary = false;  ///< a row for each operation
   GateCommand gate;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/pages/html_parts.h"
+#include "report/parts/html_parts.h"
 
 #include <embedded.h>  // made by the build
 #include <fmt/format.h>
 
 #include "report/figures/space_model.h"
 #include "report/figures/svg.h"
-#include "report/pages/html_style.h"
+#include "report/parts/html_style.h"
 
 namespace touchstone::report {
 namespace {

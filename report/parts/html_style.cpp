@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/pages/html_style.h"
+#include "report/parts/html_style.h"
 
 #include "report/figures/space_model.h"
 #include "report/figures/svg.h"

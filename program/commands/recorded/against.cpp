@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/commands/against.h"
+#include "program/commands/recorded/against.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

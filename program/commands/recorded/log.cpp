@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/commands/log.h"
+#include "program/commands/recorded/log.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/commands/judge.h"
+#include "program/commands/recorded/judge.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include "audit/judging/judge_logs.h"
 #include "audit/parallel.h"
 #include "program/commands/commands.h"
-#include "program/commands/log.h"
+#include "program/commands/recorded/log.h"
 #include "program/runs/shard.h"
 #include "program/terminal/exit_codes.h"
 #include "program/terminal/interruptible.h"

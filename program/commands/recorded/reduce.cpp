@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/commands/reduce.h"
+#include "program/commands/recorded/reduce.h"
 
 #include <unistd.h>
 
@@ -17,7 +17,6 @@
 #include "program/terminal/each_line.h"
 #include "program/terminal/exit_codes.h"
 #include "program/terminal/interruptible.h"
-#include "program/terminal/out_of_memory.h"
 #include "program/terminal/progress.h"
 
 namespace touchstone::program {

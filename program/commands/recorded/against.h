@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "program/commands/commands.h"
-#include "program/commands/judge.h"
+#include "program/commands/recorded/judge.h"
 
 namespace touchstone::program {
 
