@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "audit/counting/generic.h"
 #include "audit/counting/judged.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/judge/compare.h"
@@ -104,7 +105,10 @@ void CallJudge::vouch(Site& site, const RecordedCall& call, const std::string& t
     const std::string way = call.operation->name() + "/" + name_of(Verdict::agree) + "/" + truth + "/" + said;
     found = site.answers.insert(found, Vouched{truth, said, way});
   }
-  ++found->cases[static_cast<std::size_t>(range_of(call.question, limits_))];
+  const Range range = range_of(call.question, limits_);
+  ++found->cases[static_cast<std::size_t>(range)];
+  if (range == Range::ordinary && !has_direction_on_axis(*call.operation, call.question))
+    for (Cell* const cell : {&site.counted.answers, &site.counted.robust}) ++cell->right_off_axis;
   found->hash += seed_of(call.ordinal, found->way.c_str(), 0);
 }
 
@@ -129,6 +133,7 @@ void CallJudge::judge(const RecordedCall& call) {
   const Operation& operation = *call.operation;
   const RowFunctions& row = operation.row();
   Site& site = sites_[{&operation, call.site}];
+  ++(call.binary32 ? in_float_ : in_double_);
   try {
     const EncodedValue<double> robust = row.robust(call.question, 0);
     Reader& reader = reader_of(operation);

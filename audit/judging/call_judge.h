@@ -26,6 +26,10 @@ class CallJudge {
 
   void judge(const RecordedCall& call);
 
+  /// How many calls were of functions over float, and over double.
+  std::uint64_t in_float() const { return in_float_; }
+  std::uint64_t in_double() const { return in_double_; }
+
   struct Counted {
     Cell answers, robust;
   };
@@ -69,6 +73,7 @@ class CallJudge {
 
   Declaration declaration_;
   Limits limits_;
+  std::uint64_t in_float_ = 0, in_double_ = 0;
   std::map<const Operation*, Reader> readers_;
   std::map<std::pair<const Operation*, std::size_t>, Site> sites_;
 };

@@ -81,7 +81,7 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
   tally.grid.shards = options.shards;
   if (options.shards > 1) tally.grid.done = {options.shard};
   ByOperation sum;
-  std::uint64_t read = 0;
+  std::uint64_t read = 0, in_float = 0, in_double = 0;
   for (const std::string& file : options.files) {
     LogReader reader(file);
     SharedLog log(options, reader, read);
@@ -100,11 +100,15 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
       for (std::size_t taken = job == 0 ? begun : log.take(calls); taken > 0 && !stop; taken = log.take(calls))
         for (std::size_t i = 0; i < taken; ++i) judges[job].judge(calls[i]);
     });
-    for (CallJudge& judge : judges) add(sum, judge, reader.sites());
+    for (CallJudge& judge : judges) {
+      in_float += judge.in_float(), in_double += judge.in_double();
+      add(sum, judge, reader.sites());
+    }
     read = log.read();
     result.accounts.push_back(reader.account());
     if (stop) break;
   }
+  tally.declaration.binary32 = in_float > 0 && in_double == 0;
   if (tally.declaration.engine.empty()) tally.declaration.engine = "recorded calls";
   for (const Operation* operation : all_operations()) {
     const auto counted = sum.find(operation);

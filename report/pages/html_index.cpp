@@ -13,6 +13,7 @@
 #include "report/pages/html_compare.h"
 #include "report/pages/html_footer.h"
 #include "report/pages/html_map.h"
+#include "report/pages/html_nearness.h"
 #include "report/parts/html_parts.h"
 
 namespace touchstone::report {
@@ -33,7 +34,8 @@ std::string who_in_words(const Tally& tally) {
 /// What happened, in one line.
 std::string headline(const Tally& tally, const Cell& sum) {
   const std::string questions =
-      tally.grid.size > 0 ? counted(sum.answered(), "configuration") : counted(sum.answered(), "hard question");
+      tally.grid.size > 0 ? counted(sum.answered(), "configuration")
+                          : counted(sum.answered(), tally.repeat.recorded ? "recorded call" : "hard question");
   if (sum.answered() == 0) return who_in_words(tally) + ": nothing answered";
   return who_in_words(tally) + ": " + (sum.wrong() == 0 ? "none" : share(sum.wrong(), sum.answered())) + " of " +
          questions + " wrong";
@@ -219,14 +221,18 @@ std::string going_on(const Tally& tally, const ReportNotes& notes) {
 }
 
 /// The words of the pages that a reader may not know.
-std::string glossary() {
+std::string glossary(bool recorded) {
+  const std::string families =
+      recorded ? "."
+               : ", and a family named +ulp holds the inputs of the family before it with one coordinate moved by a "
+                 "few ulps.";
   return "<p class=\"small quiet\" style=\"margin:14px 0 0\">Deck p. is the page of the lecture deck that an "
          "operation's textbook formula stands on (<em>Collision handling: detection and response</em>, CSE 3541, M. "
-         "Boggus); an ulp is one unit in the last place of a number, and a family named +ulp holds the inputs of the "
-         "family before it with one coordinate moved by a few ulps.</p>";
+         "Boggus); an ulp is one unit in the last place of a number" +
+         families + "</p>";
 }
 
-std::string legend(Speaker speaker) {
+std::string legend(Speaker speaker, bool recorded) {
   std::string text = "<div class=\"card\"><dl class=\"legend\">";
   const auto entry = [&](const char* style, const std::string& name, const std::string& words) {
     text +=
@@ -240,7 +246,7 @@ std::string legend(Speaker speaker) {
     entry("rounding", "\u2003cancellation", "of these: digits were lost where nearly equal numbers were subtracted");
     entry("range", "\u2003over- or underflow", "of these: a number on the way left the range of the number type");
   }
-  return text + "</dl>" + glossary() + "</div>";
+  return text + "</dl>" + glossary(recorded) + "</div>";
 }
 
 /// Maps on which something fails, the worst operation first.
@@ -313,13 +319,17 @@ std::vector<const OperationTally*> worst_first(const Tally& tally) {
 
 std::string index_page(const Tally& tally, const OperationMaps& maps, const ReportNotes& notes) {
   const Cell sum = sum_of(tally.operations);
-  std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(headline(tally, sum)) +
-                     "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) + "</p><p class=\"quiet\">" +
-                     escaped(conditions(tally, sum)) + "</p>" + going_on(tally, notes) + "</header><main>" + tiles(sum);
+  std::string body = "<header><p class=\"kicker\">" +
+                     std::string(tally.repeat.recorded ? "touchstone judge" : "touchstone audit") + "</p><h1>" +
+                     escaped(headline(tally, sum)) + "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) +
+                     "</p><p class=\"quiet\">" + escaped(conditions(tally, sum)) + "</p>" + going_on(tally, notes) +
+                     "</header><main>" + tiles(sum);
   if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"card\"><pre>" + escaped(notes.gate) + "</pre></div>";
   if (notes.before != nullptr) body += comparison(*notes.before, tally);
-  body += "<h2>By operation</h2>" + operations_table(tally, sum) + in_order_of_deck(tally) + gallery(tally, maps);
-  body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration)) + conventions(tally);
+  body += "<h2>By operation</h2>" + operations_table(tally, sum) + in_order_of_deck(tally) + nearness_of_all(tally) +
+          gallery(tally, maps);
+  body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration), tally.repeat.recorded) +
+          conventions(tally);
   return page("touchstone: " + headline(tally, sum), body + "</main>" + page_footer(tally, notes));
 }
 

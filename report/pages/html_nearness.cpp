@@ -45,6 +45,21 @@ std::string otherwise(const Recorded& recorded) {
       grouped(recorded.as_open_sets));
 }
 
+std::string otherwise_head(const char* first) {
+  return std::string("<table class=\"stack\"><thead><tr><th scope=\"col\">") + first +
+         "</th><th scope=\"col\">calls</th><th scope=\"col\">ties</th><th scope=\"col\">within rounding</th><th "
+         "scope=\"col\">the formula errs in double</th><th scope=\"col\">in float</th><th scope=\"col\">open sets "
+         "answer otherwise</th></tr></thead><tbody>";
+}
+
+std::string otherwise_row(const std::string& name, const Recorded& here) {
+  std::string text = "<tr><th scope=\"row\">" + name + "</th>";
+  for (const std::uint64_t n :
+       {here.calls(), here.nearness[0], here.nearness[1], here.in_double, here.in_float, here.as_open_sets})
+    text += "<td>" + grouped(n) + "</td>";
+  return text + "</tr>";
+}
+
 }  // namespace
 
 std::string nearness_section(const OperationTally& tally) {
@@ -57,21 +72,27 @@ std::string nearness_section(const OperationTally& tally) {
       "units of that bound: what is within it can be decided wrongly.</p>" +
       bars(all) + otherwise(all);
   if (tally.families.size() > 1) {
-    text +=
-        "<table class=\"stack\"><thead><tr><th scope=\"col\">call site</th><th scope=\"col\">calls</th><th "
-        "scope=\"col\">ties</th><th scope=\"col\">within rounding</th><th scope=\"col\">otherwise in double</th><th "
-        "scope=\"col\">in float</th><th scope=\"col\">as open sets</th></tr></thead><tbody>";
-    for (const auto& [site, cell] : tally.families) {
-      const Recorded& here = cell.recorded;
-      text += fmt::format("<tr><th scope=\"row\">{}</th>", breakable(site));
-      for (const std::uint64_t n :
-           {here.calls(), here.nearness[0], here.nearness[1], here.in_double, here.in_float, here.as_open_sets})
-        text += "<td>" + grouped(n) + "</td>";
-      text += "</tr>";
-    }
+    text += otherwise_head("call site");
+    for (const auto& [site, cell] : tally.families) text += otherwise_row(breakable(site), cell.recorded);
     text += "</tbody></table>";
   }
   return text + "</div>";
+}
+
+std::string nearness_of_all(const Tally& tally) {
+  if (tally.logs.empty()) return "";
+  std::string text =
+      "<h2 id=\"nearness\">How near the calls were to another answer</h2><div class=\"card scroll\"><p>A call is near "
+      "where a comparison of the textbook formula is a tie, or within the formula's own rounding. The page of each "
+      "operation shows how far the others are.</p>" +
+      otherwise_head("operation");
+  for (const OperationTally& operation : tally.operations) {
+    const Recorded all = operation.total().recorded;
+    const std::string name = escaped(operation.operation);
+    if (all.calls() > 0)
+      text += otherwise_row("<a href=\"" + name + ".html#nearness\">" + breakable(operation.operation) + "</a>", all);
+  }
+  return text + "</tbody></table></div>";
 }
 
 }  // namespace touchstone::report

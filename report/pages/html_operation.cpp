@@ -45,7 +45,8 @@ std::string navigation(const Tally& tally, std::size_t operation) {
 }
 
 std::string opening(const Tally& tally, const OperationTally& counted_here, const Operation* known) {
-  std::string text = "<header><p class=\"kicker\">touchstone audit of " + escaped(subject(tally.declaration)) +
+  std::string text = std::string("<header><p class=\"kicker\">touchstone ") +
+                     (tally.repeat.recorded ? "judge" : "audit") + " of " + escaped(subject(tally.declaration)) +
                      "</p><h1>" + breakable(counted_here.operation) + "</h1>";
   if (known) {
     const Metadata& metadata = known->metadata();

@@ -106,9 +106,11 @@ Deciding deciding(const ReduceCommand& command, const Operation& operation, int 
   Deciding made;
   if (!command.until.empty()) {
     made.interest = std::make_unique<Until>(operation, command.until, command.timeout, command.allow_invalid);
-    const Look look = made.interest->look(0, question);
-    if (look == Look::refused) throw UsageError("the question is outside the contract; --allow-invalid takes it");
-    if (look == Look::fails) throw UsageError("--until: the command does not end with exit code 0 on the question");
+    const audit::Look look = made.interest->look(0, question);
+    if (look == audit::Look::refused)
+      throw UsageError("the question is outside the contract; --allow-invalid takes it");
+    if (look == audit::Look::fails)
+      throw UsageError("--until: the command does not end with exit code 0 on the question");
     return made;
   }
   made.asked = command.engine.empty() ? formula_as_respondent(command.with == with_float)
