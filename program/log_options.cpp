@@ -43,6 +43,19 @@ void add_judge(CLI::App& program, Action& action) {
   command->add_option("--tolerance", options->tolerance, "Their tolerance, in the unit of the coordinates")
       ->check(positive)
       ->default_str("as the log says");
+  auto* pairs =
+      command
+          ->add_option("--pairs", options->pairs,
+                       "The files are meshes, or WKT or GeoJSON: this operation of all pairs, asked of --engine")
+          ->default_str("");
+  command
+      ->add_option("--columns", options->columns,
+                   "The files have a question a line, a column for each number: this operation, asked of --engine")
+      ->excludes(pairs)
+      ->default_str("");
+  command->add_option("--engine", options->engine, "Answers the questions of --pairs and --columns")
+      ->check(a_command)
+      ->default_str("");
   command
       ->add_option("--against", options->against,
                    "An engine that is asked the same: on which calls it parts from the log, and who is right")

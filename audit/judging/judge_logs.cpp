@@ -14,9 +14,6 @@ namespace {
 /// How many calls a job takes at a time.
 constexpr std::size_t calls_at_once = 256;
 
-using BySite = std::map<std::string, CallJudge::Counted>;
-using ByOperation = std::map<const Operation*, BySite>;
-
 /// One log, from which several jobs take calls.
 class SharedLog {
  public:
@@ -58,14 +55,6 @@ Declaration declared(const JudgeOptions& options, const LogHeader& header) {
   return declaration;
 }
 
-void add(ByOperation& sum, CallJudge& judge, const std::vector<std::string>& sites) {
-  for (auto& [key, counted] : judge.take()) {
-    CallJudge::Counted& cell = sum[key.first][sites[key.second]];
-    cell.answers.merge(counted.answers);
-    cell.robust.merge(counted.robust);
-  }
-}
-
 void require_one_engine(const Declaration& first, const Declaration& other, const std::string& file) {
   if (first.engine != other.engine || first.boundary != other.boundary || first.tolerance != other.tolerance)
     throw InvalidInput(file, "recorded from " + first.engine + ", as the logs before it, got " + other.engine);
@@ -73,15 +62,42 @@ void require_one_engine(const Declaration& first, const Declaration& other, cons
 
 }  // namespace
 
+void SumOfCalls::add(CallJudge& judge, const std::vector<std::string>& sites) {
+  in_float_ += judge.in_float(), in_double_ += judge.in_double();
+  for (auto& [key, counted] : judge.take()) {
+    const std::string& site = sites[key.second];
+    CallJudge::Counted& cell = counted_[key.first][site.empty() ? "no place" : site];
+    cell.answers.merge(counted.answers);
+    cell.robust.merge(counted.robust);
+  }
+}
+
+void SumOfCalls::complete(Tally& tally) {
+  tally.repeat.recorded = true;
+  tally.declaration.binary32 = in_float_ > 0 && in_double_ == 0;
+  if (tally.declaration.engine.empty()) tally.declaration.engine = "recorded calls";
+  for (const Operation* operation : all_operations()) {
+    const auto found = counted_.find(operation);
+    if (found == counted_.end()) continue;
+    OperationTally answers{operation->name(), {}}, robust{operation->name(), {}};
+    for (auto& [site, cell] : found->second) {
+      answers.families.emplace_back(site, std::move(cell.answers));
+      robust.families.emplace_back(site, std::move(cell.robust));
+    }
+    tally.operations.push_back(std::move(answers));
+    tally.robust.push_back(std::move(robust));
+  }
+  counted_.clear();
+}
+
 JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop) {
   JudgedLogs result;
   Tally& tally = result.tally;
   tally.limits = options.limits;
-  tally.repeat.recorded = true;
   tally.grid.shards = options.shards;
   if (options.shards > 1) tally.grid.done = {options.shard};
-  ByOperation sum;
-  std::uint64_t read = 0, in_float = 0, in_double = 0;
+  SumOfCalls sum;
+  std::uint64_t read = 0;
   for (const std::string& file : options.files) {
     LogReader reader(file);
     SharedLog log(options, reader, read);
@@ -100,27 +116,12 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
       for (std::size_t taken = job == 0 ? begun : log.take(calls); taken > 0 && !stop; taken = log.take(calls))
         for (std::size_t i = 0; i < taken; ++i) judges[job].judge(calls[i]);
     });
-    for (CallJudge& judge : judges) {
-      in_float += judge.in_float(), in_double += judge.in_double();
-      add(sum, judge, reader.sites());
-    }
+    for (CallJudge& judge : judges) sum.add(judge, reader.sites());
     read = log.read();
     result.accounts.push_back(reader.account());
     if (stop) break;
   }
-  tally.declaration.binary32 = in_float > 0 && in_double == 0;
-  if (tally.declaration.engine.empty()) tally.declaration.engine = "recorded calls";
-  for (const Operation* operation : all_operations()) {
-    const auto counted = sum.find(operation);
-    if (counted == sum.end()) continue;
-    OperationTally answers{operation->name(), {}}, robust{operation->name(), {}};
-    for (auto& [site, cell] : counted->second) {
-      answers.families.emplace_back(site.empty() ? "no place" : site, std::move(cell.answers));
-      robust.families.emplace_back(site.empty() ? "no place" : site, std::move(cell.robust));
-    }
-    tally.operations.push_back(std::move(answers));
-    tally.robust.push_back(std::move(robust));
-  }
+  sum.complete(tally);
   tally.interrupted = stop;
   return result;
 }

@@ -3,10 +3,11 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
-#include "audit/counting/tally.h"
+#include "audit/judging/call_judge.h"
 #include "audit/logs/log_reader.h"
 
 namespace touchstone::audit {
@@ -21,6 +22,19 @@ struct JudgeOptions {
   std::uint64_t shard = 1, shards = 1;  ///< of the calls only those whose number is `shard` - 1 modulo `shards`
   /// Hears how many calls have been read; from any thread.
   std::function<void(std::uint64_t)> progress{};
+};
+
+/// What judges have counted, as a tally.
+class SumOfCalls {
+ public:
+  /// The places in `sites` are those of the calls.
+  void add(CallJudge& judge, const std::vector<std::string>& sites);
+  /// Completes a tally of which the declaration is given.
+  void complete(Tally& tally);
+
+ private:
+  std::map<const Operation*, std::map<std::string, CallJudge::Counted>> counted_;
+  std::uint64_t in_float_ = 0, in_double_ = 0;
 };
 
 struct JudgedLogs {

@@ -7,6 +7,7 @@
 #include "audit/judging/judge_logs.h"
 #include "audit/parallel.h"
 #include "program/commands/commands.h"
+#include "program/commands/recorded/judge_files.h"
 #include "program/commands/recorded/log.h"
 #include "program/runs/shard.h"
 #include "program/terminal/exit_codes.h"
@@ -39,7 +40,9 @@ bool judged_any(const JudgedLogs& judged, std::ostream& err) {
   std::uint64_t calls = 0;
   for (const LogAccount& account : judged.accounts) calls += account.calls;
   err << "touchstone: nothing was judged: "
-      << (calls == 0 ? "the log holds no call\n" : "no recorded call is within the contract of these operations\n");
+      << (judged.accounts.empty() ? "the engine answered none of the questions\n"
+          : calls == 0            ? "the log holds no call\n"
+                                  : "no recorded call is within the contract of these operations\n");
   return false;
 }
 
@@ -55,16 +58,19 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   options.progress = [&](std::uint64_t read) { progress.tell(audit::counted(read, "call") + " read"); };
   const std::atomic<bool>& stopped = Interruptible::stopped();
   JudgedLogs judged;
+  EngineNotes notes;
   {
     const Interruptible until_judged;
-    judged = judge_logs(options, stopped);
+    judged =
+        command.pairs.empty() && command.columns.empty() ? judge_logs(options, stopped) : judge_files(command, notes);
   }
   progress.end();
+  notes.tell(err);
   for (std::size_t i = 0; i < judged.accounts.size(); ++i) print_account(judged.accounts[i], err);
   Tally& tally = judged.tally;
   if (!tally.interrupted && !judged_any(judged, err)) return bad_usage;
   tally.max_surplus = command.gate.max_surplus;
-  tally.repeat.program = command.program;
+  if (tally.repeat.options.empty()) tally.repeat.program = command.program;
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
   readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << recorded_table(tally)
            << std::flush;

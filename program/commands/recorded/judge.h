@@ -16,6 +16,8 @@ struct JudgeCommand {
   std::string operations = "all";      ///< "all" or names with commas
   std::string boundary;                ///< of the recorded functions; empty: as the log says
   std::optional<double> tolerance;     ///< likewise
+  std::string pairs, columns;          ///< an operation: the files are questions to `engine` instead
+  std::string engine;                  ///< command
   std::string against;                 ///< command of an engine that is asked the same; empty: none
   double timeout = usual_timeout;
   int jobs = 0;       ///< 0: as many as the machine has

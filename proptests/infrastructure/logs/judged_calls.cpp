@@ -198,4 +198,82 @@ TEST_CASE("judge exits with 1 where a recorded answer is wrong, and says where i
   require_refused(called({"judge", "no_such.jsonl"}), 2, "no_such.jsonl");
 }
 
+TEST_CASE("files are questions: pairs of geometries, and columns of numbers") {
+  const TextFile engine("engine.py", R"(import json, sys
+sys.stdin.readline()
+print(json.dumps({"engine": "open sets", "ops": ["point_in_polygon", "orientation", "polygon_polygon"]}), flush=True)
+for line in sys.stdin:
+    question = json.loads(line)
+    answer = {"side": "left"} if question["op"] == "orientation" else False
+    print(json.dumps({"id": question["id"], "answer": answer}), flush=True)
+)");
+  const std::string command = std::string("python3 ") + engine.path();
+  // The first two overlap, the third is apart from both.
+  const TextFile rings(
+      "rings.wkt",
+      "POLYGON ((0 0, 4 0, 0 4, 0 0))\nPOLYGON ((1 1, 5 1, 1 5, 1 1))\nPOLYGON ((9 9, 10 9, 9 10, 9 9))\n");
+  const Called pairs = called({"judge", "--pairs", "polygon_polygon", rings.path(), "--engine", command.c_str()});
+  INFO(pairs.out + pairs.err);
+  CHECK(pairs.code == 1);
+  CHECK_THAT(pairs.out, ContainsSubstring("1 of 3 answers wrong") && ContainsSubstring("rings.wkt:1") &&
+                            ContainsSubstring("rings.wkt:2"));
+  const TextFile table("points.csv", "x0,y0,x1,y1,x,y\n0,0,1,0,0,1\n0,0,1,0,0,-1\n");
+  const Called columns = called({"judge", "--columns", "orientation", table.path(), "--engine", command.c_str()});
+  CHECK_THAT(columns.out, ContainsSubstring("1 of 2 answers wrong"));
+  const TextFile short_row("short.csv", "0,0,1,0,0,1\n0,0,1\n");
+  require_refused(called({"judge", "--columns", "orientation", short_row.path(), "--engine", command.c_str()}), 2,
+                  "line 2: expected 6 numbers, got 3");
+  require_refused(called({"judge", "--pairs", "orientation", rings.path(), "--engine", command.c_str()}), 2,
+                  "expected an operation of two shapes");
+  require_refused(called({"judge", "--pairs", "polygon_polygon", rings.path()}), 2, "--engine");
+}
+
+TEST_CASE("the hardest calls become vectors that hold") {
+  std::string log;
+  for (const char* p : {"[1,1]", "[3,3]", "[0.3,0.30000000000000004]", "[0,5]", "[5,0]"})
+    log += std::string(R"({"op":"orientation","input":{"p0":[0,0],"p1":[2,2],"p":)") + p +
+           R"(},"answer":{"side":"left"}})"
+           "\n";
+  const TextFile file("hard.jsonl", log);
+  const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_own_vectors");
+  const Called from = called({"vectors", "from", file.path(), "--to", folder.c_str()});
+  INFO(from.out + from.err);
+  CHECK(from.code == 0);
+  // On the line, wrongly left of it; and right of it. [0,5] is left and far from the line.
+  std::ifstream written(folder / "orientation.jsonl");
+  std::set<std::string> truths;
+  for (std::string line; std::getline(written, line);)
+    truths.insert(parse_line(line)["truth"]["side"].get<std::string>());
+  CHECK(truths == std::set<std::string>{"left", "on", "right"});
+  CHECK(called({"vectors", "check", folder.c_str()}).code == 0);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("two engines that part are shown where, and who is right") {
+  const auto engine = [](const std::string& name, const std::string& test) {
+    return TextFile(name, "import json, sys\nsys.stdin.readline()\nprint(json.dumps({'engine': '" + name +
+                              "', 'ops': ['orientation'], 'boundary': 'closed'}), flush=True)\nfor line in "
+                              "sys.stdin:\n    q = json.loads(line)\n    a, b, c = (q['input'][k] for k in ('p0', "
+                              "'p1', 'p'))\n    s = (b[0]-a[0])*(c[1]-a[1]) - (b[1]-a[1])*(c[0]-a[0])\n    "
+                              "print(json.dumps({'id': q['id'], 'answer': {'side': " +
+                              test + "}}), flush=True)\n");
+  };
+  const TextFile before = engine("before.py", "'left' if s > 0 else 'right' if s < 0 else 'on'"),
+                 after = engine("after.py", "'left' if s >= 0 else 'right'");
+  const std::string first = std::string("python3 ") + before.path(), second = std::string("python3 ") + after.path();
+  const Called call = called({"audit", "--engine", first.c_str(), "--against", second.c_str(), "--ops", "orientation",
+                              "--cases", "500", "--json", "-"});
+  INFO(call.out + call.err);
+  CHECK(call.code == 1);
+  const Json kinds = Json::parse(call.out)["operations"][0]["parted"];
+  const auto right_and_wrong = std::find_if(kinds.begin(), kinds.end(), [](const Json& kind) {
+    return kind["first"] == "agree" && kind["second"] == "algorithm";
+  });
+  REQUIRE(right_and_wrong != kinds.end());
+  CHECK((*right_and_wrong)["smallest"]["input"] == Json::parse(R"({"p0":[0,0],"p1":[0,0],"p":[0,0]})"));
+  const Called same = called(
+      {"audit", "--engine", first.c_str(), "--against", first.c_str(), "--ops", "orientation", "--cases", "200"});
+  CHECK(same.code == 0);
+}
+
 }  // namespace touchstone::proptests::judged_calls_tests
