@@ -20,18 +20,23 @@ class SharedLog {
   SharedLog(const JudgeOptions& options, LogReader& log, std::uint64_t before)
       : options_(options), log_(log), read_(before) {}
 
+  /// So many calls are read from now on, before `take` pauses.
+  void begin_piece(std::uint64_t calls) { until_ = read_ + calls; }
+  bool ended() const { return ended_; }
+
   /// Into objects whose memory is used again; returns how many.
   std::size_t take(std::vector<RecordedCall>& calls) {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::size_t taken = 0;
-    while (taken < calls.size() && !ended_) {
+    while (taken < calls.size() && !ended_ && read_ < until_) {
       RecordedCall& call = calls[taken];
       ended_ = !log_.next(call);
       if (ended_) break;
       call.ordinal = read_++;
       const bool asked = std::find(options_.operations.begin(), options_.operations.end(), call.operation) !=
                          options_.operations.end();
-      taken += asked && call.ordinal % options_.shards == options_.shard - 1;
+      const bool judged_before = options_.counted && call.ordinal < options_.counted->read;
+      taken += asked && !judged_before && call.ordinal % options_.shards == options_.shard - 1;
     }
     if (options_.progress) options_.progress(read_);
     return taken;
@@ -42,7 +47,7 @@ class SharedLog {
  private:
   const JudgeOptions& options_;
   LogReader& log_;
-  std::uint64_t read_;
+  std::uint64_t read_, until_ = 0;
   std::mutex mutex_;
   bool ended_ = false;
 };
@@ -72,6 +77,18 @@ void SumOfCalls::add(CallJudge& judge, const std::vector<std::string>& sites) {
   }
 }
 
+void SumOfCalls::go_on_from(const Tally& tally) {
+  ++(tally.declaration.binary32 ? in_float_ : in_double_);
+  for (const bool of_robust : {false, true}) {
+    for (const OperationTally& operation : of_robust ? tally.robust : tally.operations) {
+      for (const auto& [site, cell] : operation.families) {
+        CallJudge::Counted& counted = counted_[find_operation(operation.operation)][site];
+        (of_robust ? counted.robust : counted.answers) = cell;
+      }
+    }
+  }
+}
+
 void SumOfCalls::complete(Tally& tally) {
   tally.repeat.recorded = true;
   tally.declaration.binary32 = in_float_ > 0 && in_double_ == 0;
@@ -97,11 +114,13 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
   tally.grid.shards = options.shards;
   if (options.shards > 1) tally.grid.done = {options.shard};
   SumOfCalls sum;
+  if (options.counted) sum.go_on_from(options.counted->tally);
   std::uint64_t read = 0;
   for (const std::string& file : options.files) {
     LogReader reader(file);
     SharedLog log(options, reader, read);
     // A header stands before the first call.
+    log.begin_piece(options.calls_of_a_piece);
     std::vector<RecordedCall> first(calls_at_once);
     std::size_t begun = log.take(first);
     const Declaration declaration = declared(options, reader.header());
@@ -110,13 +129,24 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
     tally.logs.push_back(file);
     const int jobs = std::max(1, options.jobs);
     std::vector<CallJudge> judges(static_cast<std::size_t>(jobs), CallJudge(declaration, options.limits));
-    in_parallel(jobs, judges.size(), [&](std::size_t job) {
-      std::vector<RecordedCall> calls(calls_at_once);
-      if (job == 0) calls.swap(first);
-      for (std::size_t taken = job == 0 ? begun : log.take(calls); taken > 0 && !stop; taken = log.take(calls))
-        for (std::size_t i = 0; i < taken; ++i) judges[job].judge(calls[i]);
-    });
-    for (CallJudge& judge : judges) sum.add(judge, reader.sites());
+    while (true) {
+      in_parallel(jobs, judges.size(), [&](std::size_t job) {
+        std::vector<RecordedCall> calls(calls_at_once);
+        if (job == 0) calls.swap(first);
+        for (std::size_t taken = job == 0 ? begun : log.take(calls); taken > 0 && !stop; taken = log.take(calls))
+          for (std::size_t i = 0; i < taken; ++i) judges[job].judge(calls[i]);
+      });
+      for (CallJudge& judge : judges) sum.add(judge, reader.sites());
+      if (log.ended() || stop) break;
+      if (options.after_piece) {
+        JudgedSoFar so_far{tally, log.read()};
+        SumOfCalls(sum).complete(so_far.tally);
+        options.after_piece(so_far);
+      }
+      log.begin_piece(options.calls_of_a_piece);
+      first.assign(calls_at_once, {});
+      begun = log.take(first);
+    }
     read = log.read();
     result.accounts.push_back(reader.account());
     if (stop) break;

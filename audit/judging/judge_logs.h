@@ -12,6 +12,12 @@
 
 namespace touchstone::audit {
 
+/// What was counted of the first `read` calls.
+struct JudgedSoFar {
+  Tally tally;
+  std::uint64_t read = 0;
+};
+
 struct JudgeOptions {
   std::vector<std::string> files;                 ///< logs; "-" is standard input
   std::vector<const Operation*> operations;       ///< calls of others are skipped
@@ -19,7 +25,10 @@ struct JudgeOptions {
   std::optional<double> tolerance;                ///< likewise
   Limits limits;                                  ///< of ordinary numbers
   int jobs = 1;
-  std::uint64_t shard = 1, shards = 1;  ///< of the calls only those whose number is `shard` - 1 modulo `shards`
+  std::uint64_t shard = 1, shards = 1;   ///< of the calls only those whose number is `shard` - 1 modulo `shards`
+  std::optional<JudgedSoFar> counted{};  ///< of a run that was stopped: these calls are not judged again
+  std::function<void(const JudgedSoFar&)> after_piece{};  ///< hears what is counted so far, after so many calls
+  std::uint64_t calls_of_a_piece = 1 << 20;
   /// Hears how many calls have been read; from any thread.
   std::function<void(std::uint64_t)> progress{};
 };
@@ -27,6 +36,7 @@ struct JudgeOptions {
 /// What judges have counted, as a tally.
 class SumOfCalls {
  public:
+  void go_on_from(const Tally& tally);
   /// The places in `sites` are those of the calls.
   void add(CallJudge& judge, const std::vector<std::string>& sites);
   /// Completes a tally of which the declaration is given.

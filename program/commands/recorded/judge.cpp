@@ -6,9 +6,11 @@
 #include "audit/counting/tally_json.h"
 #include "audit/judging/judge_logs.h"
 #include "audit/parallel.h"
+#include "audit/place.h"
 #include "program/commands/commands.h"
 #include "program/commands/recorded/judge_files.h"
 #include "program/commands/recorded/log.h"
+#include "program/runs/checkpoint.h"
 #include "program/runs/shard.h"
 #include "program/terminal/exit_codes.h"
 #include "program/terminal/interruptible.h"
@@ -32,6 +34,18 @@ JudgeOptions judge_options(const JudgeCommand& command, const Shard& shard) {
   options.jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
   options.shard = shard.index, options.shards = shard.of;
   return options;
+}
+
+/// What makes a run this one.
+Json run_of(const JudgeCommand& command, const Shard& shard) {
+  return {{"judge", command.files},
+          {"ops", command.operations},
+          {"boundary", command.boundary},
+          {"pairs", command.pairs},
+          {"columns", command.columns},
+          {"engine", command.engine},
+          {"tolerance", written(command.tolerance.value_or(0))},
+          {"shard", shard.text()}};
 }
 
 /// Whether anything was judged; else says why not.
@@ -59,6 +73,14 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   const std::atomic<bool>& stopped = Interruptible::stopped();
   JudgedLogs judged;
   EngineNotes notes;
+  Checkpoint checkpoint(shard.named() ? command.json_file : "", run_of(command, shard), err);
+  if (!checkpoint.found().is_null()) {
+    const Place found{checkpoint.found(), ""};
+    options.counted = audit::JudgedSoFar{audit::read_tally(found.at("tally").text()), found.at("read").count()};
+  }
+  options.after_piece = [&](const audit::JudgedSoFar& so_far) {
+    checkpoint.keep([&] { return Json{{"tally", tally_json(so_far.tally)}, {"read", so_far.read}}; });
+  };
   {
     const Interruptible until_judged;
     judged =
@@ -75,7 +97,13 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << recorded_table(tally)
            << std::flush;
   const GateResult result = finish_gate(command.gate, gate, tally, readable);
+  if (tally.interrupted && shard.named()) {
+    err << "touchstone: interrupted, nothing is written"
+        << (checkpoint.file().empty() ? "" : "; the same command goes on from ") << checkpoint.file() << '\n';
+    return interrupted;
+  }
   write_file("--json", command.json_file, tally_json(tally));
+  checkpoint.remove();
   if (!command.report_directory.empty()) {
     try {
       write_report(tally, command.report_directory, options.jobs, nullptr,

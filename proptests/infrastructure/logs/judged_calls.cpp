@@ -174,6 +174,16 @@ TEST_CASE("shards of a log merge to the whole, whatever the jobs, and survive a 
   CHECK(whole.operations.at(0).families.size() == 3);
   options.jobs = 3;
   CHECK(tally_json(judge_logs(options, stop).tally) == tally_json(whole));
+  options.calls_of_a_piece = 700;
+  std::vector<JudgedSoFar> states;
+  options.after_piece = [&](const JudgedSoFar& so_far) { states.push_back(so_far); };
+  CHECK(tally_json(judge_logs(options, stop).tally) == tally_json(whole));
+  REQUIRE(states.size() == 4);
+  CHECK(states[2].read == 2100);
+  CHECK(states[2].tally.operations.at(0).total().cases() == 2100);
+  options.counted = JudgedSoFar{read_tally(tally_json(states[2].tally)), states[2].read};
+  CHECK(tally_json(judge_logs(options, stop).tally) == tally_json(whole));
+  options.counted.reset();
   std::optional<Tally> merged;
   options.shards = 2;
   for (options.shard = 1; options.shard <= 2; ++options.shard) {
