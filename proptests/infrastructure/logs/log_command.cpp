@@ -12,6 +12,9 @@ const std::string header = R"({"touchstone_log":1,"engine":"game"})"
 const std::string on =
     R"({"op":"orientation","input":{"p0":[0,0],"p1":[1,0],"p":[2,0]},"answer":{"side":"on"},"site":"a.c:1"})"
     "\n";
+const std::string crossing =
+    R"({"op":"segment_segment","input":{"a":[[0,0],[2,0]],"b":[[1,-1],[1,1]]},"answer":{"relation":"point","ta":0.5,"point":[1,0]}})"
+    "\n";
 const std::string no_operation = R"({"op":"orientatoin","input":{},"answer":true})"
                                  "\n";
 const std::string end = R"({"end":{"seen":5,"written":1,"sampled_out":3,"lost":1}})"
@@ -34,14 +37,14 @@ TEST_CASE("log: show says what a log holds, what became of the other calls, and 
 }
 
 TEST_CASE("log: convert writes the other form, and the same form where it is named") {
-  const TextFile log("lines", header + on + end), binary("binary", ""), again("again", "");
+  const TextFile log("lines", header + on + crossing + end), binary("binary", ""), again("again", "");
   REQUIRE(called({"log", "convert", log.path(), binary.path()}).code == 0);
-  REQUIRE(called({"log", "convert", binary.path(), "-"}).out == header + on + end);
-  REQUIRE(called({"log", "convert", binary.path(), "-", "--to", "json"}).out == header + on + end);
+  REQUIRE(called({"log", "convert", binary.path(), "-"}).out == header + on + crossing + end);
+  REQUIRE(called({"log", "convert", binary.path(), "-", "--to", "json"}).out == header + on + crossing + end);
   REQUIRE(called({"log", "convert", binary.path(), again.path(), "--to", "binary"}).code == 0);
-  REQUIRE(called({"log", "convert", again.path(), "-"}).out == header + on + end);
-  const TextFile cut("cut", header + on);
-  REQUIRE(called({"log", "convert", cut.path(), "-", "--to", "json"}).out == header + on);
+  REQUIRE(called({"log", "convert", again.path(), "-"}).out == header + on + crossing + end);
+  const TextFile cut("cut", header + on + crossing);
+  REQUIRE(called({"log", "convert", cut.path(), "-", "--to", "json"}).out == header + on + crossing);
 }
 
 TEST_CASE("log: convert says which calls it leaves out, with exit code 2") {
