@@ -34,7 +34,7 @@ double side(const double* p, const double* q, const double* r) {
 /// Without branches, as the other benchmarks test.
 bool meet(const Pair& s) {
   const double *a = &s[0], *b = &s[2], *c = &s[4], *d = &s[6];
-  return (side(a, b, c) * side(a, b, d) <= 0) & (side(c, d, a) * side(c, d, b) <= 0);
+  return (int{side(a, b, c) * side(a, b, d) <= 0} & int{side(c, d, a) * side(c, d, b) <= 0}) != 0;
 }
 
 std::string place() {

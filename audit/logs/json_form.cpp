@@ -6,6 +6,7 @@
 #include "audit/engines/question_text.h"
 #include "audit/logs/log_form.h"
 #include "catalogue/codec/expected.h"
+#include "catalogue/codec/plain.h"
 
 namespace touchstone::audit {
 namespace {
@@ -200,7 +201,7 @@ class JsonWriter : public LogWriter {
  private:
   static Json written_answer(const RecordedCall& call) {
     if (call.answer.kind == RecordedAnswer::Kind::text) return parse_own_line(call.answer.text);
-    return answer_json(*call.operation, call.answer);
+    return plain(answer_json(*call.operation, call.answer));
   }
   const QuestionText& text_of(const Operation& operation) {
     return texts_.try_emplace(&operation, operation).first->second;

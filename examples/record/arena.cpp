@@ -45,12 +45,10 @@ bool shot_meets_crate(const Segment& shot, const Crate& crate) {
     const float inverse = 1 / (shot.b.*axis - shot.a.*axis);
     float enters = (crate.min.*axis - shot.a.*axis) * inverse, leaves = (crate.max.*axis - shot.a.*axis) * inverse;
     if (enters > leaves) std::swap(enters, leaves);
-    first = enters > first ? enters : first;
-    last = leaves < last ? leaves : last;
-    if (!(first <= last)) return false;
-    if (std::isnan(enters) || std::isnan(leaves)) return false;
+    first = std::max(enters, first);
+    last = std::min(leaves, last);
   }
-  return true;
+  return first <= last;
 }
 
 float side(Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); }
@@ -71,7 +69,10 @@ class Arena {
   }
 
   void step() {
-    for (std::size_t i = 0; i < balls_.size(); ++i) move(balls_[i], speeds_[i]);
+    if (steps_++ % 60 == 0) {  // three balls fly apart
+      const Point from{on_grid(), on_grid()};
+      for (int i = 0; i < 3; ++i) balls_[random_() % balls_.size()].center = from;
+    }
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       for (std::size_t k = i + 1; k < balls_.size(); ++k) {
         const Ball &a = balls_[i], &b = balls_[k];
@@ -97,6 +98,7 @@ class Arena {
     const Segment first{from, {from.x + 1, from.y}}, second{end, random_() % 2 == 0 ? Point{end.x + 1, end.y} : from};
     const auto meet = [&] { return steps_meet(first, second); };
     hits_ += touchstone::record("segment_segment", meet, first, second);
+    for (std::size_t i = 0; i < balls_.size(); ++i) move(balls_[i], speeds_[i]);
   }
 
   int hits() const { return hits_; }
@@ -115,7 +117,7 @@ class Arena {
   std::vector<Ball> balls_;
   std::vector<Point> speeds_;
   std::vector<Crate> crates_;
-  int hits_ = 0;
+  int steps_ = 0, hits_ = 0;
 };
 
 /// What the game's own tests try.

@@ -11,6 +11,7 @@
 
 #include "audit/counting/audit_run.h"
 #include "c/record.h"
+#include "catalogue/codec/plain.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/logs/read_log.h"
 
@@ -76,7 +77,9 @@ TEST_CASE("recorder: a call is read as it was made, with its site, its number ty
   REQUIRE_THAT(log.account.sites[log.calls[0].site], EndsWith("recorder.cpp:" + std::to_string(line_of_meets)));
   REQUIRE(log.calls[2].binary32);
   REQUIRE(log.calls[2].question.numbers[0] == double{0.1f});
-  const auto text = [&](std::size_t i) { return one_line(answer_json(*log.calls[i].operation, log.calls[i].answer)); };
+  const auto text = [&](std::size_t i) {
+    return one_line(plain(answer_json(*log.calls[i].operation, log.calls[i].answer)));
+  };
   REQUIRE(text(2) == R"({"relation":"overlap"})");
   REQUIRE(text(3) == R"({"relation":"point","ta":0.5,"tb":0.25,"point":[1,2]})");
   REQUIRE(text(4) == "true");

@@ -178,6 +178,12 @@ def over_numpy(logs):
     require([call["answer"]["side"] for call in calls] == list(answers), "answers of rows")
     require(calls[3]["input"]["p1"] == rows[1, 3].tolist(), f"{calls[3]}")
 
+    crowd = logs.folder / "crowd.jsonl"
+    subprocess.run([sys.executable, "-B", ROOT / "examples/record/crowd.py", crowd, "10"], check=True)
+    _, calls, end, told = logs.read(crowd)
+    require(not told and end["seen"] == 10000 and len(calls) == end["written"], f"{end} {told}")
+    require({len(call["input"]["polygon"]) for call in calls} == {5} and {call["answer"] for call in calls} == {True, False}, "rows")
+
 
 def in_node(logs):
     if shutil.which("node") is None:
