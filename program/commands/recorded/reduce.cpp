@@ -153,8 +153,9 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
   Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
   const Reduced found =
       reduced(operation, question, *decide.interest,
-              {jobs, TimeLimit(command.seconds), command.allow_degenerate, &Interruptible::stopped(),
-               [&](const Question& best) { progress.tell("reduce: " + one_line(size_of(operation, best))); }});
+              {jobs, TimeLimit(command.seconds), &Interruptible::stopped(),
+               [&](const Question& best) { progress.tell("reduce: " + one_line(size_of(operation, best))); },
+               command.allow_degenerate});
   progress.end();
   notes.tell(err);
   Smallest smallest{operation, found.question};
