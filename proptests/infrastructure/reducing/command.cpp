@@ -124,7 +124,7 @@ TEST_CASE("reduce: a command of the user's decides") {
 }
 
 TEST_CASE("reduce: the formula in float goes on failing by rounding") {
-  const TextFile question("turn.json", R"({"p0":[0.1,0.1],"p1":[12.7,12.7],"p":[0.30000001,0.30000004]})");
+  const TextFile question("turn.json", R"({"p0":[0.3,0.1],"p1":[1.3,2.1],"p":[0.8,1.1]})");
   const Json line =
       reduced_line(called({"reduce", "orientation", question.path(), "--with", "reference,float", "--jobs", "1"}));
   CHECK(line["engine"]["name"] == "reference in float");
