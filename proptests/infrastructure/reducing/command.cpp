@@ -119,6 +119,11 @@ TEST_CASE("reduce: a command of the user's decides") {
       {"reduce", "convex_hull_2d", question.path(), "--until", "grep -q 7.25", "--jobs", "2", "--allow-degenerate"}));
   CHECK(line["input"] == parse_own_line(R"({"points":[[0,7.25]]})"));
   CHECK_FALSE(line.contains("engine"));
+  // A line with its operation and its input around the question is taken as well.
+  const TextFile whole("line.json", R"({"op":"convex_hull_2d","input":{"points":[[1,7.25],[3,4]]},"answer":null})");
+  CHECK(reduced_line(called({"reduce", "convex_hull_2d", whole.path(), "--until", "grep -q 7.25"}))["input"] ==
+        parse_own_line(R"({"points":[[0,7.25]]})"));
+  require_refused(called({"reduce", "convex_hull", whole.path()}), bad_usage, "op: expected convex_hull");
   require_refused(called({"reduce", "convex_hull_2d", question.path(), "--until", "grep -q 7.5"}), bad_usage,
                   "--until: the command does not end with exit code 0 on the question");
 }
