@@ -21,11 +21,11 @@ bool shorter(const Operation& operation, const Question& a, const Question& b);
 struct SearchOptions {
   int jobs = 1;
   TimeLimit limit{};
+  const std::atomic<bool>* stop = nullptr;          ///< ends the search once it is true
+  std::function<void(const Question&)> progress{};  ///< hears each question that is shorter
   /// A question may get degenerate features (audit/counting/generic.h) that the first one has not. A reader takes them
   /// for the cause.
   bool allow_degenerate = false;
-  const std::atomic<bool>* stop = nullptr;          ///< ends the search once it is true
-  std::function<void(const Question&)> progress{};  ///< hears each question that is shorter
 };
 
 /// The shortest question so far that holds, and the search for shorter ones. What it finds depends neither on the jobs

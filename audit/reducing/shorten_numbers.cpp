@@ -31,7 +31,8 @@ bool shorter_number(double a, double b) { return smaller({{a}, {}}, {{b}, {}}); 
 
 /// What a number may become, the shortest first.
 std::vector<double> shorter_than(double number, const std::vector<double>& others) {
-  std::vector<double> values{0, 1, -1, 2, -2, 3, -3, std::fabs(number)};
+  std::vector<double> values{std::fabs(number)};
+  for (int digit = -9; digit <= 9; ++digit) values.push_back(digit);
   if (std::isfinite(number)) {
     for (const double whole : {std::nearbyint(number), std::trunc(number), std::trunc(number / 2)})
       values.push_back(whole);

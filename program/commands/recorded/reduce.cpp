@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* with_float = "reference,float";
 
-/// The one question of the file.
+/// The one question of the file: alone, or the input of a line as draw, ask and logs of calls have them.
 Question question_of(const ReduceCommand& command, const Operation& operation, const FileMeshes& meshes) {
   std::optional<std::string> text;
   const auto take = [&](std::uint64_t number, const std::string& found) {
@@ -37,7 +37,12 @@ Question question_of(const ReduceCommand& command, const Operation& operation, c
   else each_line(command.file, take);
   if (!text) throw UsageError((command.file.empty() ? "standard input" : command.file) + ": one question, found none");
   try {
-    return operation.parse(input_in(*text, command.wkt, command.geojson, operation, meshes.fields()));
+    Json input = input_in(*text, command.wkt, command.geojson, operation, meshes.fields());
+    if (input.is_object() && input.contains("op") && input.contains("input")) {
+      if (input["op"] != operation.name()) throw InvalidInput("op", "expected " + operation.name());
+      input = Json(input["input"]);
+    }
+    return operation.parse(input);
   } catch (const InvalidInput& refused) {
     const auto in_file = meshes.in_file(refused);
     if (in_file) throw UsageError(in_file->what());
@@ -153,8 +158,9 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
   Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
   const Reduced found =
       reduced(operation, question, *decide.interest,
-              {jobs, TimeLimit(command.seconds), command.allow_degenerate, &Interruptible::stopped(),
-               [&](const Question& best) { progress.tell("reduce: " + one_line(size_of(operation, best))); }});
+              {jobs, TimeLimit(command.seconds), &Interruptible::stopped(),
+               [&](const Question& best) { progress.tell("reduce: " + one_line(size_of(operation, best))); },
+               command.allow_degenerate});
   progress.end();
   notes.tell(err);
   Smallest smallest{operation, found.question};
