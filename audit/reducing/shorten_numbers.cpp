@@ -38,6 +38,10 @@ std::vector<double> shorter_than(double number, const std::vector<double>& other
       values.push_back(whole);
     for (int digits = 1; digits <= most_digits; ++digits) values.push_back(to_digits(number, digits));
     for (int bits = 1; bits <= most_bits; ++bits) values.push_back(to_bits(number, bits));
+    // Of an extreme size it would take a thousand rounds to come down by halves.
+    int exponent = 0;
+    const double mantissa = std::frexp(number, &exponent);
+    for (const int share : {2, 4, 8, 16, 32}) values.push_back(std::ldexp(mantissa, exponent - exponent / share));
   }
   values.insert(values.end(), others.begin(), others.end());
   for (double& value : values) value += 0.0;  // no negative zero
