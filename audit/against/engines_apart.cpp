@@ -99,7 +99,8 @@ void make_smaller(const Operation& operation, std::vector<EnginePair>& engines, 
     if (options.seconds_to_reduce <= 0 || stop || !kind.smallest) continue;
     StillApart apart(operation, engines, *kind.smallest);
     const Question question = kind.smallest->question;
-    reduced(operation, question, apart, {options.jobs, TimeLimit(options.seconds_to_reduce), &stop, {}});
+    const SearchOptions search{options.jobs, TimeLimit(options.seconds_to_reduce), &stop, {}};
+    apart.go_on_with(reduced(operation, question, apart, search).question);
   }
 }
 
