@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <limits>
 #include <vector>
 
@@ -24,14 +25,29 @@ std::uint64_t hash_of(const Question& question) {
   return hash;
 }
 
+std::size_t characters_of(const Question& question) {
+  std::size_t characters = 0;
+  char text[40];
+  for (const double number : question.numbers)
+    characters += static_cast<std::size_t>(std::to_chars(text, text + sizeof text, number).ptr - text);
+  for (const Word word : question.words)
+    characters += static_cast<std::size_t>(std::to_chars(text, text + sizeof text, word).ptr - text);
+  return characters;
+}
+
 }  // namespace
+
+bool briefer(const Question& a, const Question& b) {
+  const std::size_t characters_a = characters_of(a), characters_b = characters_of(b);
+  return characters_a != characters_b ? characters_a < characters_b : smaller(a, b);
+}
 
 bool shorter(const Operation& operation, const Question& a, const Question& b) {
   const Range range_a = range_of(a), range_b = range_of(b);
   if (range_a != range_b) return range_a < range_b;
   const Word elements_a = elements_of_lists(*operation.row().question, a),
              elements_b = elements_of_lists(*operation.row().question, b);
-  return elements_a != elements_b ? elements_a < elements_b : smaller(a, b);
+  return elements_a != elements_b ? elements_a < elements_b : briefer(a, b);
 }
 
 Search::Search(const Operation& operation, Question question, Interest& interest, const SearchOptions& options)

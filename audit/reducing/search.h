@@ -13,8 +13,12 @@
 
 namespace touchstone::audit {
 
+/// Whether the numbers and words of a question take fewer characters than those of another, then `smaller`
+/// (audit/counting/tally.h).
+bool briefer(const Question& a, const Question& b);
+
 /// Whether a question is shorter than another: of ordinary size where the other is not, then fewer elements in its
-/// lists, then `smaller` (audit/counting/tally.h). A total order without infinite descent.
+/// lists, then briefer. A total order without infinite descent.
 bool shorter(const Operation& operation, const Question& a, const Question& b);
 
 /// How a search is run.

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <map>
 
-#include "audit/counting/tally.h"
 #include "audit/reducing/passes.h"
 #include "audit/reducing/question_parts.h"
 #include "catalogue/codec/nearest_double.h"
@@ -27,7 +26,7 @@ double to_bits(double number, int bits) {
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
 }
 
-bool shorter_number(double a, double b) { return smaller({{a}, {}}, {{b}, {}}); }
+bool shorter_number(double a, double b) { return briefer({{a}, {}}, {{b}, {}}); }
 
 /// What a number may become, the shortest first.
 std::vector<double> shorter_than(double number, const std::vector<double>& others) {
