@@ -114,7 +114,7 @@ Recorded recorded_of(const RecordedCall& call) { return judged({call}, {}).answe
 TEST_CASE("what is vouched for is counted as the oracle would have it") {
   for (const Operation* operation : all_operations()) {
     if (operation->metadata().is_implementation()) continue;
-    const std::vector<RecordedCall> calls = calls_of(*operation, affordable(*operation, 12));
+    const std::vector<RecordedCall> calls = calls_of(*operation, affordable(*operation, 4));
     for (const auto boundary : {Declaration::Boundary::closed, Declaration::Boundary::unspecified}) {
       Declaration declaration;
       declaration.boundary = boundary;
@@ -281,6 +281,7 @@ TEST_CASE("two engines that part are shown where, and who is right") {
   });
   REQUIRE(right_and_wrong != kinds.end());
   // No more points are equal than in the question that was drawn, of which two are.
+  // As generic as the question that was drawn, in which p is another point than p0.
   CHECK((*right_and_wrong)["smallest"]["input"] == Json::parse(R"({"p0":[0,0],"p1":[0,0],"p":[1,0]})"));
   const Called same = called(
       {"audit", "--engine", first.c_str(), "--against", first.c_str(), "--ops", "orientation", "--cases", "200"});
