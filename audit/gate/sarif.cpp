@@ -2,6 +2,7 @@
 #include "audit/gate/sarif.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "audit/counting/repeat.h"
 #include "audit/gate/shown.h"
@@ -35,6 +36,22 @@ Json properties_json(const Tally& tally, const GateEntry& entry, const Finding* 
   return properties;
 }
 
+/// A line of source code.
+struct Line {
+  std::string file;
+  std::uint64_t number;
+};
+
+/// That of a call site such as "game.cpp:120"; the first of `source` where it is another text.
+Line line_of(const std::string& site, const std::string& source) {
+  const std::size_t colon = site.rfind(':');
+  std::uint64_t number = 0;
+  if (colon == std::string::npos || colon == 0) return {source, 1};
+  const char* const end = site.data() + site.size();
+  const auto [stop, error] = std::from_chars(site.data() + colon + 1, end, number);
+  return error == std::errc() && stop == end && number > 0 ? Line{site.substr(0, colon), number} : Line{source, 1};
+}
+
 }  // namespace
 
 std::string sarif_json(const Tally& tally, const Gate& gate, const GateResult& result, const std::string& source) {
@@ -49,16 +66,18 @@ std::string sarif_json(const Tally& tally, const Gate& gate, const GateResult& r
       place = ids.insert(ids.end(), id);
     }
     const Finding* example = example_of(tally, found);
-    const std::string family = found.family.empty() ? "" : ", family " + found.family;
+    const bool recorded = tally.repeat.recorded;
+    const std::string family = found.family.empty() ? "" : (recorded ? ", " : ", family ") + found.family;
+    const Line line = recorded ? line_of(found.family, source) : Line{source, 1};
     Json one = {{"ruleId", id},
                 {"ruleIndex", place - ids.begin()},
                 {"level", entry.fails ? "error" : "note"},
                 {"message",
                  {{"text", found.operation + family + ": " + in_words(entry) +
                                (example ? "\n" + described(tally, found.operation, *example) : "")}}}};
-    one["locations"] =
-        Json::array({{{"physicalLocation", {{"artifactLocation", {{"uri", source}}}, {"region", {{"startLine", 1}}}}},
-                      {"logicalLocations", Json::array({{{"name", found.operation}, {"kind", "function"}}})}}});
+    one["locations"] = Json::array(
+        {{{"physicalLocation", {{"artifactLocation", {{"uri", line.file}}}, {"region", {{"startLine", line.number}}}}},
+          {"logicalLocations", Json::array({{{"name", found.operation}, {"kind", "function"}}})}}});
     one["partialFingerprints"] = {{"operationFamilyCause/v1", id + "/" + found.family}};
     if (gate.baseline) one["baselineState"] = entry.found.findings > entry.known ? "new" : "unchanged";
     one["properties"] = properties_json(tally, entry, example);

@@ -203,6 +203,12 @@ TEST_CASE("judge exits with 1 where a recorded answer is wrong, and says where i
   CHECK(call.code == 1);
   CHECK_THAT(call.out, ContainsSubstring("walk.cpp:7") && ContainsSubstring("1 by algorithm"));
   CHECK(called({"judge", wrong.path(), "--fail-on", "none"}).code == 0);
+  const std::string sarif = std::string(wrong.path()) + ".sarif";
+  CHECK(called({"judge", wrong.path(), "--sarif", sarif.c_str()}).code == 1);
+  const Json place = Json::parse(std::ifstream(sarif))["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+  CHECK(place["artifactLocation"]["uri"] == "walk.cpp");
+  CHECK(place["region"]["startLine"] == 7);
+  std::filesystem::remove(sarif);
   const TextFile empty("empty.jsonl", "");
   require_refused(called({"judge", empty.path()}), 2, "the log holds no call");
   require_refused(called({"judge", "no_such.jsonl"}), 2, "no_such.jsonl");
