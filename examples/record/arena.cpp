@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small game in float: 150 balls and 50 crates on a grid, players that shoot and walk, and three bugs in its collision
-// tests that its own tests do not see. It records what it asks itself; 60 seconds of play are 2.2 million calls.
+// tests (arena_tests.h) that its own tests do not see. It records what it asks itself; 60 seconds of play are 2.2 million calls.
 //
 //   arena --test               its own tests, which pass
 //   arena LOG SECONDS [SEED]   plays, 60 steps a second of its own time, and records
@@ -18,45 +18,11 @@
 #include <string>
 #include <vector>
 
+#include "arena_tests.h"
+
 namespace {
 
-using Point = touchstone::Point2<float>;
-using Segment = touchstone::Segment2<float>;
-using Ball = touchstone::Circle2<float>;
-using Crate = touchstone::Aabb2<float>;
-
-bool balls_meet(const Ball& a, const Ball& b) {
-  const float x = b.center.x - a.center.x, y = b.center.y - a.center.y, reach = a.radius + b.radius;
-  const float squared = x * x + y * y;
-  if (squared == 0) return false;  // bug: there is no normal, and so there is no contact
-  return squared <= reach * reach;
-}
-
-bool ball_meets_crate(const Ball& ball, const Crate& crate) {
-  const float x = ball.center.x - std::clamp(ball.center.x, crate.min.x, crate.max.x);
-  const float y = ball.center.y - std::clamp(ball.center.y, crate.min.y, crate.max.y);
-  return x * x + y * y <= ball.radius * ball.radius;
-}
-
-/// Slabs. Bug: along a side of the crate, 0 times infinity is NaN.
-bool shot_meets_crate(const Segment& shot, const Crate& crate) {
-  float first = 0, last = 1;
-  for (float Point::*axis : {&Point::x, &Point::y}) {
-    const float inverse = 1 / (shot.b.*axis - shot.a.*axis);
-    float enters = (crate.min.*axis - shot.a.*axis) * inverse, leaves = (crate.max.*axis - shot.a.*axis) * inverse;
-    if (enters > leaves) std::swap(enters, leaves);
-    first = std::max(enters, first);
-    last = std::min(leaves, last);
-  }
-  return first <= last;
-}
-
-float side(Point p, Point q, Point r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); }
-
-/// Bug: on one line, wherever they are, segments meet.
-bool steps_meet(const Segment& a, const Segment& b) {
-  return side(a.a, a.b, b.a) * side(a.a, a.b, b.b) <= 0 && side(b.a, b.b, a.a) * side(b.a, b.b, a.b) <= 0;
-}
+using namespace arena;
 
 class Arena {
  public:
