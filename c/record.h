@@ -4,6 +4,7 @@
 #include <touchstone_record.h>
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -64,6 +65,22 @@ struct OperationHere {
 };
 
 namespace recording {
+
+/// The sites of calls that one instantiation of `record` makes: functions of one type may be called in several places.
+struct SiteHere {
+  OperationHere here;
+  touchstone_record_site site;
+  SiteHere* next;
+};
+template <class Make>
+touchstone_record_site& site_of(std::atomic<SiteHere*>& sites, const OperationHere& here, const Make& make) {
+  for (SiteHere* known = sites.load(std::memory_order_acquire); known != nullptr; known = known->next)
+    if (known->here.line == here.line && known->here.operation == here.operation && known->here.file == here.file)
+      return known->site;
+  SiteHere* const made = new SiteHere{here, make(), sites.load(std::memory_order_relaxed)};
+  while (!sites.compare_exchange_weak(made->next, made, std::memory_order_release, std::memory_order_relaxed)) continue;
+  return made->site;
+}
 
 /// How many numbers a value has, where all of its type have as many and nothing else; else 0.
 template <class T>
@@ -211,8 +228,10 @@ std::invoke_result_t<Call&> record(const OperationHere& here, Call&& call, const
   using Answer = std::remove_cvref_t<std::invoke_result_t<Call&>>;
   using Given = typename recording::Given<Answer>::type;
   using Real = recording::number_type<Given, Arguments...>;
-  static touchstone_record_site site =
-      recording::site_at<Real>(here, recording::answer_kind<Given>(), recording::numbers_of<Arguments...>());
+  static std::atomic<recording::SiteHere*> sites = nullptr;
+  touchstone_record_site& site = recording::site_of(sites, here, [&] {
+    return recording::site_at<Real>(here, recording::answer_kind<Given>(), recording::numbers_of<Arguments...>());
+  });
   const auto recorded = [&](const Given& answer) {
     if (touchstone_record_wants(&site) != 0) recording::record_answer<Real>(site, answer, arguments...);
   };
@@ -222,7 +241,9 @@ std::invoke_result_t<Call&> record(const OperationHere& here, Call&& call, const
     else if (answer) recorded(*answer);
     return answer;
   } catch (const std::exception& thrown) {
-    static touchstone_record_site errors = recording::site_at<Real>(here, TOUCHSTONE_RECORD_ERROR, 0);
+    static std::atomic<recording::SiteHere*> sites_of_errors = nullptr;
+    touchstone_record_site& errors = recording::site_of(
+        sites_of_errors, here, [&] { return recording::site_at<Real>(here, TOUCHSTONE_RECORD_ERROR, 0); });
     if (touchstone_record_wants(&errors) != 0) recording::record_at<Real>(errors, nullptr, thrown.what(), arguments...);
     throw;
   }

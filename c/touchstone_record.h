@@ -111,7 +111,8 @@ static inline void touchstone_record_call(touchstone_record_site* site, const to
         operation_, TOUCHSTONE_RECORD_PLACE_, sizeof(type_), kind_, count_, 0};                                        \
     if (touchstone_record_wants(&touchstone_site_)) {                                                                  \
       const type_* touchstone_numbers_ = (numbers_);                                                                   \
-      touchstone_record_fixed_(&touchstone_site_, touchstone_numbers_, (count_) * sizeof(type_), (uint32_t)(answer_)); \
+      touchstone_record_fixed_(&touchstone_site_, touchstone_numbers_, (count_) * sizeof(type_),                     \
+                               (kind_) == TOUCHSTONE_RECORD_FLAG ? (uint32_t)((answer_) != 0) : (uint32_t)(answer_));  \
     }                                                                                                                  \
   } while (0)
 

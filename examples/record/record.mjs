@@ -31,7 +31,7 @@ function written(value) {
   if (Array.isArray(value)) return `[${value.map(written).join(",")}]`;
   if (value !== null && typeof value === "object")
     return `{${Object.entries(value).map(([key, part]) => `${asciiText(key)}:${written(part)}`).join(",")}}`;
-  return typeof value === "string" ? asciiText(value) : JSON.stringify(value ?? null);
+  return typeof value === "string" ? asciiText(value) : JSON.stringify(value ?? null) ?? "null";
 }
 
 const asciiText = (text) =>
@@ -73,8 +73,12 @@ export class Recording {
         throw error;
       } finally {
         if (rest && this.#wants(called)) {
-          const parts = fields.map((field, i) => `${written(field)}:${written(arguments_[i])}`);
-          this.#take(line(`{${parts.join(",")}}`, rest()));
+          try {
+            const parts = fields.map((field, i) => `${written(field)}:${written(arguments_[i])}`);
+            this.#take(line(`{${parts.join(",")}}`, rest()));
+          } catch {
+            ++this.#end.lost; // what has no JSON: the program that is recorded goes on
+          }
         }
       }
     };

@@ -136,8 +136,12 @@ class Recording:
         line.update({"answer": answer} if error is None else {"error": error})
         if binary32:
             line["number"] = "binary32"
-        text = _line({**line, "site": site})
         buffer = self._buffer()
+        try:
+            text = _line({**line, "site": site})
+        except Exception:  # of whatever kind: the program that is recorded goes on
+            buffer.lost += 1
+            return
         buffer.lines.append(text)
         buffer.size += len(text)
         if buffer.size >= _BUFFER:
@@ -194,6 +198,8 @@ def recorded(operation: str, *, fields: "Optional[list[str]]" = None, answer: Op
 
     def decorate(function: Function) -> Function:
         parameters = list(inspect.signature(function).parameters)
+        of_object = int(parameters[:1] in (["self"], ["cls"]))  # a method: the object is no argument of the operation
+        parameters = parameters[of_object:]
         names = list(fields) if fields else parameters
         field_of = dict(zip(parameters, names))
         code = inspect.unwrap(function).__code__
@@ -209,8 +215,8 @@ def recorded(operation: str, *, fields: "Optional[list[str]]" = None, answer: Op
             recording = _open
             if recording is None:
                 return function(*arguments, **named)
-            values = list(arguments) + list(named.values())
-            keys = names[:len(arguments)] + [field_of[name] for name in named]
+            values = list(arguments[of_object:]) + list(named.values())
+            keys = names[:len(arguments) - of_object] + [field_of.get(name, name) for name in named]
             binary32 = _is_binary32(values)
             try:
                 returned = function(*arguments, **named)
@@ -219,7 +225,11 @@ def recorded(operation: str, *, fields: "Optional[list[str]]" = None, answer: Op
                     recording.write(operation, dict(zip(keys, values)), site, error=str(error), binary32=binary32)
                 raise
             if rows:
-                for *row, result in zip(*values, returned):
+                try:
+                    calls = list(zip(*values, returned))
+                except TypeError:  # no rows
+                    calls = [(*values, returned)]
+                for *row, result in calls:
                     put(recording, dict(zip(keys, row)), binary32, result)
             elif returned is not None:
                 put(recording, dict(zip(keys, values)), binary32, returned)
