@@ -48,18 +48,20 @@ void add_judge(CLI::App& program, Action& action) {
           ->add_option("--pairs", options->pairs,
                        "The files are meshes, or WKT or GeoJSON: this operation of all pairs, asked of --engine")
           ->default_str("");
-  command
-      ->add_option("--columns", options->columns,
-                   "The files have a question a line, a column for each number: this operation, asked of --engine")
-      ->excludes(pairs)
-      ->default_str("");
-  command->add_option("--engine", options->engine, "Answers the questions of --pairs and --columns")
-      ->check(a_command)
-      ->default_str("");
+  auto* columns =
+      command
+          ->add_option("--columns", options->columns,
+                       "The files have a question a line, a column for each number: this operation, asked of --engine")
+          ->excludes(pairs)
+          ->default_str("");
+  auto* engine = command->add_option("--engine", options->engine, "Answers the questions of --pairs and --columns")
+                     ->check(a_command)
+                     ->default_str("");
   command
       ->add_option("--against", options->against,
                    "An engine that is asked the same: on which calls it parts from the log, and who is right")
       ->check(a_command)
+      ->excludes(pairs, columns, engine)
       ->default_str("");
   command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
   command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");

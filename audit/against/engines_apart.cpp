@@ -22,6 +22,13 @@ struct Asking {
   std::uint64_t index;
 };
 
+/// A recorded call that the engine is yet to be asked.
+struct Waiting {
+  Asking asking;
+  Reply recorded;
+  Declaration declaration;
+};
+
 Question taken_by_both(const Operation& operation, const Question& question, const EnginePair& engines) {
   return fitted(operation, fitted(operation, question, engines.first->declaration()), engines.second->declaration());
 }
@@ -44,7 +51,11 @@ bool refused(const Operation& operation, const Question& question) {
 /// Counts one question, of which both replies are there. Throws InvalidInput where the oracle refuses it.
 void compare(PartedOperation& sum, const Operation& operation, const Asking& asking, const Reply& first,
              const Declaration& declared_first, const Reply& second, const Declaration& declared_second) {
-  if (same_reply(first, second)) {
+  if (!first.asked || !second.asked) {
+    ++sum.not_asked;
+    return;
+  }
+  if (same_reply(operation, first, second)) {
     ++sum.asked;
     return;
   }
@@ -163,15 +174,21 @@ void PartedOperation::add(Parting parting) {
 
 void PartedOperation::merge(PartedOperation other) {
   asked += other.asked;
+  not_asked += other.not_asked;
   for (auto& [verdicts, kind] : other.parted) {
     if (kind.smallest) add(*std::move(kind.smallest));
     parted[verdicts].count += kind.count - 1;
   }
 }
 
-bool same_reply(const Reply& a, const Reply& b) {
+bool same_reply(const Operation& operation, const Reply& a, const Reply& b) {
   if (a.kind != b.kind) return false;
-  return a.kind == Reply::Kind::answered ? one_line(a.answer) == one_line(b.answer) : true;
+  if (a.kind != Reply::Kind::answered || one_line(a.answer) == one_line(b.answer)) return true;
+  // Fields may stand in another order, and numbers be written otherwise.
+  const auto as_read = [&](const Json& answer) {
+    return one_line(answer_json(operation, recorded_answer(operation, answer)));
+  };
+  return as_read(a.answer) == as_read(b.answer);
 }
 
 std::vector<PartedOperation> ask_against(const AgainstOptions& options, const std::atomic<bool>& stop) {
@@ -196,15 +213,15 @@ std::vector<PartedOperation> log_against(const std::vector<std::string>& files, 
   std::map<const Operation*, PartedOperation> sums;
   for (const std::string& file : files) {
     LogReader log(file);
-    std::map<const Operation*, std::vector<std::pair<Asking, Reply>>> waiting;
-    const auto ask = [&](const Operation& operation, std::vector<std::pair<Asking, Reply>>& calls) {
+    std::map<const Operation*, std::vector<Waiting>> waiting;
+    const auto ask = [&](const Operation& operation, std::vector<Waiting>& calls) {
       std::vector<Question> questions;
-      for (const auto& [asking, reply] : calls) questions.push_back(asking.question);
+      for (const Waiting& call : calls) questions.push_back(call.asking.question);
       const std::vector<Reply> replies = engine.ask(operation, questions);
       PartedOperation& sum = sums[&operation];
       sum.operation = operation.name();
       for (std::size_t i = 0; i < calls.size(); ++i)
-        compare(sum, operation, calls[i].first, calls[i].second, log.header().declaration, replies[i],
+        compare(sum, operation, calls[i].asking, calls[i].recorded, calls[i].declaration, replies[i],
                 engine.declaration());
       calls.clear();
     };
@@ -218,7 +235,9 @@ std::vector<PartedOperation> log_against(const std::vector<std::string>& files, 
         recorded.kind = Reply::Kind::failed, recorded.remark = call.answer.text;
       else recorded.answer = answer_json(operation, call.answer);
       auto& calls = waiting[&operation];
-      calls.push_back({{call.question, log.sites()[call.site], call.ordinal}, std::move(recorded)});
+      Declaration declaration = log.header().declaration;
+      declaration.binary32 = call.binary32;
+      calls.push_back({{call.question, log.sites()[call.site], call.ordinal}, std::move(recorded), declaration});
       if (calls.size() >= asked_at_once) ask(operation, calls);
     }
     for (auto& [operation, calls] : waiting) ask(*operation, calls);

@@ -31,6 +31,7 @@ struct Parting {
 struct PartedOperation {
   std::string operation;
   std::uint64_t asked = 0;
+  std::uint64_t not_asked = 0;  ///< because an engine had been given up, or the run was stopped
   struct Kind {
     std::uint64_t count = 0;
     std::optional<Parting> smallest;
@@ -42,8 +43,9 @@ struct PartedOperation {
   void merge(PartedOperation other);
 };
 
-/// Whether two replies are the same answer, to the bit of every number, or the same lack of one.
-bool same_reply(const Reply& a, const Reply& b);
+/// Whether two replies are the same answer, to the bit of every number and however it is written, or the same lack of
+/// one.
+bool same_reply(const Operation& operation, const Reply& a, const Reply& b);
 
 /// The two engines as one job asks them.
 struct EnginePair {

@@ -163,6 +163,12 @@ void CallJudge::judge(const RecordedCall& call) {
   }
 }
 
+void CallJudge::leave(const RecordedCall& call, const std::string& why) {
+  Cell& answers = sites_[{call.operation, call.site}].counted.answers;
+  ++answers.not_asked;
+  answers.given_up = why;
+}
+
 std::map<std::pair<const Operation*, std::size_t>, CallJudge::Counted> CallJudge::take() {
   std::map<std::pair<const Operation*, std::size_t>, Counted> all;
   for (auto& [key, site] : sites_) {

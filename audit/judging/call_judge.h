@@ -25,6 +25,8 @@ class CallJudge {
   CallJudge(Declaration declaration, const Limits& limits);
 
   void judge(const RecordedCall& call);
+  /// The call was not asked, because the engine had been given up.
+  void leave(const RecordedCall& call, const std::string& why);
 
   /// How many calls were of functions over float, and over double.
   std::uint64_t in_float() const { return in_float_; }

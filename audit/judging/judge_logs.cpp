@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 
+#include "audit/engines/protocol.h"
 #include "audit/judging/call_judge.h"
 #include "audit/parallel.h"
 
@@ -14,15 +15,36 @@ namespace {
 /// How many calls a job takes at a time.
 constexpr std::size_t calls_at_once = 256;
 
+/// What the log declares of the functions that were recorded, and what the caller knows better.
+Declaration declared(const JudgeOptions& options, const LogHeader& header) {
+  Declaration declaration = header.declaration;
+  if (options.boundary) declaration.boundary = *options.boundary;
+  if (options.tolerance) declaration.tolerance = *options.tolerance;
+  return declaration;
+}
+
+void require_one_engine(const Declaration& first, const Declaration& other, const std::string& file) {
+  const auto require_same = [&](const std::string& field, const std::string& before, const std::string& got) {
+    if (before != got) throw InvalidInput(file, field + ": expected " + before + ", as the logs before it, got " + got);
+  };
+  const auto named = [](const Declaration& one) { return one.engine.empty() ? "no name" : one.engine; };
+  require_same("engine", named(first), named(other));
+  require_same("boundary", boundary_word(first.boundary), boundary_word(other.boundary));
+  require_same("tolerance", one_line(Json(first.tolerance)), one_line(Json(other.tolerance)));
+}
+
 /// One log, from which several jobs take calls.
 class SharedLog {
  public:
-  SharedLog(const JudgeOptions& options, LogReader& log, std::uint64_t before)
-      : options_(options), log_(log), read_(before) {}
+  SharedLog(const JudgeOptions& options, const std::string& file, std::uint64_t before)
+      : options_(options), file_(file), log_(file), read_(before) {}
 
   /// So many calls are read from now on, before `take` pauses.
   void begin_piece(std::uint64_t calls) { until_ = read_ + calls; }
   bool ended() const { return ended_; }
+  const LogReader& reader() const { return log_; }
+  /// Of the functions that were recorded; known from the first call on.
+  Declaration declaration() const { return declaration_.value_or(declared(options_, log_.header())); }
 
   /// Into objects whose memory is used again; returns how many.
   std::size_t take(std::vector<RecordedCall>& calls) {
@@ -32,6 +54,7 @@ class SharedLog {
       RecordedCall& call = calls[taken];
       ended_ = !log_.next(call);
       if (ended_) break;
+      if (!declaration_ || logs_ != log_.account().logs) begin_log();
       call.ordinal = read_++;
       const bool asked = std::find(options_.operations.begin(), options_.operations.end(), call.operation) !=
                          options_.operations.end();
@@ -45,25 +68,22 @@ class SharedLog {
   std::uint64_t read() const { return read_; }
 
  private:
+  /// A file may hold several logs.
+  void begin_log() {
+    const Declaration declaration = declared(options_, log_.header());
+    if (declaration_) require_one_engine(*declaration_, declaration, file_);
+    declaration_ = declaration;
+    logs_ = log_.account().logs;
+  }
+
   const JudgeOptions& options_;
-  LogReader& log_;
-  std::uint64_t read_, until_ = 0;
+  const std::string file_;
+  LogReader log_;
+  std::optional<Declaration> declaration_;
+  std::uint64_t read_, until_ = 0, logs_ = 0;
   std::mutex mutex_;
   bool ended_ = false;
 };
-
-/// What the log declares of the functions that were recorded, and what the caller knows better.
-Declaration declared(const JudgeOptions& options, const LogHeader& header) {
-  Declaration declaration = header.declaration;
-  if (options.boundary) declaration.boundary = *options.boundary;
-  if (options.tolerance) declaration.tolerance = *options.tolerance;
-  return declaration;
-}
-
-void require_one_engine(const Declaration& first, const Declaration& other, const std::string& file) {
-  if (first.engine != other.engine || first.boundary != other.boundary || first.tolerance != other.tolerance)
-    throw InvalidInput(file, "recorded from " + first.engine + ", as the logs before it, got " + other.engine);
-}
 
 }  // namespace
 
@@ -117,13 +137,12 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
   if (options.counted) sum.go_on_from(options.counted->tally);
   std::uint64_t read = 0;
   for (const std::string& file : options.files) {
-    LogReader reader(file);
-    SharedLog log(options, reader, read);
+    SharedLog log(options, file, read);
     // A header stands before the first call.
     log.begin_piece(options.calls_of_a_piece);
     std::vector<RecordedCall> first(calls_at_once);
     std::size_t begun = log.take(first);
-    const Declaration declaration = declared(options, reader.header());
+    const Declaration declaration = log.declaration();
     if (tally.logs.empty()) tally.declaration = declaration;
     require_one_engine(tally.declaration, declaration, file);
     tally.logs.push_back(file);
@@ -136,9 +155,10 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
         for (std::size_t taken = job == 0 ? begun : log.take(calls); taken > 0 && !stop; taken = log.take(calls))
           for (std::size_t i = 0; i < taken; ++i) judges[job].judge(calls[i]);
       });
-      for (CallJudge& judge : judges) sum.add(judge, reader.sites());
+      for (CallJudge& judge : judges) sum.add(judge, log.reader().sites());
       if (log.ended() || stop) break;
-      if (options.after_piece) {
+      const bool counted_before = options.counted && log.read() < options.counted->read;
+      if (options.after_piece && !counted_before) {
         JudgedSoFar so_far{tally, log.read()};
         SumOfCalls(sum).complete(so_far.tally);
         options.after_piece(so_far);
@@ -148,7 +168,7 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
       begun = log.take(first);
     }
     read = log.read();
-    result.accounts.push_back(reader.account());
+    result.accounts.push_back(log.reader().account());
     if (stop) break;
   }
   sum.complete(tally);

@@ -121,8 +121,10 @@ Question in_order(const Question& question, const ListPlace& list, const std::ve
   Question elements;
   for (const std::size_t i : order) {
     const Position &from = list.begin[i], &to = list.begin[i + 1];
-    elements.numbers.insert(elements.numbers.end(), &question.numbers[from.number], &question.numbers[to.number]);
-    elements.words.insert(elements.words.end(), &question.words[from.word], &question.words[to.word]);
+    const double* const numbers = question.numbers.data();
+    const Word* const words = question.words.data();
+    elements.numbers.insert(elements.numbers.end(), numbers + from.number, numbers + to.number);
+    elements.words.insert(elements.words.end(), words + from.word, words + to.word);
   }
   return with_part(question, {list.begin.front(), list.begin.back()}, elements);
 }
@@ -136,7 +138,7 @@ bool order_list(Search& search, std::size_t number) {
   const auto ordered = [&](std::size_t at) -> std::optional<Question> {
     std::vector<std::size_t> order(length);
     for (std::size_t i = 0; i < length; ++i)
-      order[i] = at <= length ? (i + at) % length : (2 * length + at - i) % length;
+      order[i] = at < length ? (i + at) % length : (2 * length + at - i) % length;
     if (at == 0) {
       const auto number_of = [&](std::size_t i, std::size_t k) {
         return search.best().numbers[list.begin[i].number + k];

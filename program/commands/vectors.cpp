@@ -64,9 +64,11 @@ int vectors_from_command(const std::string& directory, const std::vector<std::st
     std::string text;
     for (const std::string& line : vectors_of(*operation, questions)) text += line + "\n";
     const auto path = folder / (operation->name() + ".jsonl");
+    const bool replaced = std::filesystem::exists(path);
     write_text(path, text);
     write_text(folder / "schemas" / (operation->name() + ".json"), vector_schema(*operation, true).dump(1) + "\n");
-    out << path.string() << ": " << audit::counted(questions.size(), "vector") << '\n';
+    out << path.string() << ": " << audit::counted(questions.size(), "vector")
+        << (replaced ? ", in the place of those that were there\n" : "\n");
   }
   write_text(folder / manifest_name, manifest_of(directory, 0).dump(1) + "\n");
   return nothing_found;

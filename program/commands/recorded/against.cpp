@@ -52,6 +52,10 @@ std::string table(const Partings& partings) {
     text += row(one.operation, {grouped(one.asked), grouped(one.count()), grouped(right.first), grouped(right.second),
                                 grouped(right.both), grouped(right.neither)});
   }
+  for (const audit::PartedOperation& one : partings)
+    if (one.not_asked > 0)
+      text += fmt::format("{}: {} not asked: an engine had been given up, or the run was stopped\n", one.operation,
+                          audit::counted(one.not_asked, "question"));
   return text;
 }
 
@@ -89,7 +93,7 @@ Json json_of(const Partings& partings) {
                          {"first", plain(shown.first)},
                          {"second", plain(shown.second)}}}});
     }
-    operations.push_back({{"operation", one.operation}, {"asked", one.asked}, {"parted", kinds}});
+    operations.push_back({{"operation", one.operation}, {"asked", one.asked}, {"not_asked", one.not_asked}, {"parted", kinds}});
   }
   return {{"touchstone", 1}, {"kind", "against"}, {"operations", operations}};
 }
@@ -101,6 +105,8 @@ int shown(const Partings& partings, const std::string& first, const std::string&
   Json json = json_of(partings);
   json["first"] = first, json["second"] = second;
   write_file("--json", json_file, one_line(json) + "\n");
+  const bool asked = std::any_of(partings.begin(), partings.end(), [](const auto& one) { return one.asked > 0; });
+  if (!asked && !Interruptible::stopped()) throw UsageError("--against: no question was asked that both answer");
   const bool parted = std::any_of(partings.begin(), partings.end(), [](const auto& one) { return one.count() > 0; });
   if (Interruptible::stopped()) return interrupted;
   return parted ? findings : nothing_found;

@@ -56,7 +56,7 @@ bool judged_any(const JudgedLogs& judged, std::ostream& err) {
   err << "touchstone: nothing was judged: "
       << (judged.accounts.empty() ? "the engine answered none of the questions\n"
           : calls == 0            ? "the log holds no call\n"
-                                  : "no recorded call is within the contract of these operations\n");
+                                  : "no recorded call of this shard is within the contract of these operations\n");
   return false;
 }
 
@@ -65,7 +65,11 @@ bool judged_any(const JudgedLogs& judged, std::ostream& err) {
 int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& err) {
   require_writable("--json", command.json_file);
   const Gate gate = gate_of(command.gate);
+  const bool asks_engine = !command.pairs.empty() || !command.columns.empty();
+  if (!command.engine.empty() && !asks_engine)
+    throw UsageError("--engine: expected --pairs or --columns too, of which it answers the questions");
   const Shard shard = shard_of(command.shard);
+  if (shard.of > 1 && asks_engine) throw UsageError("--shard: expected recorded calls, not --pairs or --columns");
   tell(shard, err);
   JudgeOptions options = judge_options(command, shard);
   Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
@@ -83,8 +87,7 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   };
   {
     const Interruptible until_judged;
-    judged =
-        command.pairs.empty() && command.columns.empty() ? judge_logs(options, stopped) : judge_files(command, notes);
+    judged = asks_engine ? judge_files(command, notes) : judge_logs(options, stopped);
   }
   progress.end();
   notes.tell(err);

@@ -5,6 +5,7 @@
 
 #include "audit/counted.h"
 #include "audit/meshes/in_file.h"
+#include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/nearest_double.h"
 #include "program/commands/commands.h"
 #include "program/commands/geometries.h"
@@ -77,6 +78,10 @@ class AskedFiles {
     const std::vector<Reply> replies = engine_.ask(operation_, questions);
     for (std::size_t i = 0; i < calls_.size(); ++i) {
       if (replies[i].kind == Reply::Kind::unsupported) continue;
+      if (!replies[i].asked) {
+        if (!Interruptible::stopped()) judge_.leave(calls_[i], replies[i].remark);
+        continue;
+      }
       calls_[i].answer = replies[i].kind == Reply::Kind::failed
                              ? RecordedAnswer{RecordedAnswer::Kind::error, {}, replies[i].remark}
                              : audit::recorded_answer(operation_, replies[i].answer);
@@ -120,36 +125,45 @@ void add_pairs(const Operation& operation, const std::vector<std::string>& files
   }
 }
 
-/// The numbers of a line, between commas, semicolons or tabs; none where its first cell is none, as in a heading.
+/// The numbers of a line, between commas, semicolons or tabs; none where no cell is one, as in a heading.
 std::vector<double> numbers_of(const std::string& line, const std::string& place, bool may_be_heading) {
   std::vector<double> numbers;
+  std::string wrong;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find_first_of(",;\t", begin), line.size());
     std::string cell = line.substr(begin, end - begin);
     cell.erase(0, cell.find_first_not_of(" \r"));
     cell.erase(cell.find_last_not_of(" \r") + 1);
     const std::optional<double> number = nearest_double(cell);
-    if (!number && numbers.empty() && may_be_heading) return {};
-    if (!number)
-      throw UsageError(place + "column " + std::to_string(numbers.size() + 1) + ": expected a number, got " + cell);
-    numbers.push_back(*number);
+    if (number) numbers.push_back(*number);
+    else if (wrong.empty()) wrong = "column " + std::to_string(numbers.size() + 1) + ": expected a number, got " + cell;
     begin = end + 1;
   }
+  if (!wrong.empty() && !(numbers.empty() && may_be_heading)) throw UsageError(place + excerpt(wrong, 200));
   return numbers;
 }
 
 void add_columns(const Operation& operation, const std::vector<std::string>& files, AskedFiles& asked) {
-  const Question zeros = operation.zeros(0);
-  if (!zeros.words.empty())
+  // Of several forms, in the plane and in space, the number of columns says which; it is the only word of a question.
+  const std::vector<Question> forms = operation.zeros_of_alternatives(0);
+  const std::size_t words = forms.size() > 1 ? 1 : 0;
+  std::string lengths;
+  for (const Question& form : forms) {
+    lengths += (lengths.empty() ? "" : " or ") + std::to_string(form.numbers.size());
+    if (form.words.size() != words) lengths.clear();
+  }
+  if (lengths.empty())
     throw UsageError("--columns " + operation.name() + ": expected an operation whose questions are numbers alone");
   for (const std::string& file : files) {
     each_line(file, [&](std::uint64_t line, const std::string& text) {
-      std::vector<double> numbers = numbers_of(text, place(file, line), line == 1);
+      const std::string place = (file == "-" ? "standard input" : file) + ": line " + std::to_string(line) + ": ";
+      std::vector<double> numbers = numbers_of(text, place, line == 1);
       if (numbers.empty()) return;
-      if (numbers.size() != zeros.numbers.size())
-        throw UsageError(place(file, line) + "expected " + audit::counted(zeros.numbers.size(), "number") + ", got " +
-                         std::to_string(numbers.size()));
-      asked.add({std::move(numbers), {}}, file);
+      const auto form = std::find_if(forms.begin(), forms.end(),
+                                     [&](const Question& one) { return one.numbers.size() == numbers.size(); });
+      if (form == forms.end())
+        throw UsageError(place + "expected " + lengths + " numbers, got " + std::to_string(numbers.size()));
+      asked.add({std::move(numbers), form->words}, file);
     });
   }
 }

@@ -158,5 +158,36 @@ TEST_CASE("log reader: gzip and zstd are read by their first bytes, and a cut on
   }
 }
 
+TEST_CASE("log reader: the end marks of several logs in one file are added up") {
+  const ReadLog log(header + on +
+                    R"({"end":{"seen":5,"written":1,"sampled_out":2,"lost":2}})"
+                    "\n" +
+                    header + on + end);
+  REQUIRE(log.account.logs == 2);
+  REQUIRE(log.account.end == LogEnd{8, 3, 3, 2});
+  REQUIRE(log.calls.size() == 2);
+}
+
+TEST_CASE("log reader: a call has an answer or an error, not both") {
+  const ReadLog log(R"({"op":"orientation","input":{"p0":[0,0],"p1":[1,0],"p":[2,0]},"answer":true,"error":"none"})"
+                    "\n");
+  REQUIRE(log.calls.empty());
+  REQUIRE(log.account.refused.size() == 1);
+}
+
+TEST_CASE("log reader: a question with words that its operation does not have is refused in the binary form too") {
+  const auto frame = [](char kind, const std::string& text) {
+    return std::string(1, kind) + static_cast<char>(text.size()) + text;
+  };
+  for (const int words : {0, 1}) {
+    const ReadLog log(std::string(binary_magic) + '\x01' +
+                      frame('D', R"({"id":0,"op":"orientation","answer":"plain","question_size":[)" +
+                                     std::to_string(words) + ",6]}") +
+                      frame('C', std::string(1 + words + 48, '\0') + '\x01'));
+    REQUIRE(log.calls.size() == (words == 0 ? 1 : 0));
+    REQUIRE(log.account.refused.size() == (words == 0 ? 0 : 1));
+  }
+}
+
 }  // namespace
 }  // namespace touchstone::proptests::log_reader_tests

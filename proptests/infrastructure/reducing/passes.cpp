@@ -5,7 +5,10 @@
 #include <functional>
 #include <numbers>
 
+#include "audit/reducing/mesh_parts.h"
 #include "audit/reducing/reduced.h"
+#include "audit/reducing/same_finding.h"
+#include "audit/reducing/until.h"
 #include "catalogue/shape/described_all.h"
 #include "proptests/catch.h"
 #include "proptests/solids.h"
@@ -254,6 +257,114 @@ TEST_CASE("reduce: a search that is stopped keeps what it has") {
   CHECK_FALSE(found.finished);
   CHECK(found.question == question);
   CHECK(found.candidates == 0);
+}
+
+TEST_CASE("reduce: lengths become integers, and lists are turned where their order matters") {
+  const auto three_quarters = [](const Points& question) {
+    int exponent = 0;
+    return std::frexp(std::get<0>(question)[0].x, &exponent) == 0.75;
+  };
+  const Outcome scaled =
+      after<Points>(reducing::reduce_frame, "convex_hull", {{{0.75, 0, 0}, {0, 0, 0}}}, three_quarters);
+  CHECK(unpacked<Points>(scaled.question) == Points{{{3, 0, 0}, {0, 0, 0}}});
+  // 2, 1, 3, 4 around a circle, whichever way round: 1, 2, 4, 3 is the first of these.
+  const auto around = [](const Points& question) {
+    const std::vector<Point3d>& points = std::get<0>(question);
+    const auto at = [&](double x) {
+      return std::find_if(points.begin(), points.end(), [x](const Point3d& p) { return p.x == x; }) - points.begin();
+    };
+    const auto neighbours = [&](double a, double b) { return std::abs(at(a) - at(b)) % 2 == 1; };
+    return points.size() == 4 && std::max({at(1), at(2), at(3), at(4)}) < 4 && neighbours(2, 1) && neighbours(1, 3) &&
+           neighbours(3, 4) && neighbours(4, 2);
+  };
+  const Outcome turned =
+      after<Points>(reducing::reduce_frame, "convex_hull", {{{2, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}}, around);
+  CHECK(unpacked<Points>(turned.question) == Points{{{1, 0, 0}, {2, 0, 0}, {4, 0, 0}, {3, 0, 0}}});
+}
+
+TEST_CASE("reduce: numbers that have to be equal become shorter together") {
+  using Question3 = std::tuple<Point2d, Point2d, Point2d>;
+  const auto equal = [](const Question3& q) {
+    const auto& [p0, p1, p] = q;
+    return p0.x == p1.x && p0.x > 5.25 && p.y == 9.7;
+  };
+  const Outcome outcome =
+      after<Question3>(reducing::shorten_numbers, "orientation", {{17.3, 1}, {17.3, 0}, {0, 9.7}}, equal);
+  CHECK(unpacked<Question3>(outcome.question) == Question3{{6, 1}, {6, 0}, {0, 9.7}});
+}
+
+TEST_CASE("reduce: a question of ordinary size is shorter than one of extreme size") {
+  const Operation& operation = *find_operation("orientation");
+  CHECK(shorter(operation, {{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {}}, {{1e-200, 0, 0, 0, 0, 0}, {}}));
+  CHECK_FALSE(shorter(operation, {{1e-200, 0, 0, 0, 0, 0}, {}}, {{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, {}}));
+}
+
+TEST_CASE("reduce: a question gets no degenerate feature that it did not have, unless that is allowed") {
+  const Operation& operation = *find_operation("orientation");
+  using Question3 = std::tuple<Point2d, Point2d, Point2d>;
+  Planted<Question3> always(operation, [](const Question3&) { return true; });
+  SearchOptions options;
+  const Question question = packed(Question3{{0.5, 0.25}, {3.5, 1.25}, {1, 7}});
+  const auto side = [&] {
+    return operation.row().robust(reduced(operation, question, always, options).question, 0).words;
+  };
+  CHECK(side() != std::vector<Word>{1});  // left, on, right
+  options.allow_degenerate = true;
+  CHECK(side() == std::vector<Word>{1});
+}
+
+TEST_CASE("reduce: of three faces that merging makes equal one stays") {
+  // 3, 4 and 5 become 2.
+  const reducing::FacesOfMesh fan{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}, {0, 4, 0}},
+                                  {{0, 1, 3}, {1, 0, 4}, {0, 1, 5}}};
+  const reducing::FacesOfMesh one = reducing::merged(fan, {0, 1, 2, 2, 2, 2});
+  CHECK(one.faces.size() == 1);
+  CHECK(one.vertices.size() == 3);
+  CHECK(reducing::merged(fan, {0, 1, 2, 2, 2, 5}).faces == std::vector<meshes::Corners>{{0, 1, 3}});  // 2 stays
+}
+
+TEST_CASE("reduce: a vertex that is dropped moves the indices of those behind it alone") {
+  const reducing::FacesOfMesh mesh{{{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 3}}};
+  const reducing::FacesOfMesh left = reducing::without_vertices(mesh, {false, true, false, false});
+  CHECK(left.vertices == std::vector<Point3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(left.faces == std::vector<meshes::Corners>{{0, 1, 2}});
+}
+
+TEST_CASE("reduce --until: a question outside the contract is not asked, unless that is allowed") {
+  const Operation& operation = *find_operation("convex_hull");
+  const Question none = operation.parse_any(parse_line(R"({"points":[]})"));
+  CHECK(Until(operation, "true", 10, false).look(0, none) == Look::refused);
+  CHECK(Until(operation, "true", 10, true).look(0, none) == Look::holds);
+  CHECK(Until(operation, "exit 10", 10, true).look(0, none) == Look::fails);
+}
+
+TEST_CASE("reduce: a finding stays the same answer to the same truth, unless any will do") {
+  const Operation& operation = *find_operation("orientation");
+  /// Says `left` of everything.
+  struct Left final : Respondent {
+    Declaration declared{"left", Declaration::Boundary::closed, false, 0};
+    const Declaration& declaration() const override { return declared; }
+    Reply reply(std::size_t, const Operation&, const Question&) override {
+      Reply reply;
+      reply.answer = parse_line(R"({"side":"left"})");
+      return reply;
+    }
+    Judgement judgement(const Reply& reply, const Examination& examination) const override {
+      return examination.judge_engine(reply.answer, declared);
+    }
+  } left;
+  const Question on{{0, 0, 1, 0, 2, 0}, {}}, to_the_right{{0, 0, 1, 0, 0, -1}, {}}, to_the_left{{0, 0, 1, 0, 0, 1}, {}};
+  for (const bool any_answer : {false, true}) {
+    SameFinding same(operation, left, {any_answer, false});
+    CHECK(same.begin(to_the_left) == "left is right on it");
+    REQUIRE(same.begin(on).empty());
+    CHECK(same.look(0, {{0, 0, 3, 3, 5, 5}, {}}) == Look::holds);
+    CHECK(same.look(0, to_the_left) == Look::fails);
+    CHECK(same.look(0, to_the_right) == (any_answer ? Look::holds : Look::fails));
+    // Nearer to the line than the formula's rounding, where the cause is another.
+    REQUIRE(same.begin(to_the_right).empty());
+    CHECK(same.look(0, {{-1, 0, 0x1p53 - 1, 0x1p53, 0x1p53, 0x1p53}, {}}) == Look::fails);
+  }
 }
 
 }  // namespace touchstone::proptests::reducing_passes_tests
