@@ -148,11 +148,9 @@ void add_columns(const Operation& operation, const std::vector<std::string>& fil
   const std::vector<Question> forms = operation.zeros_of_alternatives(0);
   const std::size_t words = forms.size() > 1 ? 1 : 0;
   std::string lengths;
-  for (const Question& form : forms) {
-    lengths += (lengths.empty() ? "" : " or ") + std::to_string(form.numbers.size());
-    if (form.words.size() != words) lengths.clear();
-  }
-  if (lengths.empty())
+  for (const Question& form : forms) lengths += (lengths.empty() ? "" : " or ") + std::to_string(form.numbers.size());
+  const auto of_numbers = [&](const Question& form) { return form.words.size() == words; };
+  if (!std::all_of(forms.begin(), forms.end(), of_numbers))
     throw UsageError("--columns " + operation.name() + ": expected an operation whose questions are numbers alone");
   for (const std::string& file : files) {
     each_line(file, [&](std::uint64_t line, const std::string& text) {
