@@ -160,6 +160,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   const OperationTally& here = tally.operations[operation];
   const Operation* known = find_operation(here.operation);
   const Speaker speaker = speaker_of(tally.declaration);
+  const bool recorded = tally.repeat.recorded;
   std::string body = navigation(tally, operation) + opening(tally, here, known) + "<main>" + summary(tally, operation);
   if (notes.before != nullptr) body += comparison(*notes.before, tally, here.operation);
   if (known) body += contract_section(*known);
@@ -167,8 +168,10 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     const std::string matrix = confusion_matrix(
         *known, here.total(), speaker == Speaker::foreign ? tally.declaration.engine : std::string("the formula"));
     if (!matrix.empty()) body += "<h2>Truth and answer</h2>" + matrix;
-    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) +
-            of_operation<right_case>(*known) + of_operation<search_section>(*known);
+    if (recorded) body += "<h2>By call site</h2>" + by_family(here, recorded) + nearness_section(here);
+    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known);
+    // These are of the textbook formula, and of drawn questions.
+    if (!recorded) body += of_operation<right_case>(*known) + of_operation<search_section>(*known);
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
@@ -176,8 +179,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   const bool is_over = notes.expected == 0;
   if (is_over && known && speaker == Speaker::reference && !tally.declaration.binary32)
     body += of_operation<condition_section>(*known);
-  body += (tally.repeat.recorded ? "<h2>By call site</h2>" : "<h2>By family of inputs</h2>") +
-          by_family(here, tally.repeat.recorded) + nearness_section(here);
+  if (!recorded) body += "<h2>By family of inputs</h2>" + by_family(here, recorded);
   return page("touchstone: " + here.operation, body + "</main>" + page_footer(tally, notes));
 }
 

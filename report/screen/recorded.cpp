@@ -48,9 +48,9 @@ std::string recorded_table(const Tally& tally) {
     for (std::size_t c = 0; c < numbers_of_row; ++c) widths[c] = std::max(widths[c], row.cells[c].size() + 2);
   }
   std::string text =
-      "\nhow far the textbook formula was from another course, in units of its own rounding; and calls that it "
-      "decides\n"
-      "otherwise than the truth in double and in float, and open sets otherwise than closed ones\n";
+      "\nThe columns up to \"more\" say how far the textbook formula was from another course, in units of its own\n"
+      "rounding. The last three count the calls that the formula gets wrong in double and in float, and those that\n"
+      "open sets answer otherwise than closed ones.\n";
   for (const RecordedRow& row : rows) {
     text += fmt::format("{:<{}}", row.name, name_width);
     for (std::size_t c = 0; c < numbers_of_row; ++c) text += fmt::format("{:>{}}", row.cells[c], widths[c]);

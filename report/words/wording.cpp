@@ -293,8 +293,10 @@ std::string place_in_words(const std::string& family, const Finding& finding, co
 
 std::string asked_in_words(const Tally& tally) {
   if (!tally.logs.empty())
-    return counted(sum_of(tally.operations).cases(), "recorded call") + " of " +
-           fmt::format("{}", fmt::join(tally.logs, ", "));
+    return counted(sum_of(tally.operations).cases(), tally.repeat.options.empty() ? "recorded call" : "question") +
+           " of " +
+           (tally.logs == std::vector<std::string>{"-"} ? "standard input"
+                                                        : fmt::format("{}", fmt::join(tally.logs, ", ")));
   return (tally.by_cost ? "up to " : "") + counted(tally.cases, "case") + " per operation, seed " +
          std::to_string(tally.seed);
 }
