@@ -28,6 +28,11 @@ const meets = recording.recorded("segment_segment", ["a", "b"], (a, b) => {
 for (let i = 0; i < 1000; ++i) {
   try { meets([[0, -0], [2, 0]], [new Float64Array([i, -1]), [0.1, NaN]]); } catch (error) { if (i !== 7) throw error; }
 }
+// A BigInt has no JSON: the call is lost, and nothing is thrown.
+const kept = [], other = new Recording((text) => kept.push(text), {});
+other.recorded("segment_segment", ["a", "b"], () => true)(5n, [[0, 0], [1, 1]]);
+other.close();
+if (!kept.at(-1).includes('"lost":1')) throw new Error(kept.at(-1));
 if (process.argv[3] !== "cut") recording.close();
 """
 
@@ -140,6 +145,23 @@ def in_python(logs):
     require(end["written"] + end["lost"] == end["seen"] == 10000, f"{end}")
 
 
+def methods_in_python(logs):
+    """The object of a method is no argument; an argument that is no JSON loses the call, and not the program."""
+    record, log = loaded(), logs.folder / "methods.jsonl"
+
+    class World:
+        @record.recorded("segment_segment")
+        def meet(self, a, b):
+            return True
+
+    world, segment = World(), [[0, 0], [1, 0]]
+    with record.Recording(str(log)):
+        require(world.meet(segment, b=segment) and world.meet(world, segment), "what is recorded is not what is answered")
+    _, calls, end, told = logs.read(log)
+    require(not told and [call["input"] for call in calls] == [{"a": segment, "b": segment}], f"{calls} {told}")
+    require(end == {"seen": 2, "written": 1, "sampled_out": 0, "lost": 1}, f"{end}")
+
+
 def killed_in_python(logs):
     log = logs.folder / "killed.jsonl"
     script = """
@@ -214,7 +236,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         logs = Logs(options.program, pathlib.Path(folder))
         for test in (lambda: in_c(logs, [options.cc + " -std=c99", options.cxx + " -x c++ -std=c++17"]), lambda: in_cpp(logs, options.cxx), lambda: in_python(logs),
-                     lambda: killed_in_python(logs), lambda: over_numpy(logs), lambda: in_node(logs)):
+                     lambda: methods_in_python(logs), lambda: killed_in_python(logs),
+                     lambda: over_numpy(logs), lambda: in_node(logs)):
             try:
                 test()
             except Failed as failed:
