@@ -5,6 +5,8 @@
 #include <atomic>
 #include <bit>
 #include <csignal>
+#include <functional>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -85,6 +87,27 @@ TEST_CASE("recorder: a call is read as it was made, with its site, its number ty
   REQUIRE(text(4) == "true");
   REQUIRE(log.calls[5].answer.kind == Kind::error);
   REQUIRE(log.calls[5].answer.text == "no \"memory\"");
+}
+
+TEST_CASE("recorder: functions of one type, called in several places, have a site for each") {
+  const auto log = recorded_by({}, [] {
+    const std::function<bool()> yes = [] { return true; };
+    for (int i = 0; i < 2; ++i) {
+      CHECK(record("segment_segment", yes, a, a));
+      CHECK(record("swept_segment", yes, a, a));
+      CHECK(record("segment_segment", yes, a, a));
+    }
+    const double numbers[8] = {0, 0, 2, 0, 1, -1, 1, 1};
+    TOUCHSTONE_RECORD_DOUBLES("segment_segment", numbers, 8, TOUCHSTONE_RECORD_FLAG, 1 << 4);
+  });
+  std::map<std::string, int> places;
+  for (const RecordedCall& call : log.calls) ++places[log.account.sites[call.site]];
+  REQUIRE(places.size() == 3);
+  for (const auto& [place, calls] : places) CHECK(calls <= 2);
+  // Of the four calls in two places, and of the flag that is 16, the answer is true.
+  REQUIRE(log.calls.size() == 5);
+  for (const RecordedCall& call : log.calls) CHECK(call.answer.value.words == std::vector<Word>{1});
+  CHECK(log.account.refused.size() == 1);  // there is no swept_segment, and it is named as it was called
 }
 
 TEST_CASE("recorder: every call of every thread is written once, also of threads that ended before the log") {
