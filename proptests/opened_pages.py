@@ -191,6 +191,25 @@ def run(program, *arguments):
         raise SystemExit(f"touchstone {' '.join(arguments)}: {done.stderr}")
 
 
+# Calls at two places, a wrong one in the plane and one in space, each beside a tie.
+LOG = [
+    {"op": "orientation", "input": {"p0": [0, 0], "p1": [2, 2], "p": [1, 1]}, "answer": {"side": "left"}, "site": "walk.cpp:7"},
+    {"op": "orientation", "input": {"p0": [0, 0], "p1": [2, 2], "p": [0, 9]}, "answer": {"side": "left"}, "site": "walk.cpp:9"},
+    {"op": "ray_sphere", "input": {"ray": {"origin": [0, 0, 0], "direction": [1, 0, 0]},
+                                   "sphere": {"center": [3, 0, 0], "radius": 1}}, "answer": False, "site": "shoot.cpp:3"},
+]
+
+
+def judged(program, directory):
+    """The pages of recorded calls."""
+    (directory / "calls.jsonl").write_text("".join(json.dumps(call) + "\n" for call in LOG), encoding="utf-8")
+    run(program, "judge", str(directory / "calls.jsonl"), "--report", str(directory / "judged"))
+    pages = sorted((directory / "judged").glob("*.html"))
+    if [page.stem for page in pages] != ["index", "orientation", "ray_sphere"]:
+        raise SystemExit(f"pages of recorded calls: {[page.stem for page in pages]}")
+    return pages
+
+
 def made(program, directory):
     """The pages that the program writes."""
     run(program, "audit", "--cases", str(CASES), "--jobs", "1", "--summary", "--report", str(directory))
@@ -204,7 +223,7 @@ def made(program, directory):
     missing = [o["name"] for o in operations if o["name"] not in pages]
     if missing:
         raise SystemExit(f"operations without a page: {', '.join(missing)}")
-    return sorted(directory.glob("*.html"))
+    return sorted(directory.glob("*.html")) + judged(program, directory)
 
 
 def write_pictures(browser, program, directory, folder):

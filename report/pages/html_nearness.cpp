@@ -25,10 +25,11 @@ std::string bars(const Recorded& recorded) {
   for (std::size_t c = 0; c < nearness_classes; ++c) {
     const std::uint64_t n = recorded.nearness[c];
     const double width = 100 * static_cast<double>(n) / static_cast<double>(calls);
+    const std::string bar = n == 0 ? "" : fmt::format("<i style=\"width:{:.2f}%;--c:var(--ink)\"></i>", width);
     rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td class=\"bar-cell wide\"><div class=\"bar thin\"><i "
-        "style=\"width:{:.2f}%;--c:var(--ink)\"></i></div></td><td>{}</td><td>{}</td></tr>",
-        class_words[c], width, grouped(n), n == 0 ? "" : share(n, calls));
+        "<tr><th scope=\"row\">{}</th><td class=\"bar-cell wide\"><div class=\"bar "
+        "thin\">{}</div></td><td>{}</td><td>{}</td></tr>",
+        class_words[c], bar, grouped(n), n == 0 ? "" : share(n, calls));
   }
   return "<table class=\"stack\"><thead><tr><th scope=\"col\">the formula was from another course</th><th "
          "scope=\"col\" "
