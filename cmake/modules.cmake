@@ -223,7 +223,8 @@ endforeach()
 # What users link as touchstone::audit: the four modules, the topmost first.
 if(TARGET touchstone_audit)
   set(units 12)  # files of a module in one unit: it is the headers that cost. Rows have units of their own.
-  set_source_files_properties(${row_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  # limb_memory.cpp is alone so that a fuzz target, which uses it, is not linked with what would be beside it.
+  set_source_files_properties(${row_sources} ${PROJECT_SOURCE_DIR}/audit/limb_memory.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(TOUCHSTONE_LINK_FROM)  # of the catalogue, what is compiled here is its rows
     list(LENGTH catalogue_sources last)
     math(EXPR last "(${last} - 1) / ${units}")

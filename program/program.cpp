@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "audit/engines/engine.h"
+#include "audit/limb_memory.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/command_tree.h"
 #include "program/commands/commands.h"
@@ -18,7 +19,6 @@
 #include "program/option_rules.h"
 #include "program/reduce_options.h"
 #include "program/run_options.h"
-#include "program/terminal/limb_memory.h"
 #include "program/terminal/regression_test.h"
 
 namespace touchstone::program {
@@ -306,7 +306,7 @@ int complained(const std::exception& wrong, int code) {
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
-  use_limb_memory();
+  audit::use_limb_memory();
   CLI::App program{"touchstone: collision tests held against the exact truth"};
   program.require_subcommand(0, 1);
   program.option_defaults()->always_capture_default();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/terminal/limb_memory.h"
+#include "audit/limb_memory.h"
 
 #include <gmp.h>
 
@@ -9,7 +9,7 @@
 #include <mutex>
 #include <new>
 
-namespace touchstone::program {
+namespace touchstone::audit {
 namespace {
 
 // A piece is exactly as long as what was asked for, in whole limbs: what malloc gave before fits into the lists.
@@ -102,4 +102,4 @@ void* resize(void* piece, std::size_t before, std::size_t after) {
 
 void use_limb_memory() { mp_set_memory_functions(take, resize, give); }
 
-}  // namespace touchstone::program
+}  // namespace touchstone::audit
