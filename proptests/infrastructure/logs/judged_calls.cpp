@@ -153,7 +153,10 @@ TEST_CASE("recorded calls tell what float and open sets would have answered") {
   touch.operation = &operation;
   touch.question = operation.parse(parse_line(R"({"a":[[0,0],[2,0]],"b":[[1,0],[1,1]]})"));
   touch.answer = recorded_answer(operation, true);
-  CHECK(recorded_of(touch).as_open_sets == 1);
+  touch.ordinal = 1;  // no call that is examined in any case
+  const Cell counted = judged({touch}, {}).answers;
+  CHECK(counted.recorded.as_open_sets == 1);
+  CHECK(counted.touches_closed == 1);
 }
 
 TEST_CASE("shards of a log merge to the whole, whatever the jobs, and survive a file") {
