@@ -25,7 +25,7 @@
 ///
 ///   touchstone::Recording recording("game.log", {.engine = "my game 1.0", .one_in = 100});
 ///   ...
-///   const bool hit = touchstone::record("segment_segment", [&] { return my_test(a, b); }, segment_of(a), segment_of(b));
+///   const bool hit = touchstone::record("segment_segment", [&] { return my_test(a, b); }, segment(a), segment(b));
 namespace touchstone {
 
 /// As touchstone_record_options says.

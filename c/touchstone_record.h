@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Records calls of one's own functions, with their answers, in a log (docs/own_inputs.md).
  *
- * C99 or C++, this header and touchstone_record_log.h beside it: nothing is linked. It needs gcc or clang, POSIX threads, and IEEE 754 numbers.
+ * C99 or C++, this header and touchstone_record_log.h beside it: nothing is linked. It needs gcc or clang, POSIX
+ * threads, and IEEE 754 numbers.
  *
  *   touchstone_record_options options = {0};
  *   options.engine = "my game 1.0";
@@ -70,9 +71,9 @@ typedef enum touchstone_record_answer {
  * bound. It is for one call; where it is given several times, the least counts. */
 static inline void touchstone_record_nearness(double nearness);
 
-/* Any other question: lists, enumerators, flags. Numbers and words stand in the order of `touchstone ops`; a word is the
- * length of a list, an enumerator, a flag (0 or 1), an index, or whether something optional is there. Which alternative
- * of a question it is (in the plane, in space) is not said: it is the first that these numbers fit. */
+/* Any other question: lists, enumerators, flags. Numbers and words stand in the order of `touchstone ops`; a word is
+ * the length of a list, an enumerator, a flag (0 or 1), an index, or whether something optional is there. Which
+ * alternative of a question it is (in the plane, in space) is not said: it is the first that these numbers fit. */
 typedef struct touchstone_record_value {
   const void* numbers;
   size_t number_count;

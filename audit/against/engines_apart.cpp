@@ -230,14 +230,10 @@ std::vector<PartedOperation> log_against(const std::vector<std::string>& files, 
       const bool asked =
           std::find(options.operations.begin(), options.operations.end(), &operation) != options.operations.end();
       if (!asked || !engine.supports(operation.name()) || refused(operation, call.question)) continue;
-      Reply recorded;
-      if (call.answer.kind == RecordedAnswer::Kind::error)
-        recorded.kind = Reply::Kind::failed, recorded.remark = call.answer.text;
-      else recorded.answer = answer_json(operation, call.answer);
       auto& calls = waiting[&operation];
       Declaration declaration = log.header().declaration;
       declaration.binary32 = call.binary32;
-      calls.push_back({{call.question, log.sites()[call.site], call.ordinal}, std::move(recorded), declaration});
+      calls.push_back({{call.question, log.sites()[call.site], call.ordinal}, reply_of(call), declaration});
       if (calls.size() >= asked_at_once) ask(operation, calls);
     }
     for (auto& [operation, calls] : waiting) ask(*operation, calls);

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "audit/counting/generic.h"
 #include "audit/counting/judged.h"
+#include "audit/judging/course.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/judge/compare.h"
 
@@ -36,22 +36,6 @@ bool of_enumerators(const Shape& shape) {
                          [](const Shape::Part& part) { return of_enumerators(*part.shape); });
     default: return false;
   }
-}
-
-/// The formula under running error analysis.
-struct Course {
-  std::vector<Word> words;
-  double nearest;  ///< how near it was to another course
-  bool sure;       ///< that rounding cannot have changed its course, nor hidden a tie; spread is a bound to first order
-};
-template <class Float>
-Course course_of(EncodedValue<Tracked<Float>> (*formula)(const Question&), const Question& question) {
-  using Number = Tracked<Float>;
-  Number::inconclusive() = Number::out_of_range() = false;
-  Number::nearest_comparison() = std::numeric_limits<double>::infinity();
-  EncodedValue<Number> answer = formula(question);
-  const double nearest = Number::nearest_comparison();
-  return {std::move(answer.words), nearest, !Number::inconclusive() && !Number::out_of_range() && nearest > 2};
 }
 
 }  // namespace
@@ -116,12 +100,8 @@ std::string CallJudge::examine(Site& site, const RecordedCall& call) {
   const Operation& operation = *call.operation;
   const auto examination = operation.examine(call.question);
   const Asked asked{operation, call.question, examination->outcome(), call.ordinal, limits_};
-  Reply reply;
-  if (call.answer.kind == RecordedAnswer::Kind::error)
-    reply.kind = Reply::Kind::failed, reply.remark = call.answer.text;
-  else reply.answer = answer_json(operation, call.answer);
   declaration_.binary32 = call.binary32;
-  const JudgedReply said = judged_and_kept(reply, *examination, declaration_);
+  const JudgedReply said = judged_and_kept(reply_of(call), *examination, declaration_);
   count(site.counted.answers, asked, said.judgement, said.answer);
   const Judgement& robust = examination->judge_robust();
   count(site.counted.robust, asked, robust, is_shown(robust) ? examination->robust() : Json());
@@ -138,11 +118,12 @@ void CallJudge::judge(const RecordedCall& call) {
     const EncodedValue<double> robust = row.robust(call.question, 0);
     Reader& reader = reader_of(operation);
     const Outcome& of_robust = outcome_of_words(operation, reader.complete, robust.words, false);
-    const Course course = call.binary32 ? course_of(row.reference_tracked.in_float, call.question)
-                                        : course_of(row.reference_tracked.in_double, call.question);
+    const Course course = course_of(call);
+    // Neither has rounding changed the formula's course, nor hidden a tie; the spread is a bound to first order.
+    const bool sure = !course.in_doubt && course.nearest > 2;
     const std::string* const said = same_answer(call, robust, of_robust, reader);
     std::string truth = of_robust.name;
-    if (said != nullptr && course.sure && call.ordinal % spot_check != 0) vouch(site, call, truth, *said);
+    if (said != nullptr && sure && call.ordinal % spot_check != 0) vouch(site, call, truth, *said);
     else truth = examine(site, call);
     Recorded& recorded = site.counted.answers.recorded;
     recorded.add_nearness(course.nearest);

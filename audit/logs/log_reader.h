@@ -9,8 +9,8 @@
 
 namespace touchstone::audit {
 
-/// Reads a log of either form from a file, or from standard input for "-", compressed by gzip or zstd or not. Of the log
-/// it holds a piece at a time. JSON lines without a header are a log of version 1.
+/// Reads a log of either form from a file, or from standard input for "-", compressed by gzip or zstd or not. Of the
+/// log it holds a piece at a time. JSON lines without a header are a log of version 1.
 ///
 /// The constructor and `next` throw LogError where the file cannot be read, and where the log is of another version.
 /// Whatever else is wrong costs what cannot be read, and stands in the account.

@@ -198,6 +198,14 @@ Json answer_json(const Operation& operation, const RecordedAnswer& answer) {
   return as_read(named);
 }
 
+Reply reply_of(const RecordedCall& call) {
+  Reply reply;
+  if (call.answer.kind == RecordedAnswer::Kind::error)
+    reply.kind = Reply::Kind::failed, reply.remark = call.answer.text;
+  else reply.answer = answer_json(*call.operation, call.answer);
+  return reply;
+}
+
 void require_shape(const Shape& shape, const std::vector<Word>& words, std::size_t numbers, const char* field,
                    bool partial) {
   if (!fits(shape, words, numbers, partial))

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/engines/engine.h"
 #include "audit/uses.h"
 #include "catalogue/judge/verdict.h"
 #include "catalogue/operation/operation.h"
@@ -64,14 +65,17 @@ struct RecordedCall {
   std::uint64_t ordinal = 0;  ///< which call of the log it is, in the order of the file, from 0
 };
 
+/// The answer of a recorded call as if an engine had given it.
+Reply reply_of(const RecordedCall& call);
+
 /// What a log says of its recording.
 struct LogHeader {
   Json fields = Json::object();  ///< as they stand in the log
   Declaration declaration;       ///< of the engine that was recorded; its name is empty where the log has no header
 };
 /// Of {"touchstone_log":1,"engine":"my game 1.0","boundary":"closed"}. The fields are those of an engine's first line
-/// but "ops", none of them mandatory, and "sampled", an object that says which calls were recorded. Throws InvalidInput,
-/// naming the version where it is another.
+/// but "ops", none of them mandatory, and "sampled", an object that says which calls were recorded. Throws
+/// InvalidInput, naming the version where it is another.
 LogHeader read_log_header(const Json& fields);
 
 /// The end mark of a log: what became of the calls.

@@ -12,15 +12,16 @@ namespace touchstone::audit::reducing {
 /// other places counted anew.
 bool drop_elements(Search& search);
 
-/// Makes meshes smaller: drops connected parts, runs of faces, and vertices that no face names; makes vertices one, which
-/// keeps a closed mesh closed; takes the convex hull of some of the vertices, where the hull of all of them will do.
+/// Makes meshes smaller: drops connected parts, runs of faces, and vertices that no face names; makes vertices one,
+/// which keeps a closed mesh closed; takes the convex hull of some of the vertices, where the hull of all of them will
+/// do.
 bool reduce_meshes(Search& search);
 
 /// Moves places so that one of them is at the origin, scales by powers of two, and orders the elements of lists.
 bool reduce_frame(Search& search);
 
-/// Makes enumerators, flags and places in lists the first ones, and numbers short: all of them, equal ones together, and
-/// one by one to 0, 1, small integers, other numbers of the question, fewer decimal digits and fewer bits.
+/// Makes enumerators, flags and places in lists the first ones, and numbers short: all of them, equal ones together,
+/// and one by one to 0, 1, small integers, other numbers of the question, fewer decimal digits and fewer bits.
 bool shorten_numbers(Search& search);
 
 }  // namespace touchstone::audit::reducing

@@ -12,8 +12,8 @@ struct Reduced {
   bool finished = false;  ///< no pass makes it shorter; else the search was ended
 };
 
-/// The shortest question that holds, by all passes (audit/reducing/passes.h) in rounds until none makes it shorter. What
-/// it finds does not depend on the jobs, unless it is ended early. `question`: one that holds.
+/// The shortest question that holds, by all passes (audit/reducing/passes.h) in rounds until none makes it shorter.
+/// What it finds does not depend on the jobs, unless it is ended early. `question`: one that holds.
 Reduced reduced(const Operation& operation, const Question& question, Interest& interest, const SearchOptions& options);
 
 }  // namespace touchstone::audit

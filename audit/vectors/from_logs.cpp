@@ -2,10 +2,10 @@
 #include "audit/vectors/from_logs.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "audit/counting/judged.h"
+#include "audit/judging/course.h"
 #include "audit/logs/log_reader.h"
 #include "audit/reducing/reduced.h"
 #include "audit/reducing/same_finding.h"
@@ -22,23 +22,14 @@ struct Smaller {
 using Questions = std::set<Question, Smaller>;
 
 /// Whether the formula is as near to another course as its own rounding, as far as that is known to first order.
-template <class Float>
-bool is_near(EncodedValue<Tracked<Float>> (*formula)(const Question&), const Question& question) {
-  using Number = Tracked<Float>;
-  Number::inconclusive() = Number::out_of_range() = false;
-  Number::nearest_comparison() = std::numeric_limits<double>::infinity();
-  formula(question);
-  return Number::inconclusive() || Number::out_of_range() || Number::nearest_comparison() < 1;
-}
 bool is_near(const RecordedCall& call) {
-  const auto& tracked = call.operation->row().reference_tracked;
-  return call.binary32 ? is_near(tracked.in_float, call.question) : is_near(tracked.in_double, call.question);
+  const Course course = course_of(call);
+  return course.in_doubt || course.nearest < 1;
 }
 
 bool is_wrong(const RecordedCall& call, const Examination& examination, Declaration declaration) {
   declaration.binary32 = call.binary32;
-  if (call.answer.kind == RecordedAnswer::Kind::error) return true;
-  return is_finding(examination.judge_engine(answer_json(*call.operation, call.answer), declaration).verdict);
+  return is_finding(judged(reply_of(call), examination, declaration).verdict);
 }
 
 /// A question that stays of one kind.

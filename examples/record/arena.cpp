@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small game in float: 150 balls and 50 crates on a grid, players that shoot and walk, and three bugs in its collision
-// tests (arena_tests.h) that its own tests do not see. It records what it asks itself; 60 seconds of play are 2.2 million calls.
+// A small game in float: 150 balls and 50 crates on a grid, players that shoot and walk, and three bugs (arena_tests.h)
+// that its own tests do not see. It records what it asks itself; 60 seconds of play are 2.2 million calls.
 //
 //   arena --test               its own tests, which pass
 //   arena LOG SECONDS [SEED]   plays, 60 steps a second of its own time, and records

@@ -22,8 +22,8 @@ Json geometries_of_geojson(const std::string& text);
 /// InvalidInput naming the field.
 Json input_of(const Operation& operation, const Json& geometries, const Json& given);
 
-/// The input of a question in text: JSON, or WKT or GeoJSON where one of these is said. `meshes`: fields from mesh files.
-/// Throws InvalidInput.
+/// The input of a question in text: JSON, or WKT or GeoJSON where one of these is said. `meshes`: fields from mesh
+/// files. Throws InvalidInput.
 Json input_in(const std::string& text, bool wkt, bool geojson, const Operation& operation, const Json& meshes);
 
 /// The option for text that is WKT or GeoJSON by the look of it: "--wkt", "--geojson"; else empty.

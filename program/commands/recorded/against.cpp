@@ -93,7 +93,8 @@ Json json_of(const Partings& partings) {
                          {"first", plain(shown.first)},
                          {"second", plain(shown.second)}}}});
     }
-    operations.push_back({{"operation", one.operation}, {"asked", one.asked}, {"not_asked", one.not_asked}, {"parted", kinds}});
+    operations.push_back(
+        {{"operation", one.operation}, {"asked", one.asked}, {"not_asked", one.not_asked}, {"parted", kinds}});
   }
   return {{"touchstone", 1}, {"kind", "against"}, {"operations", operations}};
 }
