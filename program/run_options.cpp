@@ -28,7 +28,9 @@ void add_gate(CLI::App& command, GateCommand& gate) {
       ->check(rate);
   command.add_option("--junit", gate.junit_file, "Write the result as JUnit's XML into this file");
   command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");
-  command.add_option("--source", gate.source, "File of the engine's code, at which a SARIF viewer shows the results; of recorded calls it is the line of the call");
+  command.add_option("--source", gate.source,
+                     "File of the engine's code, at which a SARIF viewer shows the results; of recorded calls it is "
+                     "the line of the call");
 }
 
 void add_shard(CLI::App& command, std::string& shard, std::string& json_file) {

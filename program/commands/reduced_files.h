@@ -21,12 +21,14 @@ struct Smallest {
   Repeat again{};      ///< the same as a page writes it
 };
 
-/// Writes into a directory, which is made if it is not there: question.json; each mesh as an OBJ file; report.md, a text
-/// for a bug report; where the question is within the contract claim.json, what `certify` checks, and test_FRAMEWORK,
-/// the regression tests of `ask --as`; and picture.html, where an answer was judged. Throws UsageError naming the file.
+/// Writes into a directory, which is made if it is not there: question.json; each mesh as an OBJ file; report.md, a
+/// text for a bug report; where the question is within the contract claim.json, what `certify` checks, and
+/// test_FRAMEWORK, the regression tests of `ask --as`; and picture.html, where an answer was judged. Throws UsageError
+/// naming the file.
 void write_reduced_files(const Smallest& smallest, const std::string& directory);
 
-/// The text for a bug report: what is wrong, versions, the input, the answer, the truth, its certificate, how to repeat.
+/// The text for a bug report: what is wrong, versions, the input, the answer, the truth, its certificate, how to
+/// repeat.
 std::string bug_report(const Smallest& smallest);
 
 }  // namespace touchstone::program

@@ -26,8 +26,8 @@ struct ReportNotes {
 };
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there:
-/// of recorded calls without maps; else first all without maps, unless these stand, then each again with its map, those of dear operations and then of the
-/// worst first, and index.html at the end.
+/// of recorded calls without maps; else first all without maps, unless these stand, then each again with its map,
+/// those of dear operations and then of the worst first, and index.html at the end.
 /// Every page stands alone, nothing fetched: figures in space are drawn and rotated, and maps walked over, by a script
 /// in the page. Without scripts such figures are described, and all else is visible. The same tally gives the same
 /// bytes, whatever the jobs, but for the versions in the last line, unless seconds limit the maps. With `engine` the
