@@ -12,6 +12,8 @@ foreach(folder ${folders})
   endif()
 endforeach()
 set(row_order "")
+set(signature_order "")
+set(signature_includes "")
 set(row_sources "")
 foreach(chapter ${touchstone_chapters})
   file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/catalogue/rows/${chapter} ${PROJECT_SOURCE_DIR}/catalogue/rows/${chapter}/*.h)
@@ -32,6 +34,11 @@ foreach(chapter ${touchstone_chapters})
   foreach(key ${keys})
     string(REGEX REPLACE ".* " "" name "${key}")
     list(APPEND row_order ${name})
+    # A structure or a method for another operation's question has no signature of its own.
+    if(EXISTS ${PROJECT_SOURCE_DIR}/catalogue/signatures/${chapter}/${name}.h)
+      list(APPEND signature_order ${name})
+      string(APPEND signature_includes "#include \"catalogue/signatures/${chapter}/${name}.h\"\n")
+    endif()
   endforeach()
   string(APPEND all_includes "${includes}")
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp @ONLY CONTENT [[
@@ -45,6 +52,7 @@ namespace touchstone::catalogue {
 endforeach()
 list(JOIN row_order ";\nstruct " declared)
 list(JOIN row_order ",\n    rows::" row_order)
+list(JOIN signature_order ",\n    signatures::" signature_order)
 set(touchstone_generated ${PROJECT_BINARY_DIR}/generated)
 file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/declared.h @ONLY CONTENT [[
 // Made by cmake/rows.cmake from the names of the rows.
@@ -68,3 +76,15 @@ file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/all.h @ONLY CONTENT
 
 #include "catalogue/rows/declared.h"
 @all_includes@]])
+file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/signatures/all.h @ONLY CONTENT [[
+// Made by cmake/rows.cmake from the signatures.
+#pragma once
+
+@signature_includes@
+namespace touchstone::catalogue {
+
+using AllSignatures = SignatureList<
+    signatures::@signature_order@>;
+
+}  // namespace touchstone::catalogue
+]])

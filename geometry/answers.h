@@ -9,41 +9,10 @@
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/volumes.h"
+#include "geometry/words.h"
 
-/// What operations answer. An enumerator is a word of the contract; a field that the enumerator rules out is empty.
+/// What operations answer. A field that the enumerator beside it rules out is empty.
 namespace touchstone {
-
-/// Where a point lies of a directed line p0 -> p1: `left` is counter-clockwise (y up).
-enum class Side { left, on, right };
-
-/// Where a point lies of a line that is not vertical; above is +y.
-enum class Height { above, on, below };
-
-/// Where a point lies of a solid: its interior, its boundary, or neither.
-enum class Location { inside, boundary, outside };
-
-/// Whether a point lies on a thin closed shape.
-enum class Incidence { on, off };
-
-enum class LineRelation { crossing, parallel, same };
-enum class SegmentRelation { disjoint, point, overlap };
-enum class RayRelation { none, point, overlap };
-
-/// Whether two solids have a common point, and a common interior point.
-enum class Contact { disjoint, touching, overlapping };
-
-/// `degenerate`: repeated neighbours, or all vertices on one line. `not_simple`: the ring meets itself elsewhere.
-enum class PolygonClass { convex, concave, not_simple, degenerate };
-enum class Winding { ccw, cw, none };
-
-/// Where a point lies of a plane; the front is where the normal points.
-enum class PlaneSide { front, on, back };
-/// `degenerate`: the normal is the zero vector.
-enum class NormalClass { proper, degenerate };
-enum class HitRelation { hit, never };
-
-/// The coordinate axes.
-enum class Axis { x, y, z };
 
 /// relation `on`: point = a + t (b - a), 0 <= t <= 1; t is 0 on a segment of length zero. `off`: no t.
 template <class Real>

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "audit/engines/process.h"
+#include "audit/engines/serve.h"
 #include "audit/shell_quoted.h"
 #include "program/commands/commands.h"
 #include "program/program.h"
@@ -96,7 +97,8 @@ std::string own_engine_command() {
   return error ? "" : shell_quoted(self.string()) + " --serve";
 }
 
-int engine_program(const Served& engine, int argc, const char* const* argv) {
+int engine_program(const EngineMembers& members, int argc, const char* const* argv) {
+  const Served engine = served(members);
   if (argc == 2 && std::strcmp(argv[1], "--serve") == 0) return serve(engine);
   if (std::getenv(started_as_engine) != nullptr) {
     std::cerr << argv[0] << ": started as an engine without --serve; the command is: " << shell_quoted(argv[0])

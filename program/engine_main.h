@@ -4,6 +4,10 @@
 #include "audit/engines/adapter.h"
 #include "program/terminal/uses.h"
 
+namespace touchstone::audit {
+struct Served;
+}
+
 namespace touchstone::program {
 
 /// What stands above the table of an engine's audit: the operations that were found in it by name, and those that were
@@ -13,13 +17,13 @@ std::string operations_found(const Served& engine, bool named = true);
 /// The main program of an engine. With the argument --serve it answers over pipes; with the name of a command first
 /// (ask, exhaust, map, vectors check, check-engine) it is that command of `touchstone` with itself as the engine, in a
 /// process of its own; else it is `touchstone audit` of itself.
-int engine_program(const Served& engine, int argc, const char* const* argv);
+int engine_program(const EngineMembers& engine, int argc, const char* const* argv);
 
 }  // namespace touchstone::program
 
 /// The audit program of an engine: the options of `touchstone audit`; with --serve it answers over pipes.
-#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                         \
-  int main(int argc, char** argv) {                                                                \
-    EngineType engine{};                                                                           \
-    return ::touchstone::program::engine_program(::touchstone::audit::served(engine), argc, argv); \
+#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                             \
+  int main(int argc, char** argv) {                                                                    \
+    EngineType engine{};                                                                               \
+    return ::touchstone::program::engine_program(::touchstone::audit::members_of(engine), argc, argv); \
   }

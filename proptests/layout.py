@@ -33,6 +33,7 @@ PLACES = {
     "reference": (".h",),
     "robust": (".h", ".cpp"),
     "oracle": (".h", ".cpp"),
+    "catalogue/signatures": (".h",),
     "catalogue/rows": (".h",),
     "proptests/operations": (".cpp",),
 }
@@ -43,7 +44,8 @@ NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", 
 # cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
-MADE = {"catalogue/rows/all.h", "catalogue/rows/declared.h", "robust/c/array_forms.h", "touchstone_robust.h"}
+MADE = {"catalogue/rows/all.h", "catalogue/rows/declared.h", "catalogue/signatures/all.h",
+        "robust/c/array_forms.h", "touchstone_robust.h"}
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
 LONGEST = 400
@@ -303,6 +305,7 @@ PLANTED = [
     ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
     ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
     ("catalogue/rows/lines/touch.h", None, "catalogue/rows/lines/touch.h: missing"),
+    ("catalogue/signatures/lines/touch.h", None, "catalogue/signatures/lines/touch.h: missing"),
     ("proptests/operations/lines/cross.cpp", "", "proptests/operations/lines/cross.cpp: stray"),
     ("reference/lines/cross.h", "", "reference/lines/cross.h: stray"),
     ("oracle/planes/touch.cpp", "", "oracle/planes/touch.cpp: stray"),

@@ -10,6 +10,7 @@ namespace touchstone::proptests {
 /// A row for tests alone: a word and a number that is always there. How high is the point over y = 0?
 struct mandatory_number {
   using Question = std::tuple<Point2d>;
+  using Answer = PointPlane<double>;
   using decision = catalogue::NoDecision;
   static std::vector<catalogue::HardCase<Question>> hard_cases() { return {}; }
   static catalogue::Hooks<mandatory_number> hooks() { return {}; }

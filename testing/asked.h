@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "audit/counting/tally.h"
-#include "catalogue/catalogue.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/operation/probes/shrink.h"
+#include "catalogue/signatures/all.h"
 #include "testing/drawn.h"
 
 /// Questions of an operation as the shapes of geometry/, for users' own tests; no test framework is needed.
@@ -23,24 +23,24 @@
 namespace touchstone::tests {
 
 /// The operations, each a type named like it: operations::orientation. docs/operations.md lists their arguments.
-namespace operations = ::touchstone::catalogue::rows;
+namespace operations = ::touchstone::catalogue::signatures;
 
 /// The arguments of an operation: a tuple; where its question has alternatives (in the plane, in space), a variant of
 /// tuples, or, with `Ts` given, the tuple of the one alternative that has these arguments.
-template <class Row, class... Ts>
+template <class Op, class... Ts>
 struct ArgumentsOf {
   using type = std::tuple<Ts...>;
 };
-template <class Row>
-struct ArgumentsOf<Row> {
-  using type = typename Row::Question;
+template <class Op>
+struct ArgumentsOf<Op> {
+  using type = typename Op::Question;
 };
 
 /// A question of an operation: its arguments, to be taken apart by a structured binding, by std::apply or, where they
 /// are a variant, by std::visit; and where they come from.
-template <class Row, class... Ts>
-struct Asked : ArgumentsOf<Row, Ts...>::type {
-  using Arguments = typename ArgumentsOf<Row, Ts...>::type;
+template <class Op, class... Ts>
+struct Asked : ArgumentsOf<Op, Ts...>::type {
+  using Arguments = typename ArgumentsOf<Op, Ts...>::type;
   Drawn drawn;
 
   const Arguments& arguments() const { return *this; }
@@ -48,27 +48,27 @@ struct Asked : ArgumentsOf<Row, Ts...>::type {
 };
 
 /// Operation and family, the question in decimal and in hexadecimal, and the command that asks it.
-template <class Row, class... Ts>
-std::string shown(const Asked<Row, Ts...>& asked) {
+template <class Op, class... Ts>
+std::string shown(const Asked<Op, Ts...>& asked) {
   return shown(asked.drawn);
 }
 
-template <class Row>
+template <class Op>
 const Operation& operation_of() {
-  return *catalogue::find_operation(Row::metadata().name);
+  return *catalogue::find_operation(Op::name);
 }
 
 /// Empty where the question is of another alternative.
-template <class Row, class... Ts>
-std::optional<Asked<Row, Ts...>> typed(Drawn drawn) {
-  auto question = catalogue::unpacked<typename Row::Question>(drawn.question);
-  using Arguments = typename ArgumentsOf<Row, Ts...>::type;
-  if constexpr (std::is_same_v<Arguments, typename Row::Question>) {
-    return Asked<Row, Ts...>{std::move(question), std::move(drawn)};
+template <class Op, class... Ts>
+std::optional<Asked<Op, Ts...>> typed(Drawn drawn) {
+  auto question = catalogue::unpacked<typename Op::Question>(drawn.question);
+  using Arguments = typename ArgumentsOf<Op, Ts...>::type;
+  if constexpr (std::is_same_v<Arguments, typename Op::Question>) {
+    return Asked<Op, Ts...>{std::move(question), std::move(drawn)};
   } else {
-    static_assert(catalogue::is_variant<typename Row::Question>, "these are not the arguments of the operation");
+    static_assert(catalogue::is_variant<typename Op::Question>, "these are not the arguments of the operation");
     if (!std::holds_alternative<Arguments>(question)) return std::nullopt;
-    return Asked<Row, Ts...>{std::get<Arguments>(std::move(question)), std::move(drawn)};
+    return Asked<Op, Ts...>{std::get<Arguments>(std::move(question)), std::move(drawn)};
   }
 }
 
@@ -100,15 +100,15 @@ inline bool is_wanted(const Drawn& drawn, Sizes sizes) {
 
 /// A question of these families that is within the contract, the same for the same seed. Throws std::runtime_error
 /// where a thousand in a row are not.
-template <class Row, class... Ts>
-Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed, Sizes sizes = Sizes::any) {
+template <class Op, class... Ts>
+Asked<Op, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed, Sizes sizes = Sizes::any) {
   constexpr std::uint64_t most_refused = 1000;
-  const Operation& operation = operation_of<Row>();
+  const Operation& operation = operation_of<Op>();
   for (std::uint64_t at = 0; at < most_refused; ++at) {
     const std::size_t family = families[catalogue::seed_of(seed, "family", at) % families.size()];
     Drawn drawn = recorded(operation, family, catalogue::seed_of(seed, "draws", at));
     if (!is_wanted(drawn, sizes)) continue;
-    if (auto found = typed<Row, Ts...>(std::move(drawn))) return *std::move(found);
+    if (auto found = typed<Op, Ts...>(std::move(drawn))) return *std::move(found);
   }
   throw std::runtime_error(operation.name() +
                            ": none of 1000 questions of these families is within the contract and of these sizes");
@@ -141,23 +141,23 @@ inline constexpr bool takes<Law, std::variant<Ts...>> = (takes<Law, Ts> && ...);
 /// The simplest question found for which a law - a function of the arguments, or else of Asked - does not return true,
 /// or throws. Draws `cases` questions, stops at the first that fails, and shrinks it within its family. The same
 /// options find the same.
-template <class Row, class... Ts, class Law>
-std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& options = {}) {
-  const auto fails = [&](const Asked<Row, Ts...>& question) {
+template <class Op, class... Ts, class Law>
+std::optional<Asked<Op, Ts...>> counterexample(const Law& law, const Options& options = {}) {
+  const auto fails = [&](const Asked<Op, Ts...>& question) {
     try {
-      if constexpr (takes<Law, typename Asked<Row, Ts...>::Arguments>) return !called_with(law, question.arguments());
+      if constexpr (takes<Law, typename Asked<Op, Ts...>::Arguments>) return !called_with(law, question.arguments());
       else return !law(question);
     } catch (const std::exception&) {
       return true;
     }
   };
-  const std::vector<std::size_t> families = families_named(operation_of<Row>(), options.families);
+  const std::vector<std::size_t> families = families_named(operation_of<Op>(), options.families);
   for (std::uint64_t at = 0; at < options.cases; ++at) {
-    const Asked<Row, Ts...> first =
-        asked<Row, Ts...>(families, catalogue::seed_of(options.seed, "question", at), options.sizes);
+    const Asked<Op, Ts...> first =
+        asked<Op, Ts...>(families, catalogue::seed_of(options.seed, "question", at), options.sizes);
     if (!fails(first)) continue;
     const auto of_draws = [&](const std::vector<std::uint8_t>& bytes) {
-      return typed<Row, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
+      return typed<Op, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
     };
     return of_draws(catalogue::shrunk(first.drawn.draws, [&](const std::vector<std::uint8_t>& bytes) {
       const auto candidate = of_draws(bytes);
@@ -170,9 +170,9 @@ std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& o
 }  // namespace touchstone::tests
 
 /// So that `const auto [a, b] = question` works.
-template <class Row, class... Ts>
-struct std::tuple_size<touchstone::tests::Asked<Row, Ts...>>
-    : std::tuple_size<typename touchstone::tests::ArgumentsOf<Row, Ts...>::type> {};
-template <std::size_t at, class Row, class... Ts>
-struct std::tuple_element<at, touchstone::tests::Asked<Row, Ts...>>
-    : std::tuple_element<at, typename touchstone::tests::ArgumentsOf<Row, Ts...>::type> {};
+template <class Op, class... Ts>
+struct std::tuple_size<touchstone::tests::Asked<Op, Ts...>>
+    : std::tuple_size<typename touchstone::tests::ArgumentsOf<Op, Ts...>::type> {};
+template <std::size_t at, class Op, class... Ts>
+struct std::tuple_element<at, touchstone::tests::Asked<Op, Ts...>>
+    : std::tuple_element<at, typename touchstone::tests::ArgumentsOf<Op, Ts...>::type> {};

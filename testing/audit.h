@@ -3,6 +3,7 @@
 
 #include "audit/counting/audit_run.h"
 #include "audit/engines/adapter.h"
+#include "audit/engines/serve.h"
 #include "testing/asked.h"
 
 /// An audit of an engine inside a test, without a second process: a crash of the engine is a crash of the test.
@@ -23,7 +24,7 @@ struct AuditOptions {
 template <class E>
 class InProcess final : public audit::Engine {
  public:
-  explicit InProcess(E& engine) : served_(audit::served(engine)) {}
+  explicit InProcess(E& engine) : served_(audit::served(audit::members_of(engine))) {}
   const catalogue::Declaration& declaration() const override { return served_.hello.declaration; }
   bool supports(const std::string& operation) const override { return served_.operations.count(operation) != 0; }
 

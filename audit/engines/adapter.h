@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <set>
-
 #include "audit/engines/engine_answer.h"
-#include "audit/engines/serve.h"
-#include "audit/engines/signature.h"
-#include "catalogue/catalogue.h"
-#include "catalogue/operation/operation.h"
+#include "audit/engines/function_types.h"
+#include "catalogue/signatures/all.h"
 
 /// Audits a C++ implementation. An engine is a struct:
 ///
@@ -35,67 +31,57 @@ using Nearest = catalogue::Declaration::Nearest;
 
 namespace audit {
 
-template <class Engine, class Row, class... Arguments>
+template <class Engine, class Operation, class... Arguments>
 concept AnswersTo = requires(Engine& engine, const Arguments&... arguments) {
-  Row::ask(engine, arguments...);
+  Operation::ask(engine, arguments...);
 };
 
 /// Whether the engine has a row's operation on shapes over Real.
-template <class Engine, class Row, class Tuple>
-inline constexpr bool answers_row = false;
-template <class Engine, class Row, class... Ts>
-inline constexpr bool answers_row<Engine, Row, std::tuple<Ts...>> = AnswersTo<Engine, Row, Ts...>;
-template <class Engine, class Row, class... Ts>
-inline constexpr bool answers_row<Engine, Row, std::variant<Ts...>> = (answers_row<Engine, Row, Ts> || ...);
-template <class Engine, class Row, class Real>
-inline constexpr bool has_operation = answers_row<Engine, Row, rebound_t<typename Row::Question, Real>>;
+template <class Engine, class Operation, class Tuple>
+inline constexpr bool answers = false;
+template <class Engine, class Operation, class... Ts>
+inline constexpr bool answers<Engine, Operation, std::tuple<Ts...>> = AnswersTo<Engine, Operation, Ts...>;
+template <class Engine, class Operation, class... Ts>
+inline constexpr bool answers<Engine, Operation, std::variant<Ts...>> = (answers<Engine, Operation, Ts> || ...);
+template <class Engine, class Operation, class Real>
+inline constexpr bool has_operation = answers<Engine, Operation, rebound_t<typename Operation::Question, Real>>;
 
 /// A struct, so that the compiler complains once.
 template <class Engine>
 struct NotFinal {
   static_assert(!std::is_final_v<Engine>, "an engine's struct is not final: else its members cannot be told by name");
 };
-template <class Engine, class Row>
-struct EngineAndNamesake : Engine, Row::Namesake {};
+template <class Engine, class Operation>
+struct EngineAndNamesake : Engine, Operation::Namesake {};
 /// Whether the engine has a member of the operation's name, of whatever kind.
-template <class Engine, class Row>
+template <class Engine, class Operation>
 constexpr bool names_operation() {
   if constexpr (std::is_final_v<Engine>) return sizeof(NotFinal<Engine>) == 0;
-  else return Row::template is_ambiguous<EngineAndNamesake<Engine, Row>>;
+  else return Operation::template is_ambiguous<EngineAndNamesake<Engine, Operation>>;
 }
 
 /// Does not compile where the engine has a member of the operation's name that does not take its arguments.
-template <class Row, class Engine>
+template <class Operation, class Engine>
 constexpr void require_signature() {
-  constexpr bool has = has_operation<Engine, Row, double> || has_operation<Engine, Row, float>;
-  constexpr bool has_signature = has || !names_operation<Engine, Row>();
+  constexpr bool has = has_operation<Engine, Operation, double> || has_operation<Engine, Operation, float>;
+  constexpr bool has_signature = has || !names_operation<Engine, Operation>();
   [&]<class... Expected>(const Signatures<Expected...>*) {
-    Row::template require_signature<has_signature, Expected...>();
-  }(static_cast<const signatures_of<Row>*>(nullptr));
+    Operation::template require_signature<has_signature, Expected...>();
+  }(static_cast<const signatures_of<Operation>*>(nullptr));
 }
 
-/// The alternatives of a question for which the engine has an overload, and the arguments of those for which it has
-/// none:
-/// "(Sphere3<double> a, ...)".
-struct Alternatives {
-  std::set<std::size_t> answered{};
-  std::vector<std::string> left_out{};
-};
-template <class Row, class Engine>
-Alternatives alternatives_of() {
-  Alternatives found;
+/// Sorts the alternatives of a question by whether the engine has an overload for them.
+template <class Operation, class Engine>
+void sort_alternatives(Member& member) {
   [&]<class... Ts>(const std::variant<Ts...>*) {
     std::size_t at = 0;
-    const auto look = [&]<class Alternative>(const Alternative*) {
-      constexpr bool answers =
-          answers_row<Engine, Row, Alternative> || answers_row<Engine, Row, rebound_t<Alternative, float>>;
-      if (answers) found.answered.insert(at);
-      else found.left_out.push_back(arguments_text(*find_operation(Row::metadata().name), at));
-      ++at;
+    const auto sort = [&]<class Alternative>(const Alternative*) {
+      constexpr bool has =
+          answers<Engine, Operation, Alternative> || answers<Engine, Operation, rebound_t<Alternative, float>>;
+      (has ? member.answered : member.left_out).push_back(at++);
     };
-    (look(static_cast<const Ts*>(nullptr)), ...);
-  }(static_cast<const alternatives_t<typename Row::Question>*>(nullptr));
-  return found;
+    (sort(static_cast<const Ts*>(nullptr)), ...);
+  }(static_cast<const alternatives_t<typename Operation::Question>*>(nullptr));
 }
 
 template <class Engine>
@@ -111,8 +97,8 @@ template <class Engine>
 using number_of = typename NumberOf<Engine>::type;
 
 /// The number type over which the shapes of an operation are handed to the engine: its own where it takes that.
-template <class Engine, class Row>
-using handed_number = std::conditional_t<has_operation<Engine, Row, number_of<Engine>>, number_of<Engine>,
+template <class Engine, class Operation>
+using handed_number = std::conditional_t<has_operation<Engine, Operation, number_of<Engine>>, number_of<Engine>,
                                          std::conditional_t<std::is_same_v<number_of<Engine>, double>, float, double>>;
 
 template <class Engine>
@@ -132,59 +118,55 @@ Declaration declaration_of() {
 }
 
 /// An alternative of a question for which the engine has no overload is not supported.
-template <class Row, class Engine, class... Ts>
-std::optional<Json> said_to(Engine& engine, const std::tuple<Ts...>& asked) {
-  if constexpr (AnswersTo<Engine, Row, Ts...>) {
-    return spread([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
+template <class Operation, class Engine, class... Ts>
+MemberAnswer asked_of(Engine& engine, const std::tuple<Ts...>& asked) {
+  if constexpr (AnswersTo<Engine, Operation, Ts...>) {
+    return spread(
+        [&](const auto&... value) {
+          return engine_answer<typename Operation::Answer>(Operation::ask(engine, value...));
+        },
+        asked);
   }
-  return std::nullopt;
+  return {};
 }
-template <class Row, class Engine, class... Ts>
-std::optional<Json> said_to(Engine& engine, const std::variant<Ts...>& asked) {
-  return visited([&](const auto& alternative) { return said_to<Row>(engine, alternative); }, asked);
+template <class Operation, class Engine, class... Ts>
+MemberAnswer asked_of(Engine& engine, const std::variant<Ts...>& asked) {
+  return visited([&](const auto& alternative) { return asked_of<Operation>(engine, alternative); }, asked);
 }
 
-/// What the engine says to one question of a row; empty: unsupported.
-template <class Row, class Engine>
-std::optional<Json> ask_engine(Engine& engine, const Question& question) {
-  require_signature<Row, Engine>();
-  using Real = handed_number<Engine, Row>;
-  const auto asked = unpacked<rebound_t<typename Row::Question, Real>>(
+/// What the engine says to one question of an operation.
+template <class Operation, class Engine>
+MemberAnswer ask_member(void* engine, const Question& question) {
+  using Real = handed_number<Engine, Operation>;
+  const auto asked = unpacked<rebound_t<typename Operation::Question, Real>>(
       question, [](double number) { return static_cast<Real>(number); });
-  return said_to<Row>(engine, asked);
+  return asked_of<Operation>(*static_cast<Engine*>(engine), asked);
 }
 
 template <class Engine, class List>
 inline constexpr bool has_any_of = false;
-template <class Engine, class... AllRows>
-inline constexpr bool has_any_of<Engine, RowList<AllRows...>> =
-    ((has_operation<Engine, AllRows, double> || has_operation<Engine, AllRows, float>) || ...);
+template <class Engine, class... All>
+inline constexpr bool has_any_of<Engine, SignatureList<All...>> =
+    ((has_operation<Engine, All, double> || has_operation<Engine, All, float>) || ...);
 template <class Engine, class List>
 inline constexpr bool names_any_of = false;
-template <class Engine, class... AllRows>
-requires(!std::is_final_v<Engine>) inline constexpr bool names_any_of<Engine, RowList<AllRows...>> =
-    (names_operation<Engine, AllRows>() || ...);
+template <class Engine, class... All>
+requires(!std::is_final_v<Engine>) inline constexpr bool names_any_of<Engine, SignatureList<All...>> =
+    (names_operation<Engine, All>() || ...);
 
+/// The engine with its types forgotten. It has to outlive what is made of it.
 template <class Engine>
-Served served(Engine& engine) {
+EngineMembers members_of(Engine& engine) {
   // Where there is one of the name, require_signature says what is wrong with it.
-  static_assert(has_any_of<Engine, Rows> || names_any_of<Engine, Rows>,
+  using catalogue::AllSignatures;
+  static_assert(has_any_of<Engine, AllSignatures> || names_any_of<Engine, AllSignatures>,
                 "the engine has no member function of the name and arguments of an operation (touchstone ops)");
-  Served all;
-  all.hello.declaration = declaration_of<Engine>();
-  for_each_row([&]<class Row>() {
-    require_signature<Row, Engine>();
-    if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
-      const Operation& operation = *find_operation(Row::metadata().name);
-      if (operation.metadata().is_implementation()) return;  // engines are asked the operation itself
-      all.hello.operations.insert(operation.name());
-      const Alternatives alternatives = alternatives_of<Row, Engine>();
-      if (!alternatives.left_out.empty()) all.hello.declaration.alternatives[operation.name()] = alternatives.answered;
-      for (const std::string& arguments : alternatives.left_out) all.left_out.push_back(operation.name() + arguments);
-      all.operations.emplace(operation.name(),
-                             ServedOperation{operation, QuestionText(operation), [&engine](const Question& question) {
-                                               return ask_engine<Row>(engine, question);
-                                             }});
+  EngineMembers all{declaration_of<Engine>(), &engine};
+  AllSignatures::for_each([&]<class Operation>() {
+    require_signature<Operation, Engine>();
+    if constexpr (has_operation<Engine, Operation, double> || has_operation<Engine, Operation, float>) {
+      all.members.push_back({Operation::name, ask_member<Operation, Engine>});
+      sort_alternatives<Operation, Engine>(all.members.back());
     }
   });
   return all;

@@ -4,11 +4,9 @@
 #include <optional>
 #include <type_traits>
 
-#include "audit/uses.h"
-#include "catalogue/codec/shape_json.h"
-#include "catalogue/operation/row.h"
+#include "audit/engines/member.h"
 
-/// What a member function of an engine may return, and how it reads in JSON.
+/// What a member function of an engine may return.
 namespace touchstone::audit {
 
 /// Whether a type is an enumeration with a word that says "they do not meet".
@@ -70,35 +68,25 @@ constexpr bool is_the_only_word() {
       Described<Answer>::members);
 }
 
-/// Empty: the engine does not support this question. Result: the operation's answer over double or float, its word
-/// alone, true or false where that is an answer, or a std::optional of one of these.
-template <class Row, class Result>
-std::optional<Json> engine_answer(const Result& result) {
-  using Answer = answer_t<Row>;
-  const auto named = [](const char* name, Json value) {
-    if (name == nullptr || name[0] == 0) return value;
-    Json object = Json::object();
-    object[name] = std::move(value);
-    return object;
-  };
+/// Result: the operation's answer over double or float, its word alone, true or false where that is an answer, or a
+/// std::optional of one of these, which is empty where the engine does not support the question.
+template <class Answer, class Result>
+MemberAnswer engine_answer(const Result& result) {
+  using Kind = MemberAnswer::Kind;
   if constexpr (is_optional<Result>) {
-    if (!result) return std::nullopt;
-    return engine_answer<Row>(*result);
+    return result ? engine_answer<Answer>(*result) : MemberAnswer{};
   } else if constexpr (std::is_same_v<Result, bool>) {
     static_assert(has_plain_reading<Answer>(),
                   "true and false are no answer to this operation: return its enumeration");
-    return Json(result);
-  } else if constexpr (std::is_same_v<Result, rebound_t<Answer, double>>) {
-    return named(Row::metadata().answer, to_json(result));
-  } else if constexpr (std::is_same_v<Result, rebound_t<Answer, float>>) {
-    return named(Row::metadata().answer,
-                 to_json(converted<double>(result, [](float number) { return double{number}; })));
+    return {Kind::flag, packed(result)};
+  } else if constexpr (std::is_same_v<Result, Answer> || std::is_same_v<Result, rebound_t<Answer, float>>) {
+    return {Kind::whole, packed(result)};
   } else {
     static_assert(has_member_of_type<Answer, Result>(),
                   "this type is no answer to the operation (see geometry/answers.h)");
     static_assert(is_the_only_word<Answer, Result>(),
                   "this word alone is no answer to the operation: return the whole answer");
-    return named(member_of_type<Answer, Result>(), to_json(result));
+    return {Kind::word, packed(result), member_of_type<Answer, Result>()};
   }
 }
 

@@ -1,89 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "audit/engines/adapter.h"
-#include "catalogue/operation/probes/fitted.h"
 
 namespace touchstone::audit {
 
-/// Which verdicts stop the fuzzing: those named, with commas between them; without a name the findings. Throws
-/// InvalidInput where a name is that of no verdict, or agree: such a name would never stop anything.
-class StoppingVerdicts {
- public:
-  explicit StoppingVerdicts(const char* names) {
-    std::stringstream list(names == nullptr ? "" : names);
-    for (std::string name; std::getline(list, name, ',');) {
-      const auto found = std::find(verdict_names.begin() + 1, verdict_names.end(), name);
-      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts with commas, not " + name);
-      named_.push_back(static_cast<Verdict>(found - verdict_names.begin()));
-    }
-  }
-  bool contain(Verdict verdict) const {
-    return named_.empty() ? is_finding(verdict) : std::find(named_.begin(), named_.end(), verdict) != named_.end();
-  }
-  /// As the environment names them; the program ends where it names none that exist.
-  static StoppingVerdicts of_environment() {
-    try {
-      return StoppingVerdicts(std::getenv("TOUCHSTONE_FUZZ_ONLY"));
-    } catch (const InvalidInput& wrong) {
-      std::fprintf(stderr, "%s\n", wrong.what());
-      std::_Exit(2);
-    }
-  }
+/// One libFuzzer input: its first byte chooses the family, the others are the draws that draw a question of it. Aborts
+/// with one line where the verdict on the engine's answer is among those that stop: the findings, or with
+/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid these alone. A crash of the engine is libFuzzer's to report. Returns -1 where
+/// the input is not worth keeping, 0 otherwise.
+int fuzz_member(const EngineMembers& engine, const char* operation, const unsigned char* bytes, std::size_t size);
 
- private:
-  std::vector<Verdict> named_;
-};
-
-/// One libFuzzer input: its first byte chooses the family, the others are the draws that draw a question of it.
-/// Aborts with one line where the verdict on the engine's answer is among those that stop: the findings, or with
-/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid these alone. A crash of the engine is libFuzzer's to report.
-template <class Engine, class Row>
+template <class Engine, class Operation>
 int fuzz_engine(const unsigned char* bytes, std::size_t size) {
-  static const StoppingVerdicts stopping = StoppingVerdicts::of_environment();
+  static_assert(has_operation<Engine, Operation, double> || has_operation<Engine, Operation, float>,
+                "the engine has no member function of that operation's name and arguments");
   static Engine engine{};
-  static const Declaration declaration = declaration_of<Engine>();
-  static const Operation& operation = *find_operation(Row::metadata().name);
-  DrawStream draws = DrawStream::replayed({bytes, size});
-  const std::size_t family = draws.below(operation.families().size());
-  Question question = operation.draw(draws, family);
-  question = fitted(operation, question, declaration);
-  std::unique_ptr<Examination> examination;
-  try {
-    examination = operation.examine(question);
-  } catch (const InvalidInput&) {
-    return -1;  // outside the contract: not to be kept in the corpus
-  }
-  Judgement judgement;
-  Json answer;
-  try {
-    const auto said = ask_engine<Row>(engine, question);
-    if (!said) return -1;
-    answer = *said;
-    // Read back as if it had come through the pipe: the judge takes numbers as they were written.
-    judgement = examination->judge_engine(parse_line(one_line(answer)), declaration);
-  } catch (const std::exception& thrown) {
-    judgement = {Verdict::invalid, 0, thrown.what()};
-  }
-  if (!stopping.contain(judgement.verdict)) return 0;
-  std::fprintf(stderr, "%s: %s (%s%s%s) on %s: it says %s, the truth is %s\n", declaration.engine.c_str(),
-               operation.metadata().name, name_of(judgement.verdict), judgement.remark.empty() ? "" : ": ",
-               judgement.remark.c_str(), one_line(operation.print_hexadecimal(question)).c_str(),
-               one_line(answer).c_str(), one_line(examination->truth()).c_str());
-  std::abort();
+  static const EngineMembers members = members_of(engine);
+  return fuzz_member(members, Operation::name, bytes, size);
 }
 
 }  // namespace touchstone::audit
 
 /// A libFuzzer target that looks for a wrong answer of the engine to one operation.
-#define TOUCHSTONE_ENGINE_FUZZ(EngineType, operation)                                                           \
-  extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) {                         \
-    return ::touchstone::audit::fuzz_engine<EngineType, ::touchstone::catalogue::rows::operation>(bytes, size); \
+#define TOUCHSTONE_ENGINE_FUZZ(EngineType, operation)                                   \
+  extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) { \
+    using Operation = ::touchstone::catalogue::signatures::operation;                   \
+    return ::touchstone::audit::fuzz_engine<EngineType, Operation>(bytes, size);        \
   }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/engines/member.h"
 #include "audit/engines/protocol.h"
 
 namespace touchstone::audit {
@@ -28,6 +29,9 @@ struct Served {
   /// ...)".
   std::vector<std::string> left_out{};
 };
+
+/// The engine as it is served. Refers to the engine's object.
+Served served(const EngineMembers& engine);
 
 /// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to
 /// standard output meanwhile is sent to standard error.

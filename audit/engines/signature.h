@@ -4,50 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "audit/engines/engine_answer.h"
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
-#include "catalogue/operation/row.h"
 
-/// What the member functions of an engine look like: their signatures as types, for the compiler's messages, and as
-/// text, for pages.
+/// What the member functions of an engine look like, as text for pages.
 namespace touchstone::audit {
-
-/// Function types: an operation's signature, one for each alternative of its questions.
-template <class... Functions>
-struct Signatures {};
-
-/// A question as its alternatives, also where there is only one.
-template <class Question>
-struct AlternativesOf {
-  using type = std::variant<Question>;
-};
-template <class... Ts>
-struct AlternativesOf<std::variant<Ts...>> {
-  using type = std::variant<Ts...>;
-};
-template <class Question>
-using alternatives_t = typename AlternativesOf<Question>::type;
-
-template <class Answer, class Arguments>
-struct FunctionOf;
-template <class Answer, class... Ts>
-struct FunctionOf<Answer, std::tuple<Ts...>> {
-  using type = Answer(Ts...);
-};
-
-/// Where the alternatives have answers of different types, each has its own.
-template <class Answer, class Alternatives>
-struct SignaturesOf;
-template <class Answer, class... Ts>
-struct SignaturesOf<Answer, std::variant<Ts...>> {
-  using type = Signatures<typename FunctionOf<Answer, Ts>::type...>;
-};
-template <class... Answers, class... Ts>
-requires(sizeof...(Answers) == sizeof...(Ts)) struct SignaturesOf<std::variant<Answers...>, std::variant<Ts...>> {
-  using type = Signatures<typename FunctionOf<Answers, Ts>::type...>;
-};
-template <class Row>
-using signatures_of = typename SignaturesOf<answer_t<Row>, alternatives_t<typename Row::Question>>::type;
 
 /// A member function as it stands in an engine, and what else it may return.
 struct Signature {

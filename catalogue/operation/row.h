@@ -14,17 +14,16 @@
 #include "catalogue/shape/encoded_value.h"
 #include "oracle/truth.h"
 
-/// A row of the catalogue is a struct named like its operation, in the file of that name. It holds
+/// A row of the catalogue is a struct named like its operation, in the file of that name. It derives from the
+/// operation's signature (catalogue/signatures/signature.h), which holds its name, question and answer, and adds
 ///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where a question's alternatives have
-///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op), and before it
-///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
+///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op)
 ///   TOUCHSTONE_ARRAYS(op)                    where robust::batch has a function of that name: decisions over arrays
 ///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
 ///   static void standard(const auto& add) {  other formulas of textbooks (reference/standard/), if there are any:
 ///     add("whose it is", [](const auto&... q) { return ...; });
 ///   }
-///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
-///   static const Metadata& metadata();               names, pages, kind of judgement
+///   static const Metadata& metadata();               fields, pages, kind of judgement
 ///   static std::vector<HardCase<Question>> hard_cases();
 ///   struct decision { ... };                 decisions alone (below), or using decision = NoDecision;
 ///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
@@ -34,62 +33,24 @@
     return ::touchstone::robust::batch::op(operands...);                                               \
   }
 #define TOUCHSTONE_MODULES(op)                                                          \
-  TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                      \
   static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); } \
   static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }       \
   static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {      \
     return ::touchstone::oracle::op(q...);                                              \
-  }                                                                                     \
-  template <class E>                                                                    \
-  static auto ask(E& engine, const auto&... q)->decltype(engine.op(q...)) {             \
-    return engine.op(q...);                                                             \
   }
 #define TOUCHSTONE_MODULES_EITHER(op)                                                                    \
-  TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                       \
   static auto reference(const auto&... q) { return either<Answers>(::touchstone::reference::op(q...)); } \
   static auto robust(const auto&... q) { return either<Answers>(::touchstone::robust::op(q...)); }       \
   static auto oracle(const auto&... q)->decltype(either<Answers>(::touchstone::oracle::op(q...))) {      \
     return either<Answers>(::touchstone::oracle::op(q...));                                              \
-  }                                                                                                      \
-  template <class E>                                                                                     \
-  static auto ask(E& engine, const auto&... q)->decltype(either<Answers>(engine.op(q...))) {             \
-    return either<Answers>(engine.op(q...));                                                             \
-  }
-/// What tells that an engine has a member of the operation's name, whatever its arguments are: in a class derived from
-/// the engine and from Namesake the name is ambiguous.
-#define TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                  \
-  struct Namesake {                                                                                       \
-    int op;                                                                                               \
-  };                                                                                                      \
-  template <class Both>                                                                                   \
-  static constexpr bool is_ambiguous = !requires {                                                        \
-    &Both::op;                                                                                            \
-  };                                                                                                      \
-  template <bool has_signature, class... Expected>                                                        \
-  static constexpr void require_signature() {                                                             \
-    static_assert(has_signature,                                                                          \
-                  "the engine's member " #op " cannot be called with the arguments of the operation " #op \
-                  ": the signature expected stands beside require_signature in this message, and in "     \
-                  "docs/operations.md");                                                                  \
   }
 
 namespace touchstone::catalogue {
 
-/// An answer to one alternative of a question, or the truth of it, as one of the answers to all of them.
-template <template <class> class Answers, class Answer>
-Answers<number_of_t<Answer>> either(const Answer& answer) {
-  static_assert(std::is_convertible_v<Answer, Answers<number_of_t<Answer>>>,
-                "this type is no answer to the operation (see docs/operations.md)");
-  return answer;
-}
+/// The truth of one alternative of a question as one of the truths of all of them.
 template <template <class> class Answers, class Answer>
 ::touchstone::oracle::Truth<Answers<number_of_t<Answer>>> either(::touchstone::oracle::Truth<Answer> truth) {
   return {std::move(truth.answer), std::move(truth.margin), std::move(truth.certificate)};
-}
-template <template <class> class Answers, class Answer>
-std::optional<Answers<number_of_t<Answer>>> either(const std::optional<Answer>& answer) {
-  if (!answer) return std::nullopt;
-  return *answer;
 }
 
 /// The rows, each named like its operation.

@@ -72,7 +72,7 @@ template <class Stages, class Asked>
 StageFunctions stage_functions() {
   StageFunctions found;
   [&]<std::size_t... i>(std::index_sequence<i...>) { (add_stage<Stages, Asked, robust::all_stages[i]>(found), ...); }
-  (std::make_index_sequence<robust::all_stages.size()>());
+  (std::make_index_sequence<std::size(robust::all_stages)>());
   if constexpr (takes<Stages, Asked>) {
     found.decided_by = [](const Question& question, std::size_t environment) {
       return asked_in<Stages, Asked>(environment, question).stage;
@@ -288,6 +288,7 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
 
 template <class Row>
 RowFunctions RowOf<Row>::functions() {
+  static_assert(std::is_same_v<Answer, typename Row::Answer>, "robust answers with the type that the signature names");
   RowFunctions f{};
   f.metadata = &Row::metadata();
   f.question = &shape_of<Asked>();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/answers.h"
 #include "geometry/invalid_input.h"
+#include "geometry/points.h"
+#include "geometry/words.h"
 #include "robust/kernel/filters/filters.h"
 #include "robust/kernel/filters/staged.h"
 

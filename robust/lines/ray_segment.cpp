@@ -104,7 +104,7 @@ Perhaps<RaySegment<double>> stages::ray_segment::enclosed(const Ray2d& ray, cons
   const auto parameter = rounded(t);
   const auto point = rounded(along(origin, twice(t), v));
   if (!parameter || !point) return std::nullopt;
-  return {std::in_place, RayRelation::point, *parameter, point_of(*point), std::nullopt};
+  return {in_place, RayRelation::point, *parameter, point_of(*point), std::nullopt};
 }
 
 namespace {

@@ -99,7 +99,7 @@ Perhaps<SegmentSegment<double>> stages::segment_segment::enclosed(const Segment2
   if (!kernel::rounds_to_nearest()) return std::nullopt;
   const auto crossing = kernel::crossing_of(a, b);
   if (!crossing) return std::nullopt;
-  return {std::in_place, SegmentRelation::point, crossing->ta, crossing->tb, crossing->point, std::nullopt};
+  return {in_place, SegmentRelation::point, crossing->ta, crossing->tb, crossing->point, std::nullopt};
 }
 
 namespace {

@@ -67,7 +67,7 @@ Perhaps<PointPlane<double>> stages::point_plane::enclosed(const Plane3d& plane, 
   const Enclosed<double> length = square_root(square);
   const auto distance = rounded(height / Divisor(length));
   if (!distance) return std::nullopt;
-  return {std::in_place, height.high > 0 ? PlaneSide::front : PlaneSide::back, *distance};
+  return {in_place, height.high > 0 ? PlaneSide::front : PlaneSide::back, *distance};
 }
 
 namespace {

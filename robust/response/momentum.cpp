@@ -27,7 +27,7 @@ Perhaps<Vector3d> stages::momentum::enclosed(const std::vector<Bodyd>& bodies) {
   if (!xy) return std::nullopt;
   const auto of_both = rounded(first(of_z) + second(of_z));
   if (!of_both) return std::nullopt;
-  return {std::in_place, xy->first(), xy->second(), *of_both};
+  return {in_place, xy->first(), xy->second(), *of_both};
 }
 
 Vector3d stages::momentum::exact(const std::vector<Bodyd>& bodies) {

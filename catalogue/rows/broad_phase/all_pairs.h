@@ -6,6 +6,7 @@
 #include "catalogue/families/box_draws.h"
 #include "catalogue/families/list_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/broad_phase/all_pairs.h"
 #include "oracle/broad_phase/all_pairs.h"
 #include "oracle/volumes/aabb_aabb.h"
 #include "oracle/volumes/sphere_sphere.h"
@@ -14,16 +15,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct all_pairs {
+struct all_pairs : signatures::all_pairs {
   TOUCHSTONE_MODULES(all_pairs)
   using stages = ::touchstone::robust::stages::all_pairs;
-  using Spheres = std::vector<Sphere3d>;
-  using Boxes = std::vector<Aabb3d>;
-  using Question = std::variant<std::tuple<Spheres>, std::tuple<Boxes>>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "all_pairs",
+    static const Metadata metadata{.name = name,
                                    .chapter = "broad_phase",
                                    .pages = "55-56",
                                    .question = "Which of these balls, or boxes, meet?",

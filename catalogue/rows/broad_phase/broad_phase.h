@@ -9,7 +9,7 @@
 #include "catalogue/draw/searches.h"
 #include "catalogue/families/searching_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_commands.h"
+#include "catalogue/signatures/broad_phase/broad_phase.h"
 #include "oracle/broad_phase/broad_phase.h"
 #include "oracle/exact/shapes/queries_of_boxes.h"
 #include "oracle/volumes/aabb_aabb.h"
@@ -18,15 +18,12 @@
 
 namespace touchstone::catalogue::rows {
 
-struct broad_phase {
+struct broad_phase : signatures::broad_phase {
   TOUCHSTONE_MODULES(broad_phase)
-  using Boxes = std::vector<Aabb3d>;
-  using Commands = std::vector<Commandd>;
-  using Question = Program;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "broad_phase",
+    static const Metadata metadata{.name = name,
                                    .chapter = "broad_phase",
                                    .pages = "45-47, 55-56",
                                    .question =

@@ -3,21 +3,21 @@
 
 #include "catalogue/draw/figures.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/explicit_line.h"
 #include "oracle/lines/explicit_line.h"
 #include "reference/lines/explicit_line.h"
 #include "robust/lines/explicit_line.h"
 
 namespace touchstone::catalogue::rows {
 
-struct explicit_line {
+struct explicit_line : signatures::explicit_line {
   TOUCHSTONE_MODULES(explicit_line)
   using stages = ::touchstone::robust::stages::explicit_line;
-  using Question = std::tuple<double, double, Point2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "explicit_line",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "8",
                                    .question = "Is the point above, on or below the line y = slope x + intercept?",

@@ -3,22 +3,22 @@
 
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/implicit_circle.h"
 #include "oracle/lines/implicit_circle.h"
 #include "reference/lines/implicit_circle.h"
 #include "robust/lines/implicit_circle.h"
 
 namespace touchstone::catalogue::rows {
 
-struct implicit_circle {
+struct implicit_circle : signatures::implicit_circle {
   TOUCHSTONE_MODULES(implicit_circle)
   using stages = ::touchstone::robust::stages::implicit_circle;
-  using Question = std::tuple<Circle2d, Point2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "implicit_circle",
+        .name = name,
         .chapter = "lines",
         .pages = "8",
         .question = "Is the point inside, on or outside the circle (x - cx)^2 + (y - cy)^2 = r^2?",

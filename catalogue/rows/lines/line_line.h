@@ -4,19 +4,19 @@
 #include "catalogue/families/rounded_draws.h"
 #include "catalogue/families/ties.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/line_line.h"
 #include "oracle/lines/line_line.h"
 #include "reference/lines/line_line.h"
 #include "robust/lines/line_line.h"
 
 namespace touchstone::catalogue::rows {
 
-struct line_line {
+struct line_line : signatures::line_line {
   TOUCHSTONE_MODULES(line_line)
   using stages = ::touchstone::robust::stages::line_line;
-  using Question = std::tuple<Line2d, Line2d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "line_line",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "12",
                                    .question = "Where do the lines through two points each cross?",

@@ -3,21 +3,21 @@
 
 #include "catalogue/families/ties.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/line_point_at.h"
 #include "oracle/lines/line_point_at.h"
 #include "reference/lines/line_point_at.h"
 #include "robust/lines/line_point_at.h"
 
 namespace touchstone::catalogue::rows {
 
-struct line_point_at {
+struct line_point_at : signatures::line_point_at {
   TOUCHSTONE_MODULES(line_point_at)
   using stages = ::touchstone::robust::stages::line_point_at;
-  using Question = std::tuple<ParametricLine2d, double>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "line_point_at",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "9",
                                    .question = "Which point of the line origin + t direction belongs to t?",

@@ -6,6 +6,7 @@
 #include "catalogue/families/rounded_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
+#include "catalogue/signatures/lines/orientation.h"
 #include "oracle/exact/systems/elimination.h"
 #include "oracle/lines/orientation.h"
 #include "reference/lines/orientation.h"
@@ -14,14 +15,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct orientation {
+struct orientation : signatures::orientation {
   TOUCHSTONE_MODULES(orientation)
   TOUCHSTONE_ARRAYS(orientation)
   using stages = ::touchstone::robust::stages::orientation;
-  using Question = std::tuple<Point2d, Point2d, Point2d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "orientation",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "16-17",
                                    .question = "On which side of the directed line p0 -> p1 does p lie?",

@@ -2,22 +2,22 @@
 #pragma once
 
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/parametric_circle.h"
 #include "oracle/lines/parametric_circle.h"
 #include "reference/lines/parametric_circle.h"
 #include "robust/lines/parametric_circle.h"
 
 namespace touchstone::catalogue::rows {
 
-struct parametric_circle {
+struct parametric_circle : signatures::parametric_circle {
   TOUCHSTONE_MODULES(parametric_circle)
   using stages = ::touchstone::robust::stages::parametric_circle;
-  using Question = std::tuple<Circle2d, double>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "parametric_circle",
+        .name = name,
         .chapter = "lines",
         .pages = "8",
         .question = "Which point of the circle belongs to the parameter u (radians from +x, counter-clockwise)?",

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/point_on_segment.h"
 #include "oracle/lines/point_on_segment.h"
 #include "reference/lines/point_on_segment.h"
 #include "robust/batch/point_on_segment.h"
@@ -10,14 +11,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_on_segment {
+struct point_on_segment : signatures::point_on_segment {
   TOUCHSTONE_MODULES(point_on_segment)
   TOUCHSTONE_ARRAYS(point_on_segment)
   using stages = ::touchstone::robust::stages::point_on_segment;
-  using Question = std::tuple<Point2d, Segment2d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "point_on_segment",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "10-11",
                                    .question = "Does the point lie on the closed segment, and at which t?",

@@ -3,19 +3,19 @@
 
 #include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/lines/ray_segment.h"
 #include "oracle/lines/ray_segment.h"
 #include "reference/lines/ray_segment.h"
 #include "robust/lines/ray_segment.h"
 
 namespace touchstone::catalogue::rows {
 
-struct ray_segment {
+struct ray_segment : signatures::ray_segment {
   TOUCHSTONE_MODULES(ray_segment)
   using stages = ::touchstone::robust::stages::ray_segment;
-  using Question = std::tuple<Ray2d, Segment2d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "ray_segment",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "2, 14",
                                    .question = "Where does the ray meet the closed segment?",

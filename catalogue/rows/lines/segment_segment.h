@@ -4,6 +4,7 @@
 #include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
+#include "catalogue/signatures/lines/segment_segment.h"
 #include "oracle/exact/systems/elimination.h"
 #include "oracle/lines/segment_segment.h"
 #include "reference/lines/segment_segment.h"
@@ -12,14 +13,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct segment_segment {
+struct segment_segment : signatures::segment_segment {
   TOUCHSTONE_MODULES(segment_segment)
   TOUCHSTONE_ARRAYS(segment_segment)
   using stages = ::touchstone::robust::stages::segment_segment;
-  using Question = std::tuple<Segment2d, Segment2d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "segment_segment",
+    static const Metadata metadata{.name = name,
                                    .chapter = "lines",
                                    .pages = "12-13",
                                    .question = "What do the two closed segments have in common?",

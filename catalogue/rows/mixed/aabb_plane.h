@@ -5,21 +5,21 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/mixed/aabb_plane.h"
 #include "oracle/mixed/aabb_plane.h"
 #include "reference/mixed/aabb_plane.h"
 #include "robust/mixed/aabb_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct aabb_plane {
+struct aabb_plane : signatures::aabb_plane {
   TOUCHSTONE_MODULES(aabb_plane)
   using stages = ::touchstone::robust::stages::aabb_plane;
-  using Question = std::tuple<Aabb3d, Plane3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "aabb_plane",
+        .name = name,
         .chapter = "mixed",
         .pages = "22, 45-47",
         .question = "Do a box and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_capsules.h"
+#include "catalogue/signatures/mixed/capsule_capsule.h"
 #include "oracle/mixed/capsule_capsule.h"
 #include "reference/mixed/capsule_capsule.h"
 #include "reference/standard/pair_of_segments.h"
@@ -12,14 +12,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct capsule_capsule {
+struct capsule_capsule : signatures::capsule_capsule {
   TOUCHSTONE_MODULES(capsule_capsule)
   using stages = ::touchstone::robust::stages::capsule_capsule;
-  using Question = std::tuple<Capsule3d, Capsule3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "capsule_capsule",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 12-13, 44",
                                    .question = "Do two capsules overlap, only touch, or neither?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/operation/stages_either.h"
-#include "catalogue/shape/described_closest.h"
+#include "catalogue/signatures/mixed/closest_point_on_segment.h"
 #include "oracle/mixed/closest_point_on_segment.h"
 #include "reference/mixed/closest_point_on_segment.h"
 #include "reference/standard/point_and_segment.h"
@@ -12,18 +12,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct closest_point_on_segment {
-  template <class Real>
-  using Answers = std::variant<ClosestPoint2<Real>, ClosestPoint3<Real>>;
+struct closest_point_on_segment : signatures::closest_point_on_segment {
   TOUCHSTONE_MODULES_EITHER(closest_point_on_segment)
   using stages = StagesEither<::touchstone::robust::stages::closest_point_on_segment, Answers<double>>;
-  using InPlane = std::tuple<Point2d, Segment2d>;
-  using InSpace = std::tuple<Point3d, Segment3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "closest_point_on_segment",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 48-50",
                                    .question = "Which point of a segment is nearest to the point, and how far is it?",

@@ -3,7 +3,7 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_closest.h"
+#include "catalogue/signatures/mixed/closest_point_on_triangle.h"
 #include "oracle/mixed/closest_point_on_triangle.h"
 #include "reference/mixed/closest_point_on_triangle.h"
 #include "reference/standard/point_and_triangle.h"
@@ -11,14 +11,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct closest_point_on_triangle {
+struct closest_point_on_triangle : signatures::closest_point_on_triangle {
   TOUCHSTONE_MODULES(closest_point_on_triangle)
   using stages = ::touchstone::robust::stages::closest_point_on_triangle;
-  using Question = std::tuple<Point3d, Triangle3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "closest_point_on_triangle",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 54",
                                    .question = "Which point of a triangle is nearest to the point, and how far is it?",

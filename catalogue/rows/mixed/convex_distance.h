@@ -12,21 +12,20 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_closest.h"
+#include "catalogue/signatures/mixed/convex_distance.h"
 #include "oracle/mixed/convex_distance.h"
 #include "reference/mixed/convex_distance.h"
 #include "robust/mixed/convex_distance.h"
 
 namespace touchstone::catalogue::rows {
 
-struct convex_distance {
+struct convex_distance : signatures::convex_distance {
   TOUCHSTONE_MODULES(convex_distance)
-  using Question = std::tuple<Meshd, Meshd>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "convex_distance",
+        .name = name,
         .chapter = "mixed",
         .pages = "48-50, 53-54",
         .question = "Which points of two convex polyhedra are nearest to each other, and how far is it?",

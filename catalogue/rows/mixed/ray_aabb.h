@@ -4,7 +4,7 @@
 #include "catalogue/families/passages/line_box_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/ray_aabb.h"
 #include "oracle/mixed/ray_aabb.h"
 #include "reference/mixed/ray_aabb.h"
 #include "reference/standard/slabs.h"
@@ -13,13 +13,10 @@
 
 namespace touchstone::catalogue::rows {
 
-struct ray_aabb {
+struct ray_aabb : signatures::ray_aabb {
   TOUCHSTONE_MODULES(ray_aabb)
   TOUCHSTONE_ARRAYS(ray_aabb)
   using stages = ::touchstone::robust::stages::ray_aabb;
-  using InPlane = std::tuple<Ray2d, Aabb2d>;
-  using InSpace = std::tuple<Ray3d, Aabb3d>;
-  using Question = std::variant<InPlane, InSpace>;
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -28,7 +25,7 @@ struct ray_aabb {
   };
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "ray_aabb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 45-47",
                                    .question = "Where does the ray enter and leave the axis-aligned box?",

@@ -4,20 +4,19 @@
 #include "catalogue/families/passages/line_plane_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/ray_plane.h"
 #include "oracle/mixed/ray_plane.h"
 #include "reference/mixed/ray_plane.h"
 #include "robust/mixed/ray_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct ray_plane {
+struct ray_plane : signatures::ray_plane {
   TOUCHSTONE_MODULES(ray_plane)
   using stages = ::touchstone::robust::stages::ray_plane;
-  using Question = std::tuple<Ray3d, Plane3d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "ray_plane",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 22",
                                    .question = "What do the ray in space and the plane N . p + d = 0 have in common?",

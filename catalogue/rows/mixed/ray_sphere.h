@@ -4,7 +4,7 @@
 #include "catalogue/families/passages/line_ball_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/ray_sphere.h"
 #include "oracle/mixed/ray_sphere.h"
 #include "reference/mixed/ray_sphere.h"
 #include "reference/standard/roots_of_sphere.h"
@@ -12,12 +12,9 @@
 
 namespace touchstone::catalogue::rows {
 
-struct ray_sphere {
+struct ray_sphere : signatures::ray_sphere {
   TOUCHSTONE_MODULES(ray_sphere)
   using stages = ::touchstone::robust::stages::ray_sphere;
-  using InPlane = std::tuple<Ray2d, Circle2d>;
-  using InSpace = std::tuple<Ray3d, Sphere3d>;
-  using Question = std::variant<InPlane, InSpace>;
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -26,7 +23,7 @@ struct ray_sphere {
   };
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "ray_sphere",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 23",
                                    .question = "Where does the ray enter and leave the ball, or disc?",

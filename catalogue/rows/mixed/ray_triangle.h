@@ -3,7 +3,7 @@
 
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/ray_triangle.h"
 #include "oracle/mixed/ray_triangle.h"
 #include "reference/mixed/ray_triangle.h"
 #include "reference/standard/moeller_trumbore.h"
@@ -12,14 +12,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct ray_triangle {
+struct ray_triangle : signatures::ray_triangle {
   TOUCHSTONE_MODULES(ray_triangle)
   TOUCHSTONE_ARRAYS(ray_triangle)
   using stages = ::touchstone::robust::stages::ray_triangle;
-  using Question = std::tuple<Ray3d, Triangle3d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "ray_triangle",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 54",
                                    .question = "What do the ray and the closed triangle in space have in common?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/passages/line_box_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/segment_aabb.h"
 #include "oracle/mixed/segment_aabb.h"
 #include "reference/mixed/segment_aabb.h"
 #include "reference/standard/slabs.h"
@@ -12,12 +12,9 @@
 
 namespace touchstone::catalogue::rows {
 
-struct segment_aabb {
+struct segment_aabb : signatures::segment_aabb {
   TOUCHSTONE_MODULES(segment_aabb)
   using stages = ::touchstone::robust::stages::segment_aabb;
-  using InPlane = std::tuple<Segment2d, Aabb2d>;
-  using InSpace = std::tuple<Segment3d, Aabb3d>;
-  using Question = std::variant<InPlane, InSpace>;
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -26,7 +23,7 @@ struct segment_aabb {
   };
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "segment_aabb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "45-47",
                                    .question = "Where does the closed segment enter and leave the axis-aligned box?",

@@ -4,21 +4,20 @@
 #include "catalogue/families/passages/line_plane_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/segment_plane.h"
 #include "oracle/mixed/segment_plane.h"
 #include "reference/mixed/segment_plane.h"
 #include "robust/mixed/segment_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct segment_plane {
+struct segment_plane : signatures::segment_plane {
   TOUCHSTONE_MODULES(segment_plane)
   using stages = ::touchstone::robust::stages::segment_plane;
-  using Question = std::tuple<Segment3d, Plane3d>;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "segment_plane",
+        .name = name,
         .chapter = "mixed",
         .pages = "22-23",
         .question = "What do the closed segment in space and the plane N . p + d = 0 have in common?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/operation/stages_either.h"
-#include "catalogue/shape/described_closest.h"
+#include "catalogue/signatures/mixed/segment_segment_distance.h"
 #include "oracle/mixed/segment_segment_distance.h"
 #include "reference/mixed/segment_segment_distance.h"
 #include "reference/standard/pair_of_segments.h"
@@ -12,19 +12,14 @@
 
 namespace touchstone::catalogue::rows {
 
-struct segment_segment_distance {
-  template <class Real>
-  using Answers = std::variant<ClosestPair2<Real>, ClosestPair3<Real>>;
+struct segment_segment_distance : signatures::segment_segment_distance {
   TOUCHSTONE_MODULES_EITHER(segment_segment_distance)
   using stages = StagesEither<::touchstone::robust::stages::segment_segment_distance, Answers<double>>;
-  using InPlane = std::tuple<Segment2d, Segment2d>;
-  using InSpace = std::tuple<Segment3d, Segment3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "segment_segment_distance",
+        .name = name,
         .chapter = "mixed",
         .pages = "9, 12-13, 48-50",
         .question = "Which points of two segments are nearest to each other, and how far is it?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/passages/line_ball_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/mixed/segment_sphere.h"
 #include "oracle/mixed/segment_sphere.h"
 #include "reference/mixed/segment_sphere.h"
 #include "reference/standard/roots_of_sphere.h"
@@ -12,12 +12,9 @@
 
 namespace touchstone::catalogue::rows {
 
-struct segment_sphere {
+struct segment_sphere : signatures::segment_sphere {
   TOUCHSTONE_MODULES(segment_sphere)
   using stages = ::touchstone::robust::stages::segment_sphere;
-  using InPlane = std::tuple<Segment2d, Circle2d>;
-  using InSpace = std::tuple<Segment3d, Sphere3d>;
-  using Question = std::variant<InPlane, InSpace>;
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -26,7 +23,7 @@ struct segment_sphere {
   };
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "segment_sphere",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "23",
                                    .question = "Where does the closed segment enter and leave the ball, or disc?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_capsules.h"
+#include "catalogue/signatures/mixed/sphere_capsule.h"
 #include "oracle/mixed/sphere_capsule.h"
 #include "reference/mixed/sphere_capsule.h"
 #include "reference/standard/point_and_segment.h"
@@ -12,14 +12,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct sphere_capsule {
+struct sphere_capsule : signatures::sphere_capsule {
   TOUCHSTONE_MODULES(sphere_capsule)
   using stages = ::touchstone::robust::stages::sphere_capsule;
-  using Question = std::tuple<Sphere3d, Capsule3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "sphere_capsule",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 44",
                                    .question = "Do a ball and a capsule overlap, only touch, or neither?",

@@ -4,21 +4,21 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/mixed/sphere_plane.h"
 #include "oracle/mixed/sphere_plane.h"
 #include "reference/mixed/sphere_plane.h"
 #include "robust/mixed/sphere_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct sphere_plane {
+struct sphere_plane : signatures::sphere_plane {
   TOUCHSTONE_MODULES(sphere_plane)
   using stages = ::touchstone::robust::stages::sphere_plane;
-  using Question = std::tuple<Sphere3d, Plane3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "sphere_plane",
+        .name = name,
         .chapter = "mixed",
         .pages = "22, 44",
         .question = "Do a ball and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",

@@ -4,7 +4,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
+#include "catalogue/signatures/mixed/sphere_triangle.h"
 #include "oracle/mixed/sphere_triangle.h"
 #include "reference/mixed/sphere_triangle.h"
 #include "reference/standard/point_and_triangle.h"
@@ -12,14 +12,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct sphere_triangle {
+struct sphere_triangle : signatures::sphere_triangle {
   TOUCHSTONE_MODULES(sphere_triangle)
   using stages = ::touchstone::robust::stages::sphere_triangle;
-  using Question = std::tuple<Sphere3d, Triangle3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "sphere_triangle",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "9, 48-50, 54",
                                    .question = "Do a ball and a triangle overlap, only touch, or neither?",

@@ -6,7 +6,7 @@
 #include "catalogue/families/edge_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
+#include "catalogue/signatures/mixed/triangle_aabb.h"
 #include "oracle/mixed/triangle_aabb.h"
 #include "reference/mixed/triangle_aabb.h"
 #include "reference/standard/triangle_in_box.h"
@@ -14,14 +14,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct triangle_aabb {
+struct triangle_aabb : signatures::triangle_aabb {
   TOUCHSTONE_MODULES(triangle_aabb)
   using stages = ::touchstone::robust::stages::triangle_aabb;
-  using Question = std::tuple<Triangle3d, Aabb3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "triangle_aabb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "mixed",
                                    .pages = "21, 27, 45-47, 54",
                                    .question = "Do a triangle and an axis-aligned box overlap, only touch, or neither?",

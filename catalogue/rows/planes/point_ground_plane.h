@@ -4,20 +4,20 @@
 #include "catalogue/draw/figures.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/planes/point_ground_plane.h"
 #include "oracle/planes/point_ground_plane.h"
 #include "reference/planes/point_ground_plane.h"
 #include "robust/planes/point_ground_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct point_ground_plane {
+struct point_ground_plane : signatures::point_ground_plane {
   TOUCHSTONE_MODULES(point_ground_plane)
-  using Question = std::tuple<Point3d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "point_ground_plane",
+    static const Metadata metadata{.name = name,
                                    .chapter = "planes",
                                    .pages = "20",
                                    .question = "Is the point above, on or below the ground plane y = 0 (y is up)?",

@@ -5,6 +5,7 @@
 #include "catalogue/draw/side_view.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/planes/point_plane.h"
 #include "oracle/planes/point_plane.h"
 #include "reference/planes/point_plane.h"
 #include "robust/batch/point_plane.h"
@@ -12,11 +13,10 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_plane {
+struct point_plane : signatures::point_plane {
   TOUCHSTONE_MODULES(point_plane)
   TOUCHSTONE_ARRAYS(point_plane)
   using stages = ::touchstone::robust::stages::point_plane;
-  using Question = std::tuple<Plane3d, Point3d>;
 
   struct decision {
     static PlaneSide robust(const Question& q) {
@@ -26,7 +26,7 @@ struct point_plane {
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "point_plane",
+        .name = name,
         .chapter = "planes",
         .pages = "22",
         .question = "Is the point in front of, on or behind the plane N . p + d = 0, and how far from it?",

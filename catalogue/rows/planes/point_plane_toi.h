@@ -5,6 +5,7 @@
 #include "catalogue/draw/side_view.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/planes/point_plane_toi.h"
 #include "oracle/planes/point_plane.h"
 #include "oracle/planes/point_plane_toi.h"
 #include "reference/planes/point_plane_toi.h"
@@ -12,16 +13,15 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_plane_toi {
+struct point_plane_toi : signatures::point_plane_toi {
   TOUCHSTONE_MODULES(point_plane_toi)
   using stages = ::touchstone::robust::stages::point_plane_toi;
-  using Question = std::tuple<Plane3d, Point3d, Point3d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "point_plane_toi",
+        .name = name,
         .chapter = "planes",
         .pages = "23",
         .question =

@@ -7,22 +7,22 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/families/ties.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/planes/polygon_normal.h"
 #include "oracle/planes/polygon_normal.h"
 #include "reference/planes/polygon_normal.h"
 #include "robust/planes/polygon_normal.h"
 
 namespace touchstone::catalogue::rows {
 
-struct polygon_normal {
+struct polygon_normal : signatures::polygon_normal {
   TOUCHSTONE_MODULES(polygon_normal)
   using stages = ::touchstone::robust::stages::polygon_normal;
-  using Question = std::tuple<Polygon3d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "polygon_normal",
+        .name = name,
         .chapter = "planes",
         .pages = "21",
         .question = "Which way does the polygon face: its normal by Newell's sum, and that of length 1?",

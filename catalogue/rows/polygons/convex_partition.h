@@ -3,22 +3,22 @@
 
 #include "catalogue/families/ring_cases.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polygons/convex_partition.h"
 #include "oracle/polygons/convex_partition.h"
 #include "reference/polygons/convex_partition.h"
 #include "robust/polygons/convex_partition.h"
 
 namespace touchstone::catalogue::rows {
 
-struct convex_partition {
+struct convex_partition : signatures::convex_partition {
   TOUCHSTONE_MODULES(convex_partition)
   using stages = ::touchstone::robust::stages::convex_partition;
-  using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "convex_partition",
+        .name = name,
         .chapter = "polygons",
         .pages = "7",
         .question = "Which convex pieces, corners at its vertices, make up a simple polygon?",

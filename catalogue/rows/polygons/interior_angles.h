@@ -3,21 +3,21 @@
 
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polygons/interior_angles.h"
 #include "oracle/polygons/interior_angles.h"
 #include "reference/polygons/interior_angles.h"
 #include "robust/polygons/interior_angles.h"
 
 namespace touchstone::catalogue::rows {
 
-struct interior_angles {
+struct interior_angles : signatures::interior_angles {
   TOUCHSTONE_MODULES(interior_angles)
-  using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "interior_angles",
+        .name = name,
         .chapter = "polygons",
         .pages = "6",
         .question = "Which angle, in radians, has the inside of the simple polygon at each vertex?",

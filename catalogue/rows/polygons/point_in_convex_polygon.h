@@ -7,6 +7,7 @@
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polygons/point_in_convex_polygon.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/polygons/point_in_convex_polygon.h"
 #include "reference/polygons/point_in_convex_polygon.h"
@@ -15,16 +16,15 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_in_convex_polygon {
+struct point_in_convex_polygon : signatures::point_in_convex_polygon {
   TOUCHSTONE_MODULES(point_in_convex_polygon)
   TOUCHSTONE_ARRAYS(point_in_convex_polygon)
   using stages = ::touchstone::robust::stages::point_in_convex_polygon;
-  using Question = std::tuple<Polygon2d, Point2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "point_in_convex_polygon",
+    static const Metadata metadata{.name = name,
                                    .chapter = "polygons",
                                    .pages = "16-17",
                                    .question = "Does the point lie inside the convex polygon, on an edge, or outside?",

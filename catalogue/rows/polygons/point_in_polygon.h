@@ -6,6 +6,7 @@
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
+#include "catalogue/signatures/polygons/point_in_polygon.h"
 #include "oracle/polygons/point_in_polygon.h"
 #include "reference/polygons/point_in_polygon.h"
 #include "robust/batch/point_in_polygon.h"
@@ -13,14 +14,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_in_polygon {
+struct point_in_polygon : signatures::point_in_polygon {
   TOUCHSTONE_MODULES(point_in_polygon)
   TOUCHSTONE_ARRAYS(point_in_polygon)
   using stages = ::touchstone::robust::stages::point_in_polygon;
-  using Question = std::tuple<Polygon2d, Point2d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "point_in_polygon",
+    static const Metadata metadata{.name = name,
                                    .chapter = "polygons",
                                    .pages = "14-15",
                                    .question = "Does the point lie inside the polygon, on an edge, or outside?",

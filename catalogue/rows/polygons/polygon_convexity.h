@@ -3,21 +3,21 @@
 
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polygons/polygon_convexity.h"
 #include "oracle/polygons/polygon_convexity.h"
 #include "reference/polygons/polygon_convexity.h"
 #include "robust/polygons/polygon_convexity.h"
 
 namespace touchstone::catalogue::rows {
 
-struct polygon_convexity {
+struct polygon_convexity : signatures::polygon_convexity {
   TOUCHSTONE_MODULES(polygon_convexity)
   using stages = ::touchstone::robust::stages::polygon_convexity;
-  using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "polygon_convexity",
+    static const Metadata metadata{.name = name,
                                    .chapter = "polygons",
                                    .pages = "4-6",
                                    .question = "Is the polygon convex, strictly so, and which way round does it go?",

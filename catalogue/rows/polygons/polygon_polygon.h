@@ -5,22 +5,22 @@
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polygons/polygon_polygon.h"
 #include "oracle/polygons/polygon_polygon.h"
 #include "reference/polygons/polygon_polygon.h"
 #include "robust/polygons/polygon_polygon.h"
 
 namespace touchstone::catalogue::rows {
 
-struct polygon_polygon {
+struct polygon_polygon : signatures::polygon_polygon {
   TOUCHSTONE_MODULES(polygon_polygon)
   using stages = ::touchstone::robust::stages::polygon_polygon;
-  using Question = std::tuple<Polygon2d, Polygon2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "polygon_polygon",
+        .name = name,
         .chapter = "polygons",
         .pages = "18-19",
         .question = "Do the two simple polygons, as closed solids, overlap, only touch, or neither?",

@@ -3,21 +3,21 @@
 
 #include "catalogue/families/ring_cases.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polygons/triangulate_polygon.h"
 #include "oracle/polygons/triangulate_polygon.h"
 #include "reference/polygons/triangulate_polygon.h"
 #include "robust/polygons/triangulate_polygon.h"
 
 namespace touchstone::catalogue::rows {
 
-struct triangulate_polygon {
+struct triangulate_polygon : signatures::triangulate_polygon {
   TOUCHSTONE_MODULES(triangulate_polygon)
   using stages = ::touchstone::robust::stages::triangulate_polygon;
-  using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "triangulate_polygon",
+    static const Metadata metadata{.name = name,
                                    .chapter = "polygons",
                                    .pages = "7",
                                    .question = "Which triangles, corners at its vertices, make up a simple polygon?",

@@ -6,6 +6,7 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polyhedra/point_in_convex_polyhedron.h"
 #include "oracle/polyhedra/point_in_convex_polyhedron.h"
 #include "reference/polyhedra/point_in_convex_polyhedron.h"
 #include "robust/batch/point_in_convex_polyhedron.h"
@@ -13,16 +14,15 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_in_convex_polyhedron {
+struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
   TOUCHSTONE_MODULES(point_in_convex_polyhedron)
   TOUCHSTONE_ARRAYS(point_in_convex_polyhedron)
   using stages = ::touchstone::robust::stages::point_in_convex_polyhedron;
-  using Question = std::tuple<Meshd, Point3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "point_in_convex_polyhedron",
+        .name = name,
         .chapter = "polyhedra",
         .pages = "53",
         .question = "Does the point lie inside the convex polyhedron, on a face, or outside?",

@@ -12,6 +12,7 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/polyhedra/point_in_polyhedron.h"
 #include "oracle/polyhedra/point_in_polyhedron.h"
 #include "reference/polyhedra/point_in_polyhedron.h"
 #include "robust/batch/point_in_polyhedron.h"
@@ -19,16 +20,15 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_in_polyhedron {
+struct point_in_polyhedron : signatures::point_in_polyhedron {
   TOUCHSTONE_MODULES(point_in_polyhedron)
   TOUCHSTONE_ARRAYS(point_in_polyhedron)
   using stages = ::touchstone::robust::stages::point_in_polyhedron;
-  using Question = std::tuple<Meshd, Point3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "point_in_polyhedron",
+        .name = name,
         .chapter = "polyhedra",
         .pages = "14-15, 53",
         .question = "Does the point lie inside the solid of a closed mesh, on a face, or outside?",

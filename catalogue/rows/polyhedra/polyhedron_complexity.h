@@ -10,21 +10,20 @@
 #include "catalogue/families/meshes/wrong_cuts.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_complexity.h"
+#include "catalogue/signatures/polyhedra/polyhedron_complexity.h"
 #include "oracle/polyhedra/polyhedron_complexity.h"
 #include "reference/polyhedra/polyhedron_complexity.h"
 #include "robust/polyhedra/polyhedron_complexity.h"
 
 namespace touchstone::catalogue::rows {
 
-struct polyhedron_complexity {
+struct polyhedron_complexity : signatures::polyhedron_complexity {
   TOUCHSTONE_MODULES(polyhedron_complexity)
-  using Question = std::tuple<Meshd>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "polyhedron_complexity",
+        .name = name,
         .chapter = "polyhedra",
         .pages = "26",
         .question = "Of how many vertices, edges, faces and parts is the mesh; is it a surface, and where not?",

@@ -13,22 +13,21 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_solids.h"
+#include "catalogue/signatures/polyhedra/polyhedron_polyhedron.h"
 #include "oracle/polyhedra/polyhedron_polyhedron.h"
 #include "reference/polyhedra/polyhedron_polyhedron.h"
 #include "robust/polyhedra/polyhedron_polyhedron.h"
 
 namespace touchstone::catalogue::rows {
 
-struct polyhedron_polyhedron {
+struct polyhedron_polyhedron : signatures::polyhedron_polyhedron {
   TOUCHSTONE_MODULES(polyhedron_polyhedron)
   using stages = ::touchstone::robust::stages::polyhedron_polyhedron;
-  using Question = std::tuple<Meshd, Meshd>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "polyhedron_polyhedron",
+        .name = name,
         .chapter = "polyhedra",
         .pages = "25, 52-54",
         .question = "Do two polyhedra collide, convex or not, and which step of the test tells?",

@@ -5,7 +5,7 @@
 #include "catalogue/families/meshes/reported_meshes.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
+#include "catalogue/signatures/polyhedra/segment_triangle.h"
 #include "oracle/polyhedra/segment_triangle.h"
 #include "reference/polyhedra/segment_triangle.h"
 #include "reference/standard/moeller_trumbore.h"
@@ -14,15 +14,14 @@
 
 namespace touchstone::catalogue::rows {
 
-struct segment_triangle {
+struct segment_triangle : signatures::segment_triangle {
   TOUCHSTONE_MODULES(segment_triangle)
   TOUCHSTONE_ARRAYS(segment_triangle)
   using stages = ::touchstone::robust::stages::segment_triangle;
-  using Question = std::tuple<Segment3d, Triangle3d>;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "segment_triangle",
+        .name = name,
         .chapter = "polyhedra",
         .pages = "54",
         .question = "What do the closed segment and the closed triangle in space have in common?",

@@ -6,7 +6,7 @@
 #include "catalogue/families/reported_triangles.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
+#include "catalogue/signatures/polyhedra/triangle_triangle.h"
 #include "oracle/polyhedra/triangle_triangle.h"
 #include "reference/polyhedra/triangle_triangle.h"
 #include "robust/batch/triangle_triangle.h"
@@ -14,15 +14,14 @@
 
 namespace touchstone::catalogue::rows {
 
-struct triangle_triangle {
+struct triangle_triangle : signatures::triangle_triangle {
   TOUCHSTONE_MODULES(triangle_triangle)
   TOUCHSTONE_ARRAYS(triangle_triangle)
   using stages = ::touchstone::robust::stages::triangle_triangle;
-  using Question = std::tuple<Triangle3d, Triangle3d>;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "triangle_triangle",
+        .name = name,
         .chapter = "polyhedra",
         .pages = "54",
         .question = "Is what two closed triangles in space have in common a point, a segment, an area?",

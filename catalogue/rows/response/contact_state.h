@@ -3,21 +3,21 @@
 
 #include "catalogue/families/bodies/contact_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/contact_state.h"
 #include "oracle/response/contact_state.h"
 #include "reference/response/contact_state.h"
 #include "robust/response/contact_state.h"
 
 namespace touchstone::catalogue::rows {
 
-struct contact_state {
+struct contact_state : signatures::contact_state {
   TOUCHSTONE_MODULES(contact_state)
   using stages = ::touchstone::robust::stages::contact_state;
-  using Question = std::tuple<MovingBodyd, MovingBodyd, Point3d, Vector3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "contact_state",
+        .name = name,
         .chapter = "response",
         .pages = "74",
         .question = "Do two turning bodies part at the point where they touch, rest, or collide?",

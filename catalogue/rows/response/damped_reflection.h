@@ -4,21 +4,21 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/bounce_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/damped_reflection.h"
 #include "oracle/response/damped_reflection.h"
 #include "reference/response/damped_reflection.h"
 #include "robust/response/damped_reflection.h"
 
 namespace touchstone::catalogue::rows {
 
-struct damped_reflection {
+struct damped_reflection : signatures::damped_reflection {
   TOUCHSTONE_MODULES(damped_reflection)
   using stages = ::touchstone::robust::stages::damped_reflection;
-  using Question = std::tuple<Vector3d, Vector3d, double>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "damped_reflection",
+        .name = name,
         .chapter = "response",
         .pages = "71",
         .question = "Which velocity has a body after a bounce that leaves k of its speed along the normal?",

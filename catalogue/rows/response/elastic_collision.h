@@ -4,21 +4,21 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/impact_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/elastic_collision.h"
 #include "oracle/response/elastic_collision.h"
 #include "reference/response/elastic_collision.h"
 #include "robust/response/elastic_collision.h"
 
 namespace touchstone::catalogue::rows {
 
-struct elastic_collision {
+struct elastic_collision : signatures::elastic_collision {
   TOUCHSTONE_MODULES(elastic_collision)
   using stages = ::touchstone::robust::stages::elastic_collision;
-  using Question = std::tuple<Massesd, Velocitiesd, Vector3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "elastic_collision",
+        .name = name,
         .chapter = "response",
         .pages = "69",
         .question = "Which velocities have two bodies after they bounced off each other without loss?",

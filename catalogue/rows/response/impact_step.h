@@ -5,20 +5,20 @@
 #include "catalogue/families/bodies/impact_step_draws.h"
 #include "catalogue/numbers/kept_digits.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/impact_step.h"
 #include "oracle/response/impact_step.h"
 #include "reference/response/impact_step.h"
 #include "robust/response/impact_step.h"
 
 namespace touchstone::catalogue::rows {
 
-struct impact_step {
+struct impact_step : signatures::impact_step {
   TOUCHSTONE_MODULES(impact_step)
-  using Question = std::tuple<std::vector<StepBodyd>, std::vector<Plane3d>, double, double>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "impact_step",
+        .name = name,
         .chapter = "response",
         .pages = "23, 51, 55-56, 64-71, 74",
         .question = "When do balls among walls collide within a step of time, and where are they at its end?",

@@ -4,20 +4,20 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/impact_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/inelastic_collision.h"
 #include "oracle/response/inelastic_collision.h"
 #include "reference/response/inelastic_collision.h"
 #include "robust/response/inelastic_collision.h"
 
 namespace touchstone::catalogue::rows {
 
-struct inelastic_collision {
+struct inelastic_collision : signatures::inelastic_collision {
   TOUCHSTONE_MODULES(inelastic_collision)
   using stages = ::touchstone::robust::stages::inelastic_collision;
-  using Question = std::tuple<Massesd, Velocitiesd>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "inelastic_collision",
+    static const Metadata metadata{.name = name,
                                    .chapter = "response",
                                    .pages = "70",
                                    .question = "Which velocity have two bodies after they met and stuck together?",

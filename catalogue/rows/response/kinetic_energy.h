@@ -4,20 +4,20 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/body_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/kinetic_energy.h"
 #include "oracle/response/kinetic_energy.h"
 #include "reference/response/kinetic_energy.h"
 #include "robust/response/kinetic_energy.h"
 
 namespace touchstone::catalogue::rows {
 
-struct kinetic_energy {
+struct kinetic_energy : signatures::kinetic_energy {
   TOUCHSTONE_MODULES(kinetic_energy)
   using stages = ::touchstone::robust::stages::kinetic_energy;
-  using Question = std::tuple<Bodies>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "kinetic_energy",
+    static const Metadata metadata{.name = name,
                                    .chapter = "response",
                                    .pages = "66",
                                    .question = "Which kinetic energy have these bodies together?",

@@ -4,20 +4,20 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/body_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/momentum.h"
 #include "oracle/response/momentum.h"
 #include "reference/response/momentum.h"
 #include "robust/response/momentum.h"
 
 namespace touchstone::catalogue::rows {
 
-struct momentum {
+struct momentum : signatures::momentum {
   TOUCHSTONE_MODULES(momentum)
   using stages = ::touchstone::robust::stages::momentum;
-  using Question = std::tuple<Bodies>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "momentum",
+    static const Metadata metadata{.name = name,
                                    .chapter = "response",
                                    .pages = "65",
                                    .question = "Which momentum have these bodies together?",

@@ -3,21 +3,21 @@
 
 #include "catalogue/families/bodies/bounce_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/penalty_force.h"
 #include "oracle/response/penalty_force.h"
 #include "reference/response/penalty_force.h"
 #include "robust/response/penalty_force.h"
 
 namespace touchstone::catalogue::rows {
 
-struct penalty_force {
+struct penalty_force : signatures::penalty_force {
   TOUCHSTONE_MODULES(penalty_force)
   using stages = ::touchstone::robust::stages::penalty_force;
-  using Question = std::tuple<Point3d, Vector3d, Plane3d, double, double>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "penalty_force",
+        .name = name,
         .chapter = "response",
         .pages = "72-73",
         .question = "With which force do a spring and a damper act on a particle behind a plane?",

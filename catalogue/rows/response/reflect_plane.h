@@ -4,21 +4,21 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/bounce_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/reflect_plane.h"
 #include "oracle/response/reflect_plane.h"
 #include "reference/response/reflect_plane.h"
 #include "robust/response/reflect_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct reflect_plane {
+struct reflect_plane : signatures::reflect_plane {
   TOUCHSTONE_MODULES(reflect_plane)
   using stages = ::touchstone::robust::stages::reflect_plane;
-  using Question = std::tuple<Vector3d, Vector3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "reflect_plane",
+        .name = name,
         .chapter = "response",
         .pages = "68",
         .question = "Which velocity has a body after it has bounced off a plane with that normal?",

@@ -4,20 +4,20 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/box_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/reflect_wall.h"
 #include "oracle/response/reflect_wall.h"
 #include "reference/response/reflect_wall.h"
 #include "robust/response/reflect_wall.h"
 
 namespace touchstone::catalogue::rows {
 
-struct reflect_wall {
+struct reflect_wall : signatures::reflect_wall {
   TOUCHSTONE_MODULES(reflect_wall)
-  using Question = std::tuple<Vector3d, Axis>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "reflect_wall",
+        .name = name,
         .chapter = "response",
         .pages = "67",
         .question = "Which velocity has a body after it has bounced off a wall across an axis?",

@@ -4,21 +4,21 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/impact_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/restitution_collision.h"
 #include "oracle/response/restitution_collision.h"
 #include "reference/response/restitution_collision.h"
 #include "robust/response/restitution_collision.h"
 
 namespace touchstone::catalogue::rows {
 
-struct restitution_collision {
+struct restitution_collision : signatures::restitution_collision {
   TOUCHSTONE_MODULES(restitution_collision)
   using stages = ::touchstone::robust::stages::restitution_collision;
-  using Question = std::tuple<Massesd, Velocitiesd, Vector3d, double>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "restitution_collision",
+        .name = name,
         .chapter = "response",
         .pages = "70",
         .question = "Which velocities have two bodies after a bounce with a coefficient of restitution?",

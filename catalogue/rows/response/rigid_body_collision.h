@@ -5,20 +5,20 @@
 #include "catalogue/families/bodies/rigid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/rigid_body_collision.h"
 #include "oracle/response/rigid_body_collision.h"
 #include "reference/response/rigid_body_collision.h"
 #include "robust/response/rigid_body_collision.h"
 
 namespace touchstone::catalogue::rows {
 
-struct rigid_body_collision {
+struct rigid_body_collision : signatures::rigid_body_collision {
   TOUCHSTONE_MODULES(rigid_body_collision)
   using stages = ::touchstone::robust::stages::rigid_body_collision;
-  using Question = std::tuple<RigidBodyd, RigidBodyd, Point3d, Vector3d, double>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "rigid_body_collision",
+    static const Metadata metadata{.name = name,
                                    .chapter = "response",
                                    .pages = "74",
                                    .question = "How do two turning bodies move after they collided at a point?",

@@ -4,20 +4,20 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/step_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/simulation_step.h"
 #include "oracle/response/simulation_step.h"
 #include "reference/response/simulation_step.h"
 #include "robust/response/simulation_step.h"
 
 namespace touchstone::catalogue::rows {
 
-struct simulation_step {
+struct simulation_step : signatures::simulation_step {
   TOUCHSTONE_MODULES(simulation_step)
-  using Question = std::tuple<std::vector<StepBodyd>, std::vector<Plane3d>, StepSettingsd>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "simulation_step",
+        .name = name,
         .chapter = "response",
         .pages = "23, 55-56, 64-71, 74",
         .question = "Where are balls among walls after a step of time, how do they move then, and what did they meet?",

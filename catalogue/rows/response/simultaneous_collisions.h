@@ -4,20 +4,20 @@
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/simultaneous_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/response/simultaneous_collisions.h"
 #include "oracle/response/simultaneous_collisions.h"
 #include "reference/response/simultaneous_collisions.h"
 #include "robust/response/simultaneous_collisions.h"
 
 namespace touchstone::catalogue::rows {
 
-struct simultaneous_collisions {
+struct simultaneous_collisions : signatures::simultaneous_collisions {
   TOUCHSTONE_MODULES(simultaneous_collisions)
-  using Question = std::tuple<std::vector<PointBodyd>, std::vector<BodyContactd>, double>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "simultaneous_collisions",
+        .name = name,
         .chapter = "response",
         .pages = "74",
         .question = "Which velocities have bodies after all their contacts were resolved at once?",

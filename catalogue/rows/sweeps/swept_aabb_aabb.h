@@ -6,22 +6,20 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/sweeps/swept_aabb_aabb.h"
 #include "oracle/sweeps/swept_aabb_aabb.h"
 #include "reference/sweeps/swept_aabb_aabb.h"
 #include "robust/sweeps/swept_aabb_aabb.h"
 
 namespace touchstone::catalogue::rows {
 
-struct swept_aabb_aabb {
+struct swept_aabb_aabb : signatures::swept_aabb_aabb {
   TOUCHSTONE_MODULES(swept_aabb_aabb)
   using stages = ::touchstone::robust::stages::swept_aabb_aabb;
-  using InPlane = std::tuple<Aabb2d, Aabb2d, Vector2d>;
-  using InSpace = std::tuple<Aabb3d, Aabb3d, Vector3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "swept_aabb_aabb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "sweeps",
                                    .pages = "45-47, 51",
                                    .question = "When in a step does a moving axis-aligned box first meet one at rest?",

@@ -12,20 +12,20 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/sweeps/swept_convex_polyhedra.h"
 #include "oracle/sweeps/swept_convex_polyhedra.h"
 #include "reference/sweeps/swept_convex_polyhedra.h"
 #include "robust/sweeps/swept_convex_polyhedra.h"
 
 namespace touchstone::catalogue::rows {
 
-struct swept_convex_polyhedra {
+struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
   TOUCHSTONE_MODULES(swept_convex_polyhedra)
   using stages = ::touchstone::robust::stages::swept_convex_polyhedra;
-  using Question = std::tuple<Meshd, Meshd, Vector3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "swept_convex_polyhedra",
+    static const Metadata metadata{.name = name,
                                    .chapter = "sweeps",
                                    .pages = "51, 54",
                                    .question = "When in a step does a moving convex polyhedron first meet one at rest?",

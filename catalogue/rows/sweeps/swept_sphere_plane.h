@@ -5,21 +5,21 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/sweeps/swept_sphere_plane.h"
 #include "oracle/sweeps/swept_sphere_plane.h"
 #include "reference/sweeps/swept_sphere_plane.h"
 #include "robust/sweeps/swept_sphere_plane.h"
 
 namespace touchstone::catalogue::rows {
 
-struct swept_sphere_plane {
+struct swept_sphere_plane : signatures::swept_sphere_plane {
   TOUCHSTONE_MODULES(swept_sphere_plane)
   using stages = ::touchstone::robust::stages::swept_sphere_plane;
-  using Question = std::tuple<Sphere3d, Vector3d, Plane3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "swept_sphere_plane",
+        .name = name,
         .chapter = "sweeps",
         .pages = "22-23, 51",
         .question = "When in a step does a moving ball first have a common point with a plane?",

@@ -7,19 +7,19 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/sweeps/swept_sphere_sphere.h"
 #include "oracle/sweeps/swept_sphere_sphere.h"
 #include "reference/sweeps/swept_sphere_sphere.h"
 #include "robust/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::catalogue::rows {
 
-struct swept_sphere_sphere {
+struct swept_sphere_sphere : signatures::swept_sphere_sphere {
   TOUCHSTONE_MODULES(swept_sphere_sphere)
   using stages = ::touchstone::robust::stages::swept_sphere_sphere;
-  using Question = std::tuple<Sphere3d, Sphere3d, Vector3d, Vector3d>;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "swept_sphere_sphere",
+    static const Metadata metadata{.name = name,
                                    .chapter = "sweeps",
                                    .pages = "23, 51",
                                    .question = "When in a step do two moving balls first have a common point?",

@@ -4,6 +4,7 @@
 #include "catalogue/families/box_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/aabb_aabb.h"
 #include "oracle/volumes/aabb_aabb.h"
 #include "reference/volumes/aabb_aabb.h"
 #include "robust/batch/aabb_aabb.h"
@@ -11,17 +12,14 @@
 
 namespace touchstone::catalogue::rows {
 
-struct aabb_aabb {
+struct aabb_aabb : signatures::aabb_aabb {
   TOUCHSTONE_MODULES(aabb_aabb)
   TOUCHSTONE_ARRAYS(aabb_aabb)
   using stages = ::touchstone::robust::stages::aabb_aabb;
-  using InPlane = std::tuple<Aabb2d, Aabb2d>;
-  using InSpace = std::tuple<Aabb3d, Aabb3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "aabb_aabb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "45-47",
                                    .question = "Do the two axis-aligned boxes overlap, only touch, or neither?",

@@ -4,24 +4,20 @@
 #include "catalogue/families/box_draws.h"
 #include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/aabb_of_points.h"
 #include "oracle/volumes/aabb_of_points.h"
 #include "reference/volumes/aabb_of_points.h"
 #include "robust/volumes/aabb_of_points.h"
 
 namespace touchstone::catalogue::rows {
 
-struct aabb_of_points {
-  template <class Real>
-  using Answers = std::variant<Aabb2<Real>, Aabb3<Real>>;
+struct aabb_of_points : signatures::aabb_of_points {
   TOUCHSTONE_MODULES_EITHER(aabb_of_points)
   using stages = ::touchstone::robust::stages::aabb_of_points;
-  using InPlane = std::vector<Point2d>;
-  using InSpace = std::vector<Point3d>;
-  using Question = std::variant<std::tuple<InPlane>, std::tuple<InSpace>>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "aabb_of_points",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "28-30",
                                    .question = "Which is the least axis-aligned box that holds all the points?",

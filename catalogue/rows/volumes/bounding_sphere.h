@@ -6,16 +6,14 @@
 
 #include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/bounding_sphere.h"
 #include "oracle/volumes/bounding_sphere.h"
 #include "reference/volumes/bounding_sphere.h"
 #include "robust/volumes/bounding_sphere.h"
 
 namespace touchstone::catalogue::rows {
 
-struct bounding_sphere {
-  /// The method may be left out.
-  using Method = std::optional<SphereMethod>;
-  using Question = std::tuple<std::vector<Point3d>, Method>;
+struct bounding_sphere : signatures::bounding_sphere {
   using decision = NoDecision;
 
   static SphereMethod method_of(const Method& method) { return method.value_or(SphereMethod::smallest); }
@@ -31,14 +29,9 @@ struct bounding_sphere {
   static auto oracle(const std::vector<Point3<Real>>& points, const Method& method) {
     return ::touchstone::oracle::bounding_sphere(points, method_of(method));
   }
-  TOUCHSTONE_MEMBER_OF_ENGINES(bounding_sphere)
-  template <class E>
-  static auto ask(E& engine, const auto&... q) -> decltype(engine.bounding_sphere(q...)) {
-    return engine.bounding_sphere(q...);
-  }
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "bounding_sphere",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "31-34",
                                    .question = "Which ball, found by that method, contains all of the points?",

@@ -3,23 +3,19 @@
 
 #include "catalogue/families/box_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/closest_point_on_aabb.h"
 #include "oracle/volumes/closest_point_on_aabb.h"
 #include "reference/volumes/closest_point_on_aabb.h"
 #include "robust/volumes/closest_point_on_aabb.h"
 
 namespace touchstone::catalogue::rows {
 
-struct closest_point_on_aabb {
-  template <class Real>
-  using Answers = std::variant<Point2<Real>, Point3<Real>>;
+struct closest_point_on_aabb : signatures::closest_point_on_aabb {
   TOUCHSTONE_MODULES_EITHER(closest_point_on_aabb)
-  using InPlane = std::tuple<Point2d, Aabb2d>;
-  using InSpace = std::tuple<Point3d, Aabb3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "closest_point_on_aabb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "48-50",
                                    .question = "Which point of an axis-aligned box is nearest to the point?",

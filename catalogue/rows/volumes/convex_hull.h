@@ -5,22 +5,21 @@
 #include "catalogue/families/many_points.h"
 #include "catalogue/families/meshes/cloud_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/convex_hull.h"
 #include "oracle/volumes/convex_hull.h"
 #include "reference/volumes/convex_hull.h"
 #include "robust/volumes/convex_hull.h"
 
 namespace touchstone::catalogue::rows {
 
-struct convex_hull {
+struct convex_hull : signatures::convex_hull {
   TOUCHSTONE_MODULES(convex_hull)
   using stages = ::touchstone::robust::stages::convex_hull;
-  using Points = std::vector<Point3d>;
-  using Question = std::tuple<Points>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "convex_hull",
+        .name = name,
         .chapter = "volumes",
         .pages = "35-42",
         .question = "Which triangles, corners at some of these points, bound their convex hull?",

@@ -9,22 +9,21 @@
 #include "catalogue/families/many_points.h"
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/convex_hull_2d.h"
 #include "oracle/volumes/convex_hull_2d.h"
 #include "reference/volumes/convex_hull_2d.h"
 #include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::catalogue::rows {
 
-struct convex_hull_2d {
+struct convex_hull_2d : signatures::convex_hull_2d {
   TOUCHSTONE_MODULES(convex_hull_2d)
   using stages = ::touchstone::robust::stages::convex_hull_2d;
-  using Points = std::vector<Point2d>;
-  using Question = std::tuple<Points>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "convex_hull_2d",
+        .name = name,
         .chapter = "volumes",
         .pages = "35-42",
         .question = "Which of these points of the plane are the corners of their convex hull?",

@@ -4,21 +4,21 @@
 #include "catalogue/families/kdop_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/kdop_kdop.h"
 #include "oracle/volumes/kdop_kdop.h"
 #include "reference/volumes/kdop_kdop.h"
 #include "robust/volumes/kdop_kdop.h"
 
 namespace touchstone::catalogue::rows {
 
-struct kdop_kdop {
+struct kdop_kdop : signatures::kdop_kdop {
   TOUCHSTONE_MODULES(kdop_kdop)
   using stages = ::touchstone::robust::stages::kdop_kdop;
-  using Question = std::tuple<Kdop3d, Kdop3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "kdop_kdop",
+        .name = name,
         .chapter = "volumes",
         .pages = "43",
         .question = "Do the two k-DOPs with the same normals overlap, only touch, or neither, slab by slab?",

@@ -4,23 +4,21 @@
 #include "catalogue/families/kdop_draws.h"
 #include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/kdop_of_points.h"
 #include "oracle/volumes/kdop_of_points.h"
 #include "reference/volumes/kdop_of_points.h"
 #include "robust/volumes/kdop_of_points.h"
 
 namespace touchstone::catalogue::rows {
 
-struct kdop_of_points {
+struct kdop_of_points : signatures::kdop_of_points {
   TOUCHSTONE_MODULES(kdop_of_points)
   using stages = ::touchstone::robust::stages::kdop_of_points;
-  using Points = std::vector<Point3d>;
-  using Normals = std::vector<Vector3d>;
-  using Question = std::tuple<Points, Normals>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "kdop_of_points",
+        .name = name,
         .chapter = "volumes",
         .pages = "43",
         .question = "Which slabs of these normals are the narrowest that hold all the points?",

@@ -5,6 +5,7 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/obb_obb.h"
 #include "oracle/volumes/obb_obb.h"
 #include "reference/standard/oriented_boxes.h"
 #include "reference/volumes/obb_obb.h"
@@ -12,14 +13,13 @@
 
 namespace touchstone::catalogue::rows {
 
-struct obb_obb {
+struct obb_obb : signatures::obb_obb {
   TOUCHSTONE_MODULES(obb_obb)
   using stages = ::touchstone::robust::stages::obb_obb;
-  using Question = std::tuple<Obb3d, Obb3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "obb_obb",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "27",
                                    .question = "Do the two oriented boxes overlap, only touch, or neither?",

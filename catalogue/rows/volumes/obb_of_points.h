@@ -5,15 +5,14 @@
 #include "catalogue/families/meshes/cloud_draws.h"
 #include "catalogue/families/obb_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/obb_of_points.h"
 #include "oracle/volumes/obb_of_points.h"
 #include "reference/volumes/obb_of_points.h"
 #include "robust/volumes/obb_of_points.h"
 
 namespace touchstone::catalogue::rows {
 
-struct obb_of_points {
-  using Points = std::vector<Point3d>;
-  using Question = std::tuple<Points>;
+struct obb_of_points : signatures::obb_of_points {
   using decision = NoDecision;
 
   template <class Real>
@@ -43,14 +42,9 @@ struct obb_of_points {
   static auto oracle(const auto& points) -> decltype(::touchstone::oracle::obb_of_points(points)) {
     return ::touchstone::oracle::obb_of_points(points);
   }
-  TOUCHSTONE_MEMBER_OF_ENGINES(obb_of_points)
-  template <class E>
-  static auto ask(E& engine, const auto&... q) -> decltype(engine.obb_of_points(q...)) {
-    return engine.obb_of_points(q...);
-  }
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "obb_of_points",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "27",
                                    .question = "Which oriented box contains all of the points?",

@@ -4,20 +4,20 @@
 #include "catalogue/families/kdop_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/point_in_kdop.h"
 #include "oracle/volumes/point_in_kdop.h"
 #include "reference/volumes/point_in_kdop.h"
 #include "robust/volumes/point_in_kdop.h"
 
 namespace touchstone::catalogue::rows {
 
-struct point_in_kdop {
+struct point_in_kdop : signatures::point_in_kdop {
   TOUCHSTONE_MODULES(point_in_kdop)
   using stages = ::touchstone::robust::stages::point_in_kdop;
-  using Question = std::tuple<Kdop3d, Point3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "point_in_kdop",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "43",
                                    .question = "Does the point lie inside the k-DOP, at the end of a slab, or outside?",

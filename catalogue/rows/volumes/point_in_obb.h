@@ -4,6 +4,7 @@
 #include "catalogue/families/obb_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/point_in_obb.h"
 #include "oracle/volumes/point_in_obb.h"
 #include "reference/standard/oriented_boxes.h"
 #include "reference/volumes/point_in_obb.h"
@@ -11,15 +12,14 @@
 
 namespace touchstone::catalogue::rows {
 
-struct point_in_obb {
+struct point_in_obb : signatures::point_in_obb {
   TOUCHSTONE_MODULES(point_in_obb)
   using stages = ::touchstone::robust::stages::point_in_obb;
-  using Question = std::tuple<Obb3d, Point3d>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "point_in_obb",
+        .name = name,
         .chapter = "volumes",
         .pages = "27",
         .question = "Does the point lie inside the oriented box, on its boundary, or outside?",

@@ -5,6 +5,7 @@
 #include "catalogue/families/whole_steps.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/sphere_aabb.h"
 #include "oracle/volumes/sphere_aabb.h"
 #include "reference/volumes/sphere_aabb.h"
 #include "robust/batch/sphere_aabb.h"
@@ -12,18 +13,15 @@
 
 namespace touchstone::catalogue::rows {
 
-struct sphere_aabb {
+struct sphere_aabb : signatures::sphere_aabb {
   TOUCHSTONE_MODULES(sphere_aabb)
   TOUCHSTONE_ARRAYS(sphere_aabb)
   using stages = ::touchstone::robust::stages::sphere_aabb;
-  using InPlane = std::tuple<Circle2d, Aabb2d>;
-  using InSpace = std::tuple<Sphere3d, Aabb3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
-        .name = "sphere_aabb",
+        .name = name,
         .chapter = "volumes",
         .pages = "48-50",
         .question = "Do the ball, or disc, and the axis-aligned box overlap, only touch, or neither?",

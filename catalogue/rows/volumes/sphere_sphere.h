@@ -5,6 +5,7 @@
 #include "catalogue/families/whole_steps.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/signatures/volumes/sphere_sphere.h"
 #include "oracle/volumes/sphere_sphere.h"
 #include "reference/volumes/sphere_sphere.h"
 #include "robust/batch/sphere_sphere.h"
@@ -12,17 +13,14 @@
 
 namespace touchstone::catalogue::rows {
 
-struct sphere_sphere {
+struct sphere_sphere : signatures::sphere_sphere {
   TOUCHSTONE_MODULES(sphere_sphere)
   TOUCHSTONE_ARRAYS(sphere_sphere)
   using stages = ::touchstone::robust::stages::sphere_sphere;
-  using InPlane = std::tuple<Circle2d, Circle2d>;
-  using InSpace = std::tuple<Sphere3d, Sphere3d>;
-  using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
   static const Metadata& metadata() {
-    static const Metadata metadata{.name = "sphere_sphere",
+    static const Metadata metadata{.name = name,
                                    .chapter = "volumes",
                                    .pages = "44",
                                    .question = "Do the two balls, or discs, overlap, only touch, or neither?",

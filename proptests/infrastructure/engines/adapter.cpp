@@ -8,9 +8,10 @@
 #include <stdexcept>
 
 #include "audit/engines/fuzz.h"
+#include "audit/engines/serve.h"
 #include "program/engine_main.h"
 #include "proptests/catch.h"
-#include "proptests/mandatory_number.h"
+#include "robust/lines/orientation.h"
 
 using namespace touchstone;
 using namespace touchstone::audit;
@@ -60,7 +61,7 @@ struct Tree {
 template <class Engine>
 std::string said(const std::string& operation, const std::string& input) {
   Engine engine{};
-  const Served all = served(engine);
+  const Served all = served(members_of(engine));
   const ServedOperation& asked = all.operations.at(operation);
   const auto answer = asked.answer(asked.operation.parse(parse_line(input)));
   return answer ? one_line(*answer) : "unsupported";
@@ -101,7 +102,7 @@ Fuzzed fuzzed_with(const char* only) {
     only == nullptr ? unsetenv("TOUCHSTONE_FUZZ_ONLY") : setenv("TOUCHSTONE_FUZZ_ONLY", only, 1);
     for (unsigned i = 0; i < 2000; ++i) {
       const unsigned char bytes[] = {static_cast<unsigned char>(i), static_cast<unsigned char>(i >> 2), 7, 3};
-      fuzz_engine<Engine, rows::orientation>(bytes, sizeof bytes);
+      fuzz_engine<Engine, signatures::orientation>(bytes, sizeof bytes);
     }
     _exit(0);
   }
@@ -139,19 +140,19 @@ TEST_CASE("adapter: an engine has the operations that it has functions for") {
   Various engine;
   const std::set<std::string> expected{"segment_segment", "orientation",   "point_on_segment",
                                        "ray_segment",     "line_point_at", "explicit_line"};
-  REQUIRE(served(engine).hello.operations == expected);
+  REQUIRE(served(members_of(engine)).hello.operations == expected);
 }
 
 TEST_CASE("adapter: an engine of an operation does not claim its methods, so nobody complains of them") {
   Tree engine;
-  const Hello hello = served(engine).hello;
+  const Hello hello = served(members_of(engine)).hello;
   REQUIRE(hello.operations == std::set<std::string>{"broad_phase"});
   REQUIRE(read_hello(written_hello(hello)).remarks.empty());
 }
 
 TEST_CASE("adapter: above the table stand the operations found, the overloads not found, and how many there are else") {
   Planar engine;
-  const Served all = served(engine);
+  const Served all = served(members_of(engine));
   REQUIRE(all.left_out == std::vector<std::string>{"sphere_sphere(Sphere3<double> a, Sphere3<double> b)",
                                                    "aabb_aabb(Aabb3<double> a, Aabb3<double> b)"});
   const std::map<std::string, std::set<std::size_t>> in_plane{{"aabb_aabb", {0}}, {"sphere_sphere", {0}}};
@@ -195,9 +196,10 @@ TEST_CASE("adapter: a truth value, a word, a whole answer and nothing are answer
 }
 
 TEST_CASE("adapter: a word alone is an answer where the number is always there") {
-  const auto said = engine_answer<proptests::mandatory_number>(PlaneSide::front);
-  REQUIRE(said.has_value());
-  REQUIRE(one_line(*said) == R"({"side":"front"})");
+  const MemberAnswer said = engine_answer<PointPlane<double>>(PlaneSide::front);
+  REQUIRE(said.kind == MemberAnswer::Kind::word);
+  REQUIRE(said.field == std::string("side"));
+  REQUIRE(said.value == packed(PlaneSide::front));
 }
 
 TEST_CASE("adapter: an engine in float gets float shapes where it takes them, doubles elsewhere") {
@@ -208,7 +210,7 @@ TEST_CASE("adapter: an engine in float gets float shapes where it takes them, do
 
 TEST_CASE("adapter: what an engine declares is what its first line says, and reads back") {
   InFloat engine;
-  const std::string line = written_hello(served(engine).hello);
+  const std::string line = written_hello(served(members_of(engine)).hello);
   REQUIRE(line ==
           "{\"engine\":\"in float 1\",\"ops\":[\"orientation\",\"segment_segment\"],\"number\":\"binary32\","
           "\"boundary\":\"open\",\"tolerance\":1e-06}\n");
@@ -222,8 +224,8 @@ TEST_CASE("adapter: a fuzz target lets right answers and unsupported questions p
   for (unsigned i = 0; i < 2000; ++i) {
     const unsigned char bytes[] = {static_cast<unsigned char>(i), static_cast<unsigned char>(i * 7),
                                    static_cast<unsigned char>(i >> 3), 5, 6};
-    REQUIRE((fuzz_engine<Right, rows::orientation>(bytes, sizeof bytes)) == 0);
-    REQUIRE((fuzz_engine<Right, rows::segment_segment>(bytes, sizeof bytes)) == -1);
+    REQUIRE((fuzz_engine<Right, signatures::orientation>(bytes, sizeof bytes)) == 0);
+    REQUIRE((fuzz_engine<Right, signatures::segment_segment>(bytes, sizeof bytes)) == -1);
   }
 }
 

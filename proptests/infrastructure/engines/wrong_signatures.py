@@ -43,8 +43,8 @@ struct Closed final {
   Side orientation(Point2d, Point2d, Point2d);
 };
 std::size_t all(Wrong& wrong, Right& right, Closed& closed) {
-  return audit::served(wrong).operations.size() + audit::served(right).operations.size() +
-         audit::served(closed).operations.size();
+  return audit::members_of(wrong).members.size() + audit::members_of(right).members.size() +
+         audit::members_of(closed).members.size();
 }
 """
 
@@ -56,7 +56,7 @@ struct Lonely {
   static constexpr const char* name = "lonely 1";
   %s
 };
-std::size_t all(Lonely& lonely) { return audit::served(lonely).operations.size(); }
+std::size_t all(Lonely& lonely) { return audit::members_of(lonely).members.size(); }
 """
 NO_OPERATION = "the engine has no member function of the name and arguments of an operation"
 WRONG_MEMBER = "the engine's member point_in_polygon cannot be called"

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "proptests/catch.h"
+#include "robust/lines/orientation.h"
 #include "testing/catch2.h"
 #include "testing/fuzzed_data.h"
 #include "testing/rapidcheck.h"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
+#include "robust/lines/orientation.h"
+#include "robust/lines/segment_segment.h"
 #include "testing/audit.h"
 
 /// An audit inside a test.

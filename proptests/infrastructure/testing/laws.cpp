@@ -2,6 +2,8 @@
 #include "testing/laws.h"
 
 #include "proptests/catch.h"
+#include "robust/lines/orientation.h"
+#include "robust/lines/segment_segment.h"
 
 /// The symmetries of an operation, asked of users' functions.
 namespace touchstone::tests {

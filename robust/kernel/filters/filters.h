@@ -52,7 +52,7 @@ enum class Sign { negative, unknown, positive };
 /// The answer that belongs to a sign.
 template <class Answer>
 Perhaps<Answer> by_sign(Sign sign, Answer positive, Answer negative) {
-  if (sign == Sign::unknown) return std::nullopt;
+  if (sign == Sign::unknown) return {};
   return sign == Sign::positive ? positive : negative;
 }
 

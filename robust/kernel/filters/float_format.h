@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "robust/kernel/filters/strict_math.h"
@@ -10,7 +9,7 @@ namespace touchstone::robust::filters {
 
 /// 2^exponent as a double, -1022 <= exponent <= 1023.
 constexpr double power_of_two(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+  return __builtin_bit_cast(double, static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
 /// What a filter has to know of a binary floating-point format. A toy format specialises this for its own Float, which

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <optional>
 #include <type_traits>
-#include <utility>
 
 #include "robust/kernel/filters/strict_math.h"
 
@@ -31,19 +27,25 @@ namespace touchstone::robust {
 ///
 /// A new stage stands here, in the list and in `asked`, and that is all: every operation says which it has.
 enum class Stage { filter, enclosed, lattice, exact };
-inline constexpr std::array all_stages{Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact};
+inline constexpr Stage all_stages[] = {Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact};
+
+struct InPlace {};
+inline constexpr InPlace in_place{};
 
 /// What a stage says: an answer, or nothing. Not std::optional, which g++ puts together in memory: that costs as much
 /// as a determinant. And an int says whether there is one: g++ joins the ways to a bool, and then tests it.
 template <class Answer>
 class Perhaps {
  public:
-  Perhaps(std::nullopt_t) {}
+  Perhaps() = default;
+  /// From std::nullopt. <optional> would be longer than all else that an operation's header includes.
+  template <class Nothing>
+  requires(std::is_empty_v<Nothing>) Perhaps(const Nothing&) {}
   Perhaps(const Answer& answer) : known_(1), answer_(answer) {}
   /// An answer of several parts, made where it stays. g++ makes it elsewhere otherwise, part by part, and copies it by
   /// 16 bytes, for which the processor has to wait until the parts are in memory.
   template <class... Parts>
-  Perhaps(std::in_place_t, const Parts&... parts) : known_(1), answer_{parts...} {}
+  Perhaps(InPlace, const Parts&... parts) : known_(1), answer_{parts...} {}
   explicit operator bool() const { return known_ != 0; }
   const Answer& operator*() const { return answer_; }
 
@@ -59,7 +61,7 @@ struct Decided {
 
   /// For operations of many decisions: `latest` becomes this stage, if that is later.
   const Answer& noting(Stage& latest) const {
-    latest = std::max(latest, stage);
+    if (latest < stage) latest = stage;
     return answer;
   }
 };

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_closest.h"
+#include "catalogue/signatures/signature.h"
+
+namespace touchstone::catalogue::signatures {
+
+struct closest_point_on_triangle {
+  TOUCHSTONE_SIGNATURE(closest_point_on_triangle)
+  using Question = std::tuple<Point3d, Triangle3d>;
+  using Answer = ClosestPoint3<double>;
+};
+
+}  // namespace touchstone::catalogue::signatures

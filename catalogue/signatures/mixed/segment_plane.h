@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_rays.h"
+#include "catalogue/signatures/signature.h"
+
+namespace touchstone::catalogue::signatures {
+
+struct segment_plane {
+  TOUCHSTONE_SIGNATURE(segment_plane)
+  using Question = std::tuple<Segment3d, Plane3d>;
+  using Answer = LinePlane<double>;
+};
+
+}  // namespace touchstone::catalogue::signatures

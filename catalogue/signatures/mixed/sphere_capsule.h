@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_capsules.h"
+#include "catalogue/signatures/signature.h"
+
+namespace touchstone::catalogue::signatures {
+
+struct sphere_capsule {
+  TOUCHSTONE_SIGNATURE(sphere_capsule)
+  using Question = std::tuple<Sphere3d, Capsule3d>;
+  using Answer = Contact;
+};
+
+}  // namespace touchstone::catalogue::signatures

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_triangles.h"
+#include "catalogue/signatures/signature.h"
+
+namespace touchstone::catalogue::signatures {
+
+struct triangle_triangle {
+  TOUCHSTONE_SIGNATURE(triangle_triangle)
+  using Question = std::tuple<Triangle3d, Triangle3d>;
+  using Answer = TriangleTriangleRelation;
+};
+
+}  // namespace touchstone::catalogue::signatures

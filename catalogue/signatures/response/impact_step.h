@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_impacts.h"
+#include "catalogue/signatures/signature.h"
+
+namespace touchstone::catalogue::signatures {
+
+struct impact_step {
+  TOUCHSTONE_SIGNATURE(impact_step)
+  using Question = std::tuple<std::vector<StepBodyd>, std::vector<Plane3d>, double, double>;
+  using Answer = ImpactStep<double>;
+};
+
+}  // namespace touchstone::catalogue::signatures

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_bodies.h"
+#include "catalogue/signatures/signature.h"
+
+namespace touchstone::catalogue::signatures {
+
+struct momentum {
+  TOUCHSTONE_SIGNATURE(momentum)
+  using Question = std::tuple<std::vector<Bodyd>>;
+  using Answer = Vector3<double>;
+};
+
+}  // namespace touchstone::catalogue::signatures
