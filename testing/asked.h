@@ -14,6 +14,7 @@
 
 /// Questions of an operation as the shapes of geometry/, for users' own tests; no test framework is needed.
 ///
+///   #include <touchstone/robust/lines/segment_segment.h>
 ///   using namespace touchstone;
 ///   using namespace touchstone::tests;
 ///   auto found = counterexample<operations::segment_segment>([](const Segment2d& a, const Segment2d& b) {

@@ -16,6 +16,7 @@
 /// Catch2, version 2 or 3: laws of an operation that are shrunk where they fail, generators, and shapes and answers
 /// that print themselves in CHECK. RapidCheck is not needed.
 ///
+///   #include <touchstone/robust/lines/segment_segment.h>
 ///   TEST_CASE("segments that touch meet") {
 ///     always<operations::segment_segment>([](const Segment2d& a, const Segment2d& b) {
 ///       return my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint);

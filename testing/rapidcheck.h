@@ -11,6 +11,7 @@
 /// RapidCheck: generators of every operation's questions - degenerate on purpose, always within the contract - that
 /// shrink within their family and print as JSON, in hexadecimal, and with the command that asks for the truth.
 ///
+///   #include <touchstone/robust/lines/segment_segment.h>
 ///   rc::check("segments that touch meet", [] {
 ///     const auto [a, b] = *touchstone::tests::questions<operations::segment_segment>();
 ///     RC_ASSERT(my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint));

@@ -6,6 +6,8 @@
 
 #include "proptests/catch.h"
 #include "robust/lines/orientation.h"
+#include "robust/lines/segment_segment.h"
+#include "robust/polygons/point_in_polygon.h"
 #include "testing/catch2.h"
 #include "testing/fuzzed_data.h"
 #include "testing/rapidcheck.h"
