@@ -121,6 +121,8 @@ endif()
 add_test(NAME engines/wrong_signatures
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/infrastructure/engines/wrong_signatures.py ${CMAKE_CXX_COMPILER}
                  ${PROJECT_SOURCE_DIR} ${touchstone_generated})
+add_test(NAME preprocessed COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/preprocessed.py ${CMAKE_CXX_COMPILER}
+                                   ${PROJECT_SOURCE_DIR} ${touchstone_generated})
 if(TARGET touchstone)
   include(vector_tests)
 endif()
