@@ -26,7 +26,8 @@ MODULES = {
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
     "c": {"oracle", "robust", "catalogue", "program", "c"},
     "python": {"robust", "c", "python"},
-    **dict.fromkeys(("engines", "proptests", "fuzz", "bench", "coverage", "examples")),
+    "engines": {"geometry", "robust", "program", "engines"},
+    **dict.fromkeys(("proptests", "fuzz", "bench", "coverage", "examples")),
 }
 # The files of an operation: folder (before the chapter) and suffixes.
 PLACES = {
@@ -138,7 +139,9 @@ def directions(tree):
         allowed = MODULES[module]
         for quote, target in tree.includes(name):
             other = target.removeprefix("touchstone/").split("/")[0]
-            if quote == '"' and target not in tree.text and target not in MADE and module != "examples":
+            if module == "engines" and quote == '"' and f"engines/{target}" not in tree.text:
+                yield f"{name}: engines/ is a project of its own and has no \"{target}\""
+            if quote == '"' and target not in tree.text and target not in MADE and module not in ("engines", "examples"):
                 yield f"{name}: there is no \"{target}\" from the root"
             if allowed is not None and other in MODULES and other not in allowed and "/" in target:
                 yield f"{name}: {module} must not include {other} ({target})"
@@ -314,6 +317,8 @@ PLANTED = [
     ("catalogue/operation/row.h", '#include "program/main.cpp"\n', "catalogue must not include program"),
     ("program/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "program must not include fuzz"),
     ("robust/lines/touch.cpp", '#include "touch.h"\n', 'there is no \"touch.h\" from the root'),
+    ("engines/touch.cpp", '#include "geometry/points.h"\n', 'engines/ is a project of its own and has no "geometry/points.h"'),
+    ("engines/touch.cpp", "#include <touchstone/catalogue/hull.h>\n", "engines must not include catalogue"),
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
     ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
     ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
