@@ -5,6 +5,7 @@ include(components)
 include(public_headers)
 include(rows)
 include(array_forms)
+configure_file(${PROJECT_SOURCE_DIR}/audit/version.h.in ${touchstone_generated}/audit/version.h @ONLY)
 
 set(touchstone_asked ${TOUCHSTONE_COMPONENTS})
 if("all" IN_LIST touchstone_asked)
