@@ -41,7 +41,7 @@ PLACES = {
 IMPLEMENTATION_PLACES = {"catalogue/rows"}
 # Folders beside the chapters.
 NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", "structures", "proofs", "batch", "c"}, "oracle": {"exact", "certificates", "rings"}}
-# cmake/public_headers.cmake refuses to install these.
+# cmake/generate.py refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
 MADE = {"audit/version.h", "catalogue/rows/all.h", "catalogue/rows/declared.h", "robust/c/array_forms.h", "touchstone_robust.h"}
