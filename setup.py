@@ -19,7 +19,7 @@ class WithCMake(build_ext):
     def run(self):
         build = ROOT / "build/wheel"
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-        off = [f"-DTOUCHSTONE_{part}=OFF" for part in ("TESTS", "FUZZ", "ENGINES", "BENCH", "INSTALL")]
+        off = [f"-DTOUCHSTONE_{part}=OFF" for part in ("TESTS", "FUZZ", "BENCH", "INSTALL")]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DTOUCHSTONE_COMPONENTS=c",
                         f"-DTOUCHSTONE_PYTHON_EXECUTABLE={sys.executable}", *off], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "touchstone_python", "-j", str(os.cpu_count() or 1)], check=True)

@@ -6,6 +6,6 @@ here=$(pwd)
 [ "$SANITIZER" = coverage ] || CXXFLAGS="$CXXFLAGS -fsanitize-coverage-allowlist=$here/fuzz/driver/instrumented.txt"
 export CXXFLAGS
 cmake -S "$here" -B "$WORK/build" -G Ninja -DCMAKE_BUILD_TYPE=None -DTOUCHSTONE_STATIC=ON -DTOUCHSTONE_TESTS=OFF \
-  -DTOUCHSTONE_FUZZING_ENGINE="$LIB_FUZZING_ENGINE" -DTOUCHSTONE_ENGINES=OFF -DTOUCHSTONE_INSTALL=OFF -DTOUCHSTONE_PCH=OFF
+  -DTOUCHSTONE_FUZZING_ENGINE="$LIB_FUZZING_ENGINE" -DTOUCHSTONE_INSTALL=OFF -DTOUCHSTONE_PCH=OFF
 cmake --build "$WORK/build" --target fuzz
 "$here/.clusterfuzzlite/pack.sh" "$here" "$WORK/build/fuzz/fuzz" "$OUT"

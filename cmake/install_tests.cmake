@@ -12,11 +12,14 @@ endif()
 add_test(NAME install/prefix
          COMMAND sh -c "rm -rf '${installed}' && '${CMAKE_COMMAND}' --install '${build}' --prefix '${installed}'")
 set_tests_properties(install/prefix PROPERTIES FIXTURES_SETUP installed)
-# install_consumer(NAME SOURCE OPTIONS option... THEN command...): configures and builds a project, then runs the command there.
+# install_consumer(NAME SOURCE [BUILD folder] OPTIONS option... THEN command...): configures and builds a project, then runs the command there.
 function(install_consumer name source)
-  cmake_parse_arguments(PARSE_ARGV 2 of "" "" "OPTIONS;THEN")
+  cmake_parse_arguments(PARSE_ARGV 2 of "" "BUILD" "OPTIONS;THEN")
+  if(NOT of_BUILD)
+    set(of_BUILD ${consumers}/${name})
+  endif()
   add_test(NAME install/${name}
-           COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${source} ${consumers}/${name} --build-generator ${CMAKE_GENERATOR}
+           COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${source} ${of_BUILD} --build-generator ${CMAKE_GENERATOR}
                    --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}"
                    -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} ${of_OPTIONS} --test-command ${of_THEN})
 endfunction()
@@ -93,6 +96,12 @@ set(package_holds ${Python3_EXECUTABLE} ${install_tests}/package_holds.py)
 add_test(NAME install/package_holds COMMAND ${package_holds} ${PROJECT_SOURCE_DIR} ${installed})
 set_tests_properties(install/package_holds PROPERTIES FIXTURES_REQUIRED installed)
 add_test(NAME install/package_holds_self_check COMMAND ${package_holds} --self-check)
+
+# The wrappers of foreign libraries, those of the target all; ./dev engines builds the others. It audits, so that it ends with findings.
+install_consumer(engines ${PROJECT_SOURCE_DIR}/engines BUILD ${PROJECT_BINARY_DIR}/engines OPTIONS -DCMAKE_PREFIX_PATH=${installed}
+                 THEN ./ray_watertight --ops ray_triangle --cases 500)
+set_tests_properties(install/engines PROPERTIES FIXTURES_REQUIRED installed PASS_REGULAR_EXPRESSION
+                                                "Watertight ray and triangle of Woop, Benthin and Wald.*answers wrong")
 
 install_consumer(in_source ${install_tests}/in_source OPTIONS -DTOUCHSTONE_SOURCE=${PROJECT_SOURCE_DIR} THEN ${CMAKE_COMMAND} -E true)
 

@@ -21,9 +21,9 @@ foreach(target touchstone_module_program touchstone manual)
 endforeach()
 
 # Headers: written when the package is installed, for they may have changed since cmake ran.
-install(CODE "set(touchstone_generated \"${touchstone_generated}\")
-include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
-touchstone_write_headers(\"${PROJECT_SOURCE_DIR}\" \"${PROJECT_BINARY_DIR}/include\" ${touchstone_built})")
+list(JOIN touchstone_generate "\" \"" generate)
+install(CODE "execute_process(COMMAND \"${generate}\" headers \"${PROJECT_SOURCE_DIR}\" \"${touchstone_generated}\"
+                \"${PROJECT_BINARY_DIR}/include\" ${touchstone_built} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
 install(DIRECTORY ${PROJECT_BINARY_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 # Those of C stand above it: <touchstone_record.h>, <touchstone_robust.h>, and with the component c <touchstone.h>.
 install(FILES c/touchstone_record.h c/touchstone_record_log.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

@@ -2,9 +2,7 @@
 # One library a component. reference, robust and oracle never see one another; audit sees them all.
 
 include(components)
-include(public_headers)
-include(rows)
-include(array_forms)
+include(declarations)
 
 set(touchstone_asked ${TOUCHSTONE_COMPONENTS})
 if("all" IN_LIST touchstone_asked)
@@ -38,8 +36,7 @@ if(PROJECT_IS_TOP_LEVEL)
   set(touchstone_includes ${PROJECT_SOURCE_DIR} ${touchstone_generated})
 else()
   set(touchstone_includes ${PROJECT_BINARY_DIR}/include ${touchstone_c_headers})
-  touchstone_write_headers(${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include ${touchstone_built})
-  touchstone_public_headers(headers ${PROJECT_SOURCE_DIR} ${touchstone_built})
+  touchstone_generate(headers headers ${PROJECT_SOURCE_DIR} ${touchstone_generated} ${PROJECT_BINARY_DIR}/include ${touchstone_built})
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
 endif()
 
@@ -112,30 +109,6 @@ list(PREPEND program_sources ${command_line})
 set(certify_sources ${oracle_sources})
 list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
 list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
-
-# Every check_NAME.cpp with a function checks_of_NAME is in the table of the checker.
-set(declared "")
-set(listed "")
-foreach(source ${certify_sources})
-  file(STRINGS ${source} found REGEX "^Checks checks_of_[a-z_]+\\(\\)" LIMIT_COUNT 1)
-  if(found)
-    string(REGEX MATCH "checks_of_[a-z_]+" found "${found}")
-    string(APPEND declared "Checks ${found}();\n")
-    list(APPEND listed ${found})
-    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
-  endif()
-endforeach()
-list(JOIN listed ", " listed)
-file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/certify/check_files.h @ONLY CONTENT [[
-#include "oracle/certificates/check_reading.h"
-
-namespace touchstone::certify {
-
-@declared@
-constexpr Checks (*checks_of_all_files[])() = {@listed@};
-
-}  // namespace touchstone::certify
-]])
 
 # One unit for each instruction set, chosen at run time (robust/batch/isa). Nothing in such a unit may be shared with others.
 set(quietly "")

@@ -3,7 +3,6 @@
 # in ctest, named FOLDER/FILE.
 # A folder with a CMakeLists.txt builds itself; proptests/install is a project of its own that uses the installed package.
 
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
 # In two tiers: what a user needs to trust his build, and with TOUCHSTONE_TESTS=FULL all the rest.
 set(TOUCHSTONE_FULL_TESTS FALSE)
 if(TOUCHSTONE_TESTS STREQUAL FULL)
@@ -47,10 +46,10 @@ function(touchstone_test_program folder)
   if(TOUCHSTONE_PCH)
     target_precompile_headers(${target} REUSE_FROM touchstone_test_headers)
   endif()
+  touchstone_generate(own own-namespace ${ARGN})
   foreach(source ${ARGN})
     cmake_path(GET source STEM file)
-    file(STRINGS ${source} own REGEX "^namespace touchstone::proptests::${file}_tests {" LIMIT_COUNT 1)
-    if(NOT own)
+    if(NOT source IN_LIST own)
       set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
     # The durations are read by costs.py: a test that asks all operations says how long each took.
@@ -138,6 +137,7 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   touchstone_script_test(layout/self_check proptests/layout.py --self-check)
   touchstone_script_test(floors proptests/floors.py)
   touchstone_script_test(floors/self_check proptests/floors.py --self-check)
+  touchstone_script_test(declarations/self_check cmake/generate.py --self-check)
   touchstone_script_test(words proptests/words.py)
   touchstone_script_test(words/self_check proptests/words.py --self-check)
   touchstone_script_test(out_of_memory proptests/out_of_memory.py ${program})

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // some of its own includes are
+#include <touchstone/program/engine_main.h>
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/polygon.hpp>
@@ -7,8 +9,6 @@
 #include <boost/version.hpp>
 #include <deque>
 #include <stdexcept>
-
-#include "program/engine_main.h"
 
 namespace bg = boost::geometry;
 using namespace touchstone;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #define BOOST_ALLOW_DEPRECATED_HEADERS  // some of its own includes are
+#include <touchstone/program/engine_main.h>
+
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -8,8 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "engines/programs.h"
-#include "program/engine_main.h"
+#include "programs.h"
 
 namespace bg = boost::geometry;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Box2D as peer, in single precision: circles, boxes of the broad phase, and one contact of two circles.
 #include <box2d/box2d.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/exactly.h"
-#include "engines/one_hit.h"
-#include "program/engine_main.h"
+#include "exactly.h"
+#include "one_hit.h"
 
 using namespace touchstone;
 

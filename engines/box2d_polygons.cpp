@@ -2,11 +2,11 @@
 // Box2D as peer, in single precision: polygons, which have a skin.
 #include <box2d/b2_time_of_impact.h>
 #include <box2d/box2d.h>
+#include <touchstone/program/engine_main.h>
 
 #include <stdexcept>
 
-#include "engines/exactly.h"
-#include "program/engine_main.h"
+#include "exactly.h"
 
 using namespace touchstone;
 

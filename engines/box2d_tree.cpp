@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Box2D's broad phase as peer, in single precision: its dynamic tree and its list of pairs.
 #include <box2d/b2_broad_phase.h>
+#include <touchstone/program/engine_main.h>
 
 #include <memory>
 #include <set>
 
-#include "engines/planar.h"
-#include "program/engine_main.h"
+#include "planar.h"
 
 namespace touchstone {
 namespace {

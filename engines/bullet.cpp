@@ -5,13 +5,13 @@
 #include <bullet/BulletCollision/Gimpact/btGImpactShape.h>
 #include <bullet/LinearMath/btConvexHullComputer.h>
 #include <bullet/btBulletDynamicsCommon.h>
+#include <touchstone/program/engine_main.h>
 
 #include <memory>
 
-#include "engines/exactly.h"
-#include "engines/one_hit.h"
-#include "engines/surfaces.h"
-#include "program/engine_main.h"
+#include "exactly.h"
+#include "one_hit.h"
+#include "surfaces.h"
 
 using namespace touchstone;
 

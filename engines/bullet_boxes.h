@@ -3,10 +3,9 @@
 
 // Bullet's broad phases as peers, in single precision: what they share.
 #include <bullet/LinearMath/btVector3.h>
+#include <touchstone/geometry/volumes.h>
 
 #include <algorithm>
-
-#include "geometry/volumes.h"
 
 namespace touchstone::bullet_boxes {
 

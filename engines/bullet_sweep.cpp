@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bullet as peer, in single precision: its sweep along three axes.
 #include <bullet/BulletCollision/BroadphaseCollision/btAxisSweep3.h>
+#include <touchstone/program/engine_main.h>
 
 #include <memory>
 
-#include "engines/bullet_boxes.h"
-#include "engines/programs.h"
-#include "program/engine_main.h"
+#include "bullet_boxes.h"
+#include "programs.h"
 
 namespace touchstone {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bullet as peer, in single precision: its dynamic tree of boxes.
 #include <bullet/BulletCollision/BroadphaseCollision/btDbvt.h>
+#include <touchstone/program/engine_main.h>
 
 #include <cmath>
 #include <memory>
 
-#include "engines/bullet_boxes.h"
-#include "engines/exactly.h"
-#include "engines/programs.h"
-#include "program/engine_main.h"
+#include "bullet_boxes.h"
+#include "exactly.h"
+#include "programs.h"
 
 namespace touchstone {
 namespace {

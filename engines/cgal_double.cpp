@@ -3,12 +3,11 @@
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
+#include <touchstone/program/engine_main.h>
 
 #include <boost/variant/get.hpp>
 #include <stdexcept>
 #include <variant>
-
-#include "program/engine_main.h"
 
 using namespace touchstone;
 

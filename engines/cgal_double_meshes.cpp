@@ -2,9 +2,9 @@
 // CGAL as peer: surfaces and triangles by its kernel over plain doubles, which the manual does not call robust.
 // Under the GPL with what it includes.
 #include <CGAL/Simple_cartesian.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/cgal_meshes.h"
-#include "program/engine_main.h"
+#include "cgal_meshes.h"
 
 using namespace touchstone;
 

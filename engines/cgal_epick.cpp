@@ -3,9 +3,9 @@
 // Under the GPL with what it includes.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/cgal_meshes.h"
-#include "program/engine_main.h"
+#include "cgal_meshes.h"
 
 using namespace touchstone;
 

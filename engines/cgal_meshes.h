@@ -9,13 +9,12 @@
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/intersections.h>
+#include <touchstone/geometry/solids.h>
+#include <touchstone/geometry/triangles.h>
+#include <touchstone/geometry/volumes.h>
 
 #include <optional>
 #include <vector>
-
-#include "geometry/solids.h"
-#include "geometry/triangles.h"
-#include "geometry/volumes.h"
 
 namespace touchstone {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Embree as peer: its fast rays.
 #include <embree3/rtcore_common.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/embree_ray.h"
-#include "program/engine_main.h"
+#include "embree_ray.h"
 
 using namespace touchstone;
 

@@ -3,13 +3,13 @@
 
 // Embree as peer, in single precision: one ray and one triangle.
 #include <embree3/rtcore.h>
+#include <touchstone/geometry/rays.h>
 
 #include <limits>
 #include <optional>
 #include <stdexcept>
 
-#include "engines/exactly.h"
-#include "geometry/rays.h"
+#include "exactly.h"
 
 namespace touchstone {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Embree as peer, in single precision, with the flag of robust rays: a scene of boxes that come, move and go.
 #include <embree3/rtcore.h>
+#include <touchstone/program/engine_main.h>
 
 #include <cmath>
 #include <deque>
@@ -8,8 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "engines/programs.h"
-#include "program/engine_main.h"
+#include "programs.h"
 
 namespace touchstone {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <touchstone/geometry/space.h>
+#include <touchstone/geometry/volumes.h>
+
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include "geometry/space.h"
-#include "geometry/volumes.h"
 
 /// Other parameters of the same shape, where they are exact: engines keep a box by its center and half its size, a
 /// motion by its end. What they cannot hold exactly they are not asked. Rounding to nearest.

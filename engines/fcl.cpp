@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // FCL as peer: its narrow phase over doubles with libccd, and continuous collision by conservative advancement.
 #include <fcl/fcl.h>
+#include <touchstone/program/engine_main.h>
 
 #include <array>
 #include <memory>
 #include <stdexcept>
 
-#include "engines/exactly.h"
-#include "engines/surfaces.h"
-#include "program/engine_main.h"
+#include "exactly.h"
+#include "surfaces.h"
 
 using namespace touchstone;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // FCL as peer: its table of hashed cells.
 #include <fcl/config.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/fcl_manager.h"
-#include "program/engine_main.h"
+#include "fcl_manager.h"
 
 using namespace touchstone;
 

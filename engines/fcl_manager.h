@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "engines/programs.h"
+#include "programs.h"
 
 namespace touchstone::fcl_manager {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <geos_c.h>
+#include <touchstone/program/engine_main.h>
 
 #include <algorithm>
 
-#include "engines/geos_session.h"
-#include "program/engine_main.h"
+#include "geos_session.h"
 
 using namespace touchstone;
 

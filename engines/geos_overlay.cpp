@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <geos_c.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/geos_session.h"
-#include "program/engine_main.h"
+#include "geos_session.h"
 
 using namespace touchstone;
 

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <geos_c.h>
+#include <touchstone/geometry/polygons.h>
+#include <touchstone/geometry/thin_shapes.h>
 
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "geometry/polygons.h"
-#include "geometry/thin_shapes.h"
 
 namespace touchstone {
 

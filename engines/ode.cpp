@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // ODE as peer, in double precision: geometries, and one contact.
 #include <ode/ode.h>
+#include <touchstone/program/engine_main.h>
 
-#include "engines/exactly.h"
-#include "engines/one_hit.h"
-#include "program/engine_main.h"
+#include "exactly.h"
+#include "one_hit.h"
 
 using namespace touchstone;
 

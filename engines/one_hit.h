@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gmpxx.h>
+#include <touchstone/geometry/bodies.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "catalogue/numbers/ulps.h"
-#include "geometry/bodies.h"
 
 /// How an engine that moves balls is asked about one collision: two balls of one radius that touch, one short step, no
 /// gravity, no friction.
@@ -29,7 +29,7 @@ std::optional<Hit<Real>> hit(const Velocities<Real>& velocities, const Vector3<R
   const auto lost = [exponent](Real c, Real of) { return std::scalbn(c, exponent) != of; };
   if (lost(n.x, normal.x) || lost(n.y, normal.y) || lost(n.z, normal.z)) return std::nullopt;
 
-  const auto exact = [](Real c) { return catalogue::exact_value(static_cast<double>(c)); };
+  const auto exact = [](Real c) { return mpq_class(static_cast<double>(c)); };
   const auto length = static_cast<Real>(std::sqrt(static_cast<double>(dot(n, n))));
   if (exact(length) * exact(length) != exact(n.x) * exact(n.x) + exact(n.y) * exact(n.y) + exact(n.z) * exact(n.z))
     return std::nullopt;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engines/programs.h"
+#include "programs.h"
 
 /// Programs of space for engines of the plane.
 namespace touchstone::programs {

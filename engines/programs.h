@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <touchstone/geometry/commands.h>
+#include <touchstone/robust/structures/along_ray.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
-
-#include "geometry/commands.h"
-#include "robust/structures/along_ray.h"
 
 /// What wrappers of foreign broad phases share: what a program asks for, and the order along a ray.
 namespace touchstone::programs {

@@ -4,12 +4,12 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
+#include <touchstone/program/engine_main.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
-
-#include "program/engine_main.h"
 
 using namespace touchstone;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formulas that are found in most ray tracers, over plain doubles, as peers.
 
+#include <touchstone/geometry/rays.h>
+#include <touchstone/program/engine_main.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "geometry/rays.h"
-#include "program/engine_main.h"
 
 using namespace touchstone;
 

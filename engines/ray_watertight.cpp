@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays that do not leak through common edges, after Woop, Benthin and Wald (2013), over plain doubles, as peer.
 
+#include <touchstone/geometry/rays.h>
+#include <touchstone/program/engine_main.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include "geometry/rays.h"
-#include "program/engine_main.h"
 
 using namespace touchstone;
 

@@ -3,7 +3,7 @@
 // .../simulate_box2d.
 #include <box2d/box2d.h>
 
-#include "engines/simulated.h"
+#include "simulated.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // Bullet makes the steps of a scene, in single precision: touchstone simulate SCENE --engine .../simulate_bullet.
 #include <bullet/LinearMath/btScalar.h>
 
-#include "engines/simulated_bullet.h"
+#include "simulated_bullet.h"
 
 int main() {
   const int version = btGetVersion();

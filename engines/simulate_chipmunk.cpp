@@ -3,7 +3,7 @@
 // .../simulate_chipmunk.
 #include <chipmunk/chipmunk.h>
 
-#include "engines/simulated.h"
+#include "simulated.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // ODE makes the steps of a scene, in double precision: touchstone simulate SCENE --engine .../simulate_ode.
 #include <ode/ode.h>
 
-#include "engines/simulated_ode.h"
+#include "simulated_ode.h"
 
 int main() {
   return simulated::run<simulated::Ode>(

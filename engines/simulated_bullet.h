@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "engines/simulated.h"
+#include "simulated.h"
 
 namespace simulated {
 

@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "engines/simulated.h"
+#include "simulated.h"
 
 namespace simulated {
 

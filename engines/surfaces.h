@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
+#include <touchstone/geometry/solids.h>
+#include <touchstone/robust/polyhedra/polyhedron_polyhedron.h>
+#include <touchstone/robust/polyhedra/triangle_triangle.h>
 
-#include "geometry/solids.h"
-#include "robust/polyhedra/polyhedron_polyhedron.h"
-#include "robust/polyhedra/triangle_triangle.h"
+#include <optional>
 
 /// Solids for engines whose meshes are surfaces.
 namespace touchstone::surfaces {

@@ -27,7 +27,7 @@ std::string man_page(const CLI::App& program);
 /// another shell.
 std::string completion(const CLI::App& program, const std::string& shell);
 
-/// "touchstone 0.1.0", then the compiler and the libraries, a line each.
+/// "touchstone 0.1.0 (2026-11-28)", then the compiler and the libraries, a line each.
 std::string version();
 
 }  // namespace touchstone::program

@@ -26,7 +26,8 @@ std::string triple(int number, int thousand) {
 std::string version() {
   const std::string json = triple(
       NLOHMANN_JSON_VERSION_MAJOR * 10000 + NLOHMANN_JSON_VERSION_MINOR * 100 + NLOHMANN_JSON_VERSION_PATCH, 100);
-  std::string text = std::string("touchstone ") + version_number + "\nlicence: Apache-2.0\ncompiler: " + compiler_name +
+  std::string text = std::string("touchstone ") + version_number + " (" + release_date +
+                     ")\nlicence: Apache-2.0\ncompiler: " + compiler_name +
                      "\nlibraries, their licences and where their sources are:";
   const auto add = [&](const std::string& library, const char* licence, const char* source) {
     text += fmt::format("\n  {}, {}, {}", library, licence, source);

@@ -9,7 +9,7 @@ Links lead to files that are there, and to headings. A block marked `console` sh
 print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
 lines. A block marked `console terminal` is run on a terminal, where `./dev audit` stands for the program's audit of as
 many cases. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
-audit/version.h, CITATION.cff and the program. facts.py checks numbers."""
+CITATION.cff, CHANGELOG.md and the program. facts.py checks numbers."""
 import argparse
 import os
 import pathlib
@@ -106,13 +106,15 @@ def shown_output(root, page, program):
 
 
 def versions(root, told):
-    """told: what the program says of itself."""
-    found = {"--version": re.match(r"touchstone ([\d.]+)$|", told, re.MULTILINE).group(1)}
-    for file, pattern in {"CMakeLists.txt": r"project\(touchstone VERSION ([\d.]+)",
-                          "audit/version.h": r'version_number = "([\d.]+)"',
-                          "CITATION.cff": r"^version: ([\d.]+)$"}.items():
-        match = re.search(pattern, (root / file).read_text(encoding="utf-8"), re.MULTILINE)
-        found[file] = match.group(1) if match else "none"
+    """The version and its date. told: what the program says of itself."""
+    release = r"([\d.]+)%s(\d{4}-\d\d-\d\d)"
+    texts = {file: (root / file).read_text(encoding="utf-8") for file in ("CMakeLists.txt", "CITATION.cff", "CHANGELOG.md")}
+    found = {place: re.search(pattern, text, re.MULTILINE | re.DOTALL) for place, text, pattern in (
+        ("--version", told, r"\Atouchstone " + release % r" \(" + r"\)$"),
+        ("CMakeLists.txt", texts["CMakeLists.txt"], r"^project\(touchstone VERSION " + release % r" .*^set\(TOUCHSTONE_RELEASE_DATE "),
+        ("CITATION.cff", texts["CITATION.cff"], "^version: " + release % "\ndate-released: " + "$"),
+        ("CHANGELOG.md", texts["CHANGELOG.md"], "^## " + release % " - " + "$"))}
+    found = {place: " of ".join(match.groups()) if match else "none" for place, match in found.items()}
     if len(set(found.values())) > 1:
         yield "versions differ: " + ", ".join(f"{place} {version}" for place, version in found.items())
 
@@ -132,9 +134,9 @@ RIGHT = {
     "docs/page.md": "# Two `words`\n[up](../README.md) [out](https://example.org)\n",
     "docs/operations.md": "## lines\n",
     "picture.png": "",
-    "CMakeLists.txt": "project(touchstone VERSION 1.2.3 LANGUAGES CXX)\n",
-    "audit/version.h": 'version_number = "1.2.3";\n',
-    "CITATION.cff": "version: 1.2.3\n",
+    "CMakeLists.txt": "project(touchstone VERSION 1.2.3 LANGUAGES CXX)\nset(TOUCHSTONE_RELEASE_DATE 2026-01-31)\n",
+    "CITATION.cff": "version: 1.2.3\ndate-released: 2026-01-31\n",
+    "CHANGELOG.md": "## Unreleased\n## 1.2.3 - 2026-01-31\n## 1.2.2 - 2025-01-31\n",
     "program": "#!/bin/sh\necho asked\n",
 }
 WRONG = [
@@ -148,7 +150,9 @@ WRONG = [
     ("README.md", f"{PROGRAM} ask\nasked", f"{PROGRAM} aks\nasked", "touchstone aks: the program knows no"),
     ("docs/page.md", "../README.md", "README.md", "README.md: there is no such file"),
     ("CITATION.cff", "1.2.3", "1.2.4", "versions differ"),
-    ("audit/version.h", "1.2.3", "1.2", "versions differ"),
+    ("CITATION.cff", "-31", "-30", "versions differ"),
+    ("CMakeLists.txt", "1.2.3", "1.2", "versions differ"),
+    ("CHANGELOG.md", "1.2.3", "1.2.5", "versions differ"),
 ]
 
 
@@ -161,7 +165,7 @@ def self_check():
                 changed = text.replace(before, after, 1) if name == file and before else text
                 (root / name).write_text(changed, encoding="utf-8")
             (root / "program").chmod(0o755)
-            found = list(defects(root, root / "program", "./dev test   build\n./dev audit   ask", {"ask"}, "touchstone 1.2.3\nelse"))
+            found = list(defects(root, root / "program", "./dev test   build\n./dev audit   ask", {"ask"}, "touchstone 1.2.3 (2026-01-31)\nelse"))
         if wanted is None and found:
             yield f"the right tree: {found}"
         if wanted is not None and not (len(found) == 1 and wanted in found[0]):

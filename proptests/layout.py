@@ -26,7 +26,8 @@ MODULES = {
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
     "c": {"oracle", "robust", "catalogue", "program", "c"},
     "python": {"robust", "c", "python"},
-    **dict.fromkeys(("engines", "proptests", "fuzz", "bench", "coverage", "examples")),
+    "engines": {"geometry", "robust", "program", "engines"},
+    **dict.fromkeys(("proptests", "fuzz", "bench", "coverage", "examples")),
 }
 # The files of an operation: folder (before the chapter) and suffixes.
 PLACES = {
@@ -41,11 +42,11 @@ PLACES = {
 IMPLEMENTATION_PLACES = {"catalogue/rows"}
 # Folders beside the chapters.
 NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", "structures", "proofs", "batch", "c"}, "oracle": {"exact", "certificates", "rings"}}
-# cmake/public_headers.cmake refuses to install these.
+# cmake/generate.py refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
-MADE = {"catalogue/rows/all.h", "catalogue/rows/declared.h", "catalogue/signatures/all.h",
-        "robust/c/array_forms.h", "touchstone_robust.h"}
+MADE = {"audit/version.h", "catalogue/rows/all.h", "catalogue/rows/declared.h", "catalogue/signatures/all.h", "robust/c/array_forms.h",
+        "touchstone_robust.h"}
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
 LONGEST = 400
@@ -140,7 +141,9 @@ def directions(tree):
         allowed = MODULES[module]
         for quote, target in tree.includes(name):
             other = target.removeprefix("touchstone/").split("/")[0]
-            if quote == '"' and target not in tree.text and target not in MADE and module != "examples":
+            if module == "engines" and quote == '"' and f"engines/{target}" not in tree.text:
+                yield f"{name}: engines/ is a project of its own and has no \"{target}\""
+            if quote == '"' and target not in tree.text and target not in MADE and module not in ("engines", "examples"):
                 yield f"{name}: there is no \"{target}\" from the root"
             if allowed is not None and other in MODULES and other not in allowed and "/" in target:
                 yield f"{name}: {module} must not include {other} ({target})"
@@ -317,6 +320,8 @@ PLANTED = [
     ("catalogue/operation/row.h", '#include "program/main.cpp"\n', "catalogue must not include program"),
     ("program/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "program must not include fuzz"),
     ("robust/lines/touch.cpp", '#include "touch.h"\n', 'there is no \"touch.h\" from the root'),
+    ("engines/touch.cpp", '#include "geometry/points.h"\n', 'engines/ is a project of its own and has no "geometry/points.h"'),
+    ("engines/touch.cpp", "#include <touchstone/catalogue/hull.h>\n", "engines must not include catalogue"),
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
     ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
     ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),

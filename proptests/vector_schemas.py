@@ -43,7 +43,7 @@ def defects(line):
     """(what is wrong, the line with it)"""
     yield "another version", line | {"touchstone": 2}
     yield "another operation", line | {"op": "touch"}
-    yield "another operation's id", line | {"id": "touch/0001"}
+    yield "another operation's id", line | {"id": "touch/0123456789"}
     yield "an id without number", line | {"id": line["op"] + "/one"}
     yield "an unknown family", line | {"family": "stranger"}
     yield "an unexpected field", line | {"comment": ""}

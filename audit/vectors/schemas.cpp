@@ -105,7 +105,7 @@ Json numbers() {
 Json common_members(const Operation& operation, const std::vector<std::string>& families) {
   Json members = Json::object();
   members["touchstone"]["const"] = vector_version;
-  members["id"] = pattern(operation.name() + "/[0-9]{4,}");
+  members["id"] = pattern(operation.name() + "/[0-9a-f]{" + std::to_string(digits_of_id) + "}");
   members["op"]["const"] = operation.name();
   members["family"]["enum"] = families;
   return members;

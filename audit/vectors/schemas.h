@@ -8,6 +8,7 @@
 namespace touchstone::audit {
 
 inline constexpr int vector_version = 1;
+inline constexpr std::size_t digits_of_id = 10;  ///< after the name of the operation, hexadecimal
 /// The family of vectors whose numbers are not all finite; it stands next to the families, which hold no such numbers.
 inline constexpr const char* not_finite_family = "not_finite";
 

@@ -2,15 +2,16 @@
 #include "audit/vectors/vectors.h"
 
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "audit/counting/audit_run.h"
 #include "audit/vectors/flags.h"
 #include "audit/vectors/likeness.h"
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
+#include "audit/vectors/sha256.h"
 #include "catalogue/judge/environment.h"
 #include "catalogue/operation/probes/array_mismatch.h"
 #include "catalogue/operation/probes/explained.h"
@@ -35,14 +36,20 @@ struct Examined {
   }
 };
 
+/// "orientation/1f0a9b3c5d", of the input as a line writes it: whatever else changes, an id names the same question.
+std::string id_of(const Operation& operation, const Json& input) {
+  return operation.name() + "/" + sha256(one_line(input)).substr(0, digits_of_id);
+}
+
 Json vector_line(const std::string& family, const Examined& examined) {
   const auto& [operation, question, once] = examined;
+  const Json input = operation.print(question), named = with_names(input);
   Json line = Json::object();
   line["touchstone"] = vector_version;
+  line["id"] = id_of(operation, named);
   line["op"] = operation.name();
   line["family"] = family;
-  const Json input = operation.print(question);
-  line["input"] = with_names(input);
+  line["input"] = named;
   try {
     const Examination& examination = *examined;
     line["truth"] = examination.truth();
@@ -58,25 +65,6 @@ Json vector_line(const std::string& family, const Examined& examined) {
     line["flags"] = {"refused"};
   }
   return line;
-}
-
-/// "orientation/0137"
-std::string id_of(const std::string& operation, std::size_t number) {
-  const std::string digits = std::to_string(number);
-  return operation + "/" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
-}
-
-/// Whether it has that form, of any number.
-bool is_id_of(const std::string& operation, const Json& id) {
-  if (!id.is_string() || !id.get<std::string>().starts_with(operation + "/")) return false;
-  const std::string digits = id.get<std::string>().substr(operation.size() + 1);
-  return digits.find_first_not_of("0123456789") == std::string::npos && digits.size() <= 9 &&
-         id == id_of(operation, static_cast<std::size_t>(std::atol(digits.c_str())));
-}
-
-/// The line with its id before the operation. The number is known when all lines are there.
-std::string with_id(std::string line, const std::string& operation, std::size_t number) {
-  return line.insert(line.find("\"op\":"), "\"id\":\"" + id_of(operation, number) + "\",");
 }
 
 std::string likeness(const Examined& examined) {
@@ -173,7 +161,7 @@ std::string other_complaint(const Json& line, const Examined& examined) {
     if (value.is_string() && value.get<std::string>().ends_with(".json") && value != written["input"][field])
       return field + ": " + value.get<std::string>() + " is not the mesh of that name";
   }
-  for (const char* name : {"rounded", "margin", "flags", "as_typed"}) {
+  for (const char* name : {"id", "rounded", "margin", "flags", "as_typed"}) {
     const Json right = written.value(name, Json());
     if (!same(line.value(name, Json()), right)) return std::string(name) + " is " + one_line(right);
   }
@@ -184,6 +172,7 @@ std::string other_complaint(const Json& line, const Examined& examined) {
 
 Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
   Vectors vectors;
+  std::set<Json> ids;  // a question that is drawn again is no vector more
   const std::size_t longest = operation.metadata().longest_vector;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     std::map<std::string, std::size_t> seen;
@@ -192,7 +181,9 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
       DrawStream draws = case_draws(operation, family, seed, i);
       const Examined examined{operation, operation.draw(draws, family)};
       if (seen[likeness(examined)]++ >= most_alike) continue;
-      std::string line = one_line(vector_line(operation.families()[family], examined));
+      const Json vector = vector_line(operation.families()[family], examined);
+      if (!ids.insert(vector["id"]).second) continue;
+      std::string line = one_line(vector);
       if (longest != 0 && line.size() > longest) {
         ++vectors.left_out;
         continue;
@@ -201,18 +192,17 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
       vectors.lines.push_back(std::move(line));
     }
   }
-  for (Question& question : not_finite_questions(operation))
-    vectors.lines.push_back(one_line(vector_line(not_finite_family, {operation, std::move(question)})));
-  for (std::size_t i = 0; i < vectors.lines.size(); ++i)
-    vectors.lines[i] = with_id(vectors.lines[i], operation.name(), i + 1);
+  for (Question& question : not_finite_questions(operation)) {
+    const Json vector = vector_line(not_finite_family, {operation, std::move(question)});
+    if (ids.insert(vector["id"]).second) vectors.lines.push_back(one_line(vector));
+  }
   return vectors;
 }
 
 std::vector<std::string> vectors_of(const Operation& operation, const std::vector<Question>& questions) {
   std::vector<std::string> lines;
   for (const Question& question : questions)
-    lines.push_back(
-        with_id(one_line(vector_line(recorded_family, {operation, question})), operation.name(), lines.size() + 1));
+    lines.push_back(one_line(vector_line(recorded_family, {operation, question})));
   return lines;
 }
 
@@ -232,7 +222,6 @@ std::string vector_complaint(const std::string& text, const std::string& folder)
   if (line.value("touchstone", 0) != vector_version) return "touchstone: version " + std::to_string(vector_version);
   const Operation* operation = line.contains("op") && line["op"].is_string() ? find_operation(line["op"]) : nullptr;
   if (operation == nullptr) return "op: an operation of the catalogue";
-  if (!is_id_of(operation->name(), line.value("id", Json()))) return "id: like " + id_of(operation->name(), 1);
   if (!line.contains("refused")) {
     if (const auto reason = certify::refuse_text(text, folder)) return *reason;
   }

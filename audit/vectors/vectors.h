@@ -15,7 +15,7 @@ inline constexpr std::uint64_t drawn_of_a_family = 600;
 
 /// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in
 /// which the textbook formula fails. The same seed gives the same bytes on every machine. The id of a line is its
-/// operation and its number, from 1.
+/// operation and the first ten digits of the SHA-256 of its input, so that it names the same question in every version.
 struct Vectors {
   std::vector<std::string> lines;
   std::size_t left_out = 0;  ///< longer than the operation's longest vector (Metadata::longest_vector)

@@ -161,5 +161,8 @@ int main(void) {
   decisions();
   shapes();
   errors();
+#ifdef VERSION_OF_PACKAGE
+  check(strcmp(TOUCHSTONE_VERSION, VERSION_OF_PACKAGE) == 0, "the version in the header is the package's");
+#endif
   return wrong > 125 ? 125 : wrong;
 }
