@@ -22,7 +22,7 @@
 /// Proved: sweep_start, sweep_slope_at_start and so on. For the two slopes one u less than here would be enough.
 namespace touchstone::robust::filters {
 
-/// What is known of a sweep. Each sign is certain or unknown.
+/// The signs known about a sweep, each certain or unknown.
 template <class Float, class Format = FloatFormat<Float>>
 class Sweep {
   using B = Bounds<Float, Format>;
@@ -71,8 +71,8 @@ class Sweep {
 
   /// w . w - r^2: positive: apart at the end; negative: they overlap there.
   ///
-  /// (1 + u)^7 - 1 in units of the sum of g^2 <= (ec + ev)^2, and less in units of r^2; 1 + u for the subtraction. Of
-  /// the units (1 - u)^10 is computed. m = 12. C = 7 u + 256 u^2: at u = 1/16, 2.786 < 3.285 in units of 7 u.
+  /// (1 + u)^7 - 1 in units of the sum of g^2 <= (ec + ev)^2, and less in units of r^2; 1 + u for the subtraction. At
+  /// least (1 - u)^10 of the units is computed. m = 12. C = 7 u + 256 u^2: at u = 1/16, 2.786 < 3.285 in units of 7 u.
   Sign end() const {
     const Float radius = r_ * r_, e = ec_ + ev_;
     return certain<Float, Format>(dot(w_, w_) - radius, B::template relative<14, 256>() * (e * e + radius) + absolute(),

@@ -24,7 +24,7 @@ Vector3d in_doubles(const Vector3<mpz_class>& direction) {
 
 double size(const Vector3d& v) { return std::max({__builtin_fabs(v.x), __builtin_fabs(v.y), __builtin_fabs(v.z)}); }
 
-/// The heights of points over the first, as doubles, and what they may be off by.
+/// The heights of points above the first, as doubles, and their error bound.
 ///
 /// u = 2^-52 bounds a rounding in every mode. Let D be the greatest coordinate of p - first, as computed. The direction
 /// is off by u of each coordinate, the difference by u, a product by u: three of at most D each are off by 9.1 u D, two
