@@ -10,11 +10,11 @@
 
 namespace touchstone::audit {
 
-/// What test frameworks print by our codec: shapes, answers, enumerators.
+/// The types that test frameworks print by our codec: shapes, answers, enumerators.
 template <class T>
 concept Printed = Composite<T> ||(Enumeration<T>&& requires { Words<T>::words; });
 
-/// JSON, with decimals that read back to the same double; an enumerator as its word.
+/// Prints JSON, with decimals that read back to the same double; an enumerator prints as its name.
 template <Printed T>
 std::string printed(const T& value) {
   if constexpr (Enumeration<T>) return Words<T>::words[static_cast<std::size_t>(value)];
