@@ -5,8 +5,8 @@
 
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/shape/described_bodies.h"
-#include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/shape/described_rays.h"
+#include "catalogue/shape/described_simultaneous.h"
 
 namespace touchstone::audit {
 
