@@ -5,10 +5,10 @@
 
 namespace touchstone::audit {
 
-/// As CMakeLists.txt has it (a test compares them).
+/// The version in CMakeLists.txt (a test compares them).
 inline constexpr const char* version_number = "0.1.0";
 
-/// What compiled this.
+/// The compiler of this build.
 #if defined(__clang__)
 inline constexpr const char* compiler_name = "clang " __clang_version__;
 #else

@@ -297,7 +297,7 @@ void add_deck(CLI::App& program, Action& action) {
   command->callback([=, &action] { action = [=] { return deck_command(*options, std::cerr); }; });
 }
 
-/// In one line, whatever names of files and fields it quotes.
+/// Prints one line, whatever names of files and fields it quotes.
 int complained(const std::exception& wrong, int code) {
   std::cerr << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
   return code;

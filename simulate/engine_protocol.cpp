@@ -96,7 +96,7 @@ bool is_planar(const Scene& scene) {
   const bool flat = std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) {
     return body.start.position.z == 0 && body.start.velocity.z == 0;
   });
-  // A wall across the plane turns nothing out of it, and one along the plane is never approached.
+  // A wall perpendicular to the plane moves nothing out of it, and one parallel to the plane is never approached.
   return flat && scene.gravity.z == 0 && std::all_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
            const auto& [x, y, z] = wall.plane.normal;
            return z == 0 || (x == 0 && y == 0);

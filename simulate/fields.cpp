@@ -22,7 +22,7 @@ bool Fields::has(const char* name) {
 
 const Json& Fields::at(const char* name) {
   if (has(name)) return json_[name];
-  // Where the name is misspelled, it is told of the field that is there, and not that this one is missing.
+  // A misspelled name is reported for the field that is present, and the intended one is not reported as missing.
   const std::vector<const char*> meant{name};
   for (const auto& [key, value] : json_.items())
     if (!catalogue::did_you_mean(key, meant).empty())

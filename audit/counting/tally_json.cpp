@@ -14,7 +14,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// Null where robust and oracle refuse the question.
+/// Null if robust and oracle refuse the question.
 Json truth_json(const Operation& operation, const Finding& finding) {
   try {
     return finding.examination(operation).truth();
@@ -23,7 +23,7 @@ Json truth_json(const Operation& operation, const Finding& finding) {
   }
 }
 
-/// Whose tallies they are.
+/// The engine whose tallies they are.
 struct Whose {
   const Tally& tally;
   bool robust;

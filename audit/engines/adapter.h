@@ -24,8 +24,8 @@
 ///   };
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
 ///
-/// with one member function per operation that it has, of the operation's name and arguments (geometry/*.h).
-/// docs/operations.md lists all signatures, docs/engines.md says what may be returned. A member that has an operation's
+/// with one member function for each operation that it has, with the operation's name and arguments (geometry/*.h).
+/// docs/operations.md lists all signatures, docs/engines.md the possible return types. A member that has an operation's
 /// name and does not take its arguments does not compile.
 namespace touchstone {
 
@@ -40,7 +40,7 @@ concept AnswersTo = requires(Engine& engine, const Arguments&... arguments) {
   Row::ask(engine, arguments...);
 };
 
-/// Whether the engine has a row's operation on shapes over Real.
+/// True if the engine has a row's operation on shapes over Real.
 template <class Engine, class Row, class Tuple>
 inline constexpr bool answers_row = false;
 template <class Engine, class Row, class... Ts>
@@ -50,21 +50,21 @@ inline constexpr bool answers_row<Engine, Row, std::variant<Ts...>> = (answers_r
 template <class Engine, class Row, class Real>
 inline constexpr bool has_operation = answers_row<Engine, Row, rebound_t<typename Row::Question, Real>>;
 
-/// A struct, so that the compiler complains once.
+/// A struct, so that the compiler reports the error once.
 template <class Engine>
 struct NotFinal {
   static_assert(!std::is_final_v<Engine>, "an engine's struct is not final: else its members cannot be told by name");
 };
 template <class Engine, class Row>
 struct EngineAndNamesake : Engine, Row::Namesake {};
-/// Whether the engine has a member of the operation's name, of whatever kind.
+/// True if the engine has a member of the operation's name, of any kind.
 template <class Engine, class Row>
 constexpr bool names_operation() {
   if constexpr (std::is_final_v<Engine>) return sizeof(NotFinal<Engine>) == 0;
   else return Row::template is_ambiguous<EngineAndNamesake<Engine, Row>>;
 }
 
-/// Does not compile where the engine has a member of the operation's name that does not take its arguments.
+/// Does not compile if the engine has a member of the operation's name that does not take its arguments.
 template <class Row, class Engine>
 constexpr void require_signature() {
   constexpr bool has = has_operation<Engine, Row, double> || has_operation<Engine, Row, float>;
@@ -75,8 +75,7 @@ constexpr void require_signature() {
 }
 
 /// The alternatives of a question for which the engine has an overload, and the arguments of those for which it has
-/// none:
-/// "(Sphere3<double> a, ...)".
+/// none: "(Sphere3<double> a, ...)".
 struct Alternatives {
   std::set<std::size_t> answered{};
   std::vector<std::string> left_out{};
@@ -110,7 +109,7 @@ struct NumberOf<Engine> {
 template <class Engine>
 using number_of = typename NumberOf<Engine>::type;
 
-/// The number type over which the shapes of an operation are handed to the engine: its own where it takes that.
+/// The number type of the shapes that the engine gets for an operation: its own if it takes that.
 template <class Engine, class Row>
 using handed_number = std::conditional_t<has_operation<Engine, Row, number_of<Engine>>, number_of<Engine>,
                                          std::conditional_t<std::is_same_v<number_of<Engine>, double>, float, double>>;
@@ -144,7 +143,7 @@ std::optional<Json> said_to(Engine& engine, const std::variant<Ts...>& asked) {
   return visited([&](const auto& alternative) { return said_to<Row>(engine, alternative); }, asked);
 }
 
-/// What the engine says to one question of a row; empty: unsupported.
+/// The engine's answer to one question of a row; empty: unsupported.
 template <class Row, class Engine>
 std::optional<Json> ask_engine(Engine& engine, const Question& question) {
   require_signature<Row, Engine>();
@@ -167,7 +166,7 @@ requires(!std::is_final_v<Engine>) inline constexpr bool names_any_of<Engine, Ro
 
 template <class Engine>
 Served served(Engine& engine) {
-  // Where there is one of the name, require_signature says what is wrong with it.
+  // If there is one of the name, require_signature reports what is wrong with it.
   static_assert(has_any_of<Engine, Rows> || names_any_of<Engine, Rows>,
                 "the engine has no member function of the name and arguments of an operation (touchstone ops)");
   Served all;
@@ -176,7 +175,7 @@ Served served(Engine& engine) {
     require_signature<Row, Engine>();
     if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
       const Operation& operation = *find_operation(Row::metadata().name);
-      if (operation.metadata().is_implementation()) return;  // engines are asked the operation itself
+      if (operation.metadata().is_implementation()) return;  // engines are asked only the operation itself
       all.hello.operations.insert(operation.name());
       const Alternatives alternatives = alternatives_of<Row, Engine>();
       if (!alternatives.left_out.empty()) all.hello.declaration.alternatives[operation.name()] = alternatives.answered;

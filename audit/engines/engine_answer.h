@@ -8,10 +8,10 @@
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/operation/row.h"
 
-/// What a member function of an engine may return, and how it reads in JSON.
+/// The possible return values of an engine's member functions, and their JSON.
 namespace touchstone::audit {
 
-/// Whether a type is an enumeration with a word that says "they do not meet".
+/// True if a type is an enumeration with an enumerator for "they do not meet".
 template <class Word>
 inline constexpr bool can_be_false = false;
 template <Enumeration Word>
@@ -19,7 +19,7 @@ inline constexpr bool can_be_false<Word> = requires {
   Words<Word>::no;
 };
 
-/// Whether true and false are answers too: where an answer is such a word, or has one as a member.
+/// True if true and false are also answers: if the answer is such an enumerator, or has one as a member.
 template <class Answer>
 constexpr bool has_plain_reading() {
   if constexpr (Composite<Answer>) {
@@ -58,7 +58,7 @@ constexpr bool has_member_of_type() {
   return false;
 }
 
-/// Whether that word alone is an answer: whatever else the answer holds are numbers, which may be left out.
+/// True if that enumerator alone is an answer: the rest of the answer is numbers, which may be omitted.
 template <class Answer, class Word>
 constexpr bool is_the_only_word() {
   return spread(
@@ -70,8 +70,8 @@ constexpr bool is_the_only_word() {
       Described<Answer>::members);
 }
 
-/// Empty: the engine does not support this question. Result: the operation's answer over double or float, its word
-/// alone, true or false where that is an answer, or a std::optional of one of these.
+/// Empty: the engine does not support this question. Result: the operation's answer over double or float, its
+/// enumerator alone, true or false if that is an answer, or a std::optional of one of these.
 template <class Row, class Result>
 std::optional<Json> engine_answer(const Result& result) {
   using Answer = answer_t<Row>;

@@ -13,8 +13,8 @@
 
 namespace touchstone::audit {
 
-/// Which verdicts stop the fuzzing: those named, with commas between them; without a name the findings. Throws
-/// InvalidInput where a name is that of no verdict, or agree: such a name would never stop anything.
+/// The verdicts that stop the fuzzing: those named, separated by commas; by default the findings. Throws InvalidInput
+/// if a name is not a verdict, or is agree: such a name would never stop anything.
 class StoppingVerdicts {
  public:
   explicit StoppingVerdicts(const char* names) {
@@ -28,7 +28,7 @@ class StoppingVerdicts {
   bool contain(Verdict verdict) const {
     return named_.empty() ? is_finding(verdict) : std::find(named_.begin(), named_.end(), verdict) != named_.end();
   }
-  /// As the environment names them; the program ends where it names none that exist.
+  /// As named in the environment; the program ends if it names unknown ones.
   static StoppingVerdicts of_environment() {
     try {
       return StoppingVerdicts(std::getenv("TOUCHSTONE_FUZZ_ONLY"));
@@ -42,9 +42,9 @@ class StoppingVerdicts {
   std::vector<Verdict> named_;
 };
 
-/// One libFuzzer input: its first byte chooses the family, the others are the draws that draw a question of it.
-/// Aborts with one line where the verdict on the engine's answer is among those that stop: the findings, or with
-/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid these alone. A crash of the engine is libFuzzer's to report.
+/// One libFuzzer input: its first byte selects the family, the others are the draws of a question of it. Aborts with
+/// one line if the verdict on the engine's answer is one that stops: a finding, or with
+/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid one of these. libFuzzer reports a crash of the engine.
 template <class Engine, class Row>
 int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   static const StoppingVerdicts stopping = StoppingVerdicts::of_environment();
@@ -59,7 +59,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   try {
     examination = operation.examine(question);
   } catch (const InvalidInput&) {
-    return -1;  // outside the contract: not to be kept in the corpus
+    return -1;  // outside the contract: not for the corpus
   }
   Judgement judgement;
   Json answer;
@@ -67,7 +67,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
     const auto said = ask_engine<Row>(engine, question);
     if (!said) return -1;
     answer = *said;
-    // Read back as if it had come through the pipe: the judge takes numbers as they were written.
+    // Parsed as if it had come through the pipe: the judge takes numbers as they were written.
     judgement = examination->judge_engine(parse_line(one_line(answer)), declaration);
   } catch (const std::exception& thrown) {
     judgement = {Verdict::invalid, 0, thrown.what()};

@@ -8,15 +8,14 @@
 #include "catalogue/operation/operation.h"
 #include "catalogue/operation/row.h"
 
-/// What the member functions of an engine look like: their signatures as types, for the compiler's messages, and as
-/// text, for pages.
+/// The signatures of an engine's member functions: as types, for the compiler's messages, and as text, for pages.
 namespace touchstone::audit {
 
 /// Function types: an operation's signature, one for each alternative of its questions.
 template <class... Functions>
 struct Signatures {};
 
-/// A question as its alternatives, also where there is only one.
+/// A question as its alternatives, even if there is only one.
 template <class Question>
 struct AlternativesOf {
   using type = std::variant<Question>;
@@ -35,7 +34,7 @@ struct FunctionOf<Answer, std::tuple<Ts...>> {
   using type = Answer(Ts...);
 };
 
-/// Where the alternatives have answers of different types, each has its own.
+/// If the alternatives have answers of different types, each has its own.
 template <class Answer, class Alternatives>
 struct SignaturesOf;
 template <class Answer, class... Ts>
@@ -49,7 +48,7 @@ requires(sizeof...(Answers) == sizeof...(Ts)) struct SignaturesOf<std::variant<A
 template <class Row>
 using signatures_of = typename SignaturesOf<answer_t<Row>, alternatives_t<typename Row::Question>>::type;
 
-/// A member function as it stands in an engine, and what else it may return.
+/// A member function as written in an engine, and its other possible return types.
 struct Signature {
   std::string text;  ///< "SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b)"
   std::vector<std::string> instead;
@@ -58,7 +57,7 @@ struct Signature {
 /// One for each alternative of the operation's questions.
 std::vector<Signature> signatures(const Operation& operation);
 
-/// "(Segment2<double> a, Segment2<double> b)", of one alternative.
+/// The arguments of one alternative: "(Segment2<double> a, Segment2<double> b)".
 std::string arguments_text(const Operation& operation, std::size_t alternative);
 
 }  // namespace touchstone::audit

@@ -51,7 +51,7 @@ struct StageFunctions {
     std::optional<EncodedValue<double>> (*ask)(const Question&, std::size_t environment);  ///< nullopt: undecided
   };
   std::vector<One> each;  ///< in the order in which they are tried
-  robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
+  robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not say
 };
 
 /// Decisions over arrays (robust/batch/isa/columns.h): enumerators, one byte each.

@@ -52,7 +52,7 @@ Limits limits_named(const std::string& text) {
   return {*least, *most};
 }
 
-/// The directory of the report is made, and can be written into, before the first question.
+/// Creates the report's directory, and checks that it is writable, before the first question.
 void require_directory(const std::string& directory, double seconds) {
   if (directory.empty() && seconds > 0)
     throw UsageError("--report-seconds: expected --report too, whose maps it limits");
@@ -77,7 +77,7 @@ std::optional<Tally> earlier_audit(const AuditCommand& command) {
   }
 }
 
-/// What makes an audit this one.
+/// The parameters that identify this audit.
 Json named(const AuditCommand& command, const Shard& shard) {
   return {{"audit", command.operations}, {"engine", command.engine}, {"families", command.families},
           {"cases", command.cases},      {"seed", command.seed},     {"seconds", written(command.seconds)},
@@ -85,7 +85,7 @@ Json named(const AuditCommand& command, const Shard& shard) {
           {"shard", shard.text()}};
 }
 
-/// What cannot be written is said of --report.
+/// Attributes write errors to --report.
 void reporting(const std::function<void()>& write) {
   try {
     write();

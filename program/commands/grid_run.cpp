@@ -14,7 +14,7 @@
 namespace touchstone::program {
 namespace {
 
-/// So often it is seen how far the run is.
+/// The interval at which progress is checked.
 constexpr double seconds_of_a_round = 0.5;
 
 std::uint64_t configurations(const Operation& operation, const ExhaustCommand& command) {

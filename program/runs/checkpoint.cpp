@@ -12,7 +12,7 @@
 namespace touchstone::program {
 namespace {
 
-/// What is lost is at most an eighth of the time spent, or that.
+/// At most an eighth of the time spent is lost, or this much.
 constexpr std::chrono::milliseconds least{500}, most{30'000};
 
 }  // namespace

@@ -25,7 +25,7 @@ Shard parsed(const std::string& text) {
   return shard;
 }
 
-/// Empty where the variable is not set, or to nothing.
+/// nullopt if the variable is not set, or empty.
 std::optional<std::uint64_t> number_in(const Variable& variable, const std::string& name) {
   const char* const value = variable(name.c_str());
   if (value == nullptr || *value == 0) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<std::uint64_t> number_in(const Variable& variable, const std::stri
   return number;
 }
 
-/// Task `index` of those that a launcher counts from `least`.
+/// Task `index` of a launcher that counts from `least`.
 Shard counted_from(std::uint64_t least, std::uint64_t index, std::uint64_t of, const std::string& from) {
   if (index < least || index - least >= of)
     throw UsageError(fmt::format("{}: expected an index from {} and below {} + {}, got {}; or give --shard I/N", from,

@@ -32,7 +32,7 @@ std::string from_base64(const Value& uri, std::string_view text) {
   return bytes;
 }
 
-/// The name of a file in the same folder or below, with %20 and the like as the characters that they stand for.
+/// The name of a file in the same folder or below, with %20 and similar sequences decoded.
 std::string file_of(const Value& uri, std::string_view text) {
   std::string name;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -149,7 +149,7 @@ Elements elements_of(const Document& document, const Value& accessor, std::size_
   const Value view = document.root()["bufferViews"][accessor["bufferView"].integer()];
   const std::size_t buffer = view["buffer"].integer(), begin = view.integer("byteOffset", 0);
   const std::size_t length = view["byteLength"].integer(), stride = view.integer("byteStride", size);
-  document.root()["buffers"][buffer];  // refuses a buffer that is not there
+  document.root()["buffers"][buffer];  // refuses a missing buffer
   const std::string_view bytes = document.buffers[buffer];
   if (begin > bytes.size() || length > bytes.size() - begin) view.refuse("inside its buffer");
   const std::size_t offset = accessor.integer("byteOffset", 0), count = accessor["count"].integer();

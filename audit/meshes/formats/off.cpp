@@ -6,8 +6,8 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// How long the keyword is with which a word begins: it may have letters in front for what else a vertex line holds
-/// behind its position. What follows directly is the first count, as in all of ModelNet.
+/// The length of the keyword at the start of a word: letters before it tell what a vertex line holds after its
+/// position. If text follows directly it is the first count, as in all of ModelNet.
 std::size_t keyword_length(std::string_view word) {
   for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"}) {
     if (word.starts_with(known) && word.find_first_not_of("0123456789", known.size()) == word.npos) return known.size();

@@ -14,7 +14,7 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// Signatures of records, and of those that hold what 32 bits do not.
+/// Signatures of records, and of those for values beyond 32 bits.
 constexpr std::string_view last_record = "PK\5\6", directory_entry = "PK\1\2", local_header = "PK\3\4";
 constexpr std::string_view last_record_64 = "PK\6\6", locator_64 = "PK\6\7";
 constexpr std::size_t locator_64_length = 20;
@@ -49,7 +49,7 @@ Directory directory_of(const std::string& name, std::string_view all) {
   return found;
 }
 
-/// What does not fit into 32 bits stands in the extra field of that number.
+/// Reads the values that do not fit into 32 bits from the extra field of that number.
 void extend(Bytes extra, std::vector<std::uint64_t*> values) {
   while (extra.left() >= 4) {
     const auto kind = extra.number<std::uint16_t>(), length = extra.number<std::uint16_t>();

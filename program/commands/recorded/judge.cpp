@@ -36,7 +36,7 @@ JudgeOptions judge_options(const JudgeCommand& command, const Shard& shard) {
   return options;
 }
 
-/// What makes a run this one.
+/// The parameters that identify this run.
 Json run_of(const JudgeCommand& command, const Shard& shard) {
   return {{"judge", command.files},
           {"ops", command.operations},
@@ -48,7 +48,7 @@ Json run_of(const JudgeCommand& command, const Shard& shard) {
           {"shard", shard.text()}};
 }
 
-/// Whether anything was judged; else says why not.
+/// Returns whether anything was judged; otherwise prints the reason.
 bool judged_any(const JudgedLogs& judged, std::ostream& err) {
   if (sum_of(judged.tally.operations).cases() > 0) return true;
   std::uint64_t calls = 0;
