@@ -8,11 +8,11 @@
 
 namespace touchstone::oracle {
 
-/// Truth: `meeting` where a linear program finds weights of a's vertices and of b's that give one point. Else the least
-/// distance of a vertex, edge or face of a from one of b, all pairs tried in integers: the nearest points of solids are
-/// on these. Where there are many such points they are in one plane, and the one that is nearest to a.vertices[0] is
-/// its foot on that plane, or on an edge, or a vertex, or where two edges cross: all of these that are in both solids
-/// are tried.
+/// Truth: `meeting` where a linear program finds weights of a's vertices and of b's that give one point. Otherwise the
+/// least distance of a vertex, edge or face of a from one of b, all pairs tried in integers: the nearest points of
+/// solids are on these. Where there are many such points they are in one plane, and the one that is nearest to
+/// a.vertices[0] is its foot on that plane, or on an edge, or a vertex, or where two edges cross: all of these that are
+/// in both solids are tried.
 ///
 /// Margin: a length, how far a has to be moved in the maximum norm until the relation changes, by linear programs.
 ///

@@ -14,14 +14,15 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The ring, with the point as one more vertex behind the last.
+/// The ring, with the point as one more vertex after the last.
 struct Whole {
   Polygon2<Integer> ring;
   Point2<Integer> point;
   Rational unit;
 };
 
-/// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
+/// Refuses rings that are not convex: accepts a simple polygon of some area without a turn against the sign of its
+/// area.
 void validate_convex(const WholeRing& ring) {
   const auto defect = ring_defect(ring);
   if (defect && defect->first == defect->second) validation::refuse("polygon", *defect, ring.size());
@@ -75,8 +76,8 @@ struct Found {
   std::optional<Triangle> triangle;
 };
 
-/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, but for the
-/// first side of the first triangle and the last of the last.
+/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, except for
+/// the first side of the first triangle and the last of the last.
 Found located(const Whole& w) {
   const std::vector<Triangle> triangles = fan(w);
   for (const Triangle& t : triangles) {
@@ -106,7 +107,7 @@ Certificate certificate_point_in_convex_polygon(const Whole& w, const std::optio
   }
 }
 
-/// In squared units.
+/// The least distance in squared units.
 Rational least_distance(const Whole& w) {
   std::optional<Rational> least;
   for (std::size_t i = 0; i < w.ring.size(); ++i) {

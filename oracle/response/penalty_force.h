@@ -12,8 +12,8 @@ namespace touchstone::oracle {
 ///
 /// Margin: E^2 / (N . N), the squared distance from the plane, on which the force begins.
 ///
-/// Certificate: E < 0: "foot": the `foot` of the point on the plane, and what the velocity has `along` the normal. Else
-/// "no_contact".
+/// Certificate: E < 0: "foot": the `foot` of the point on the plane, and what the velocity has `along` the normal.
+/// Otherwise "no_contact".
 Truth<Vector3<Rational>> penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
                                        double stiffness, double damping);
 template <Exact Number>

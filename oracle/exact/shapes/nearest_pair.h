@@ -27,8 +27,8 @@ struct NearestPair {
 /// point of a has the greatest weight: on segments, the least parameter on a.
 NearestPair nearest_pair(const Hull& a, const Hull& b);
 
-/// Of two segments, on_a a point of the first that is nearest to the second, way from there to the nearest point of the
-/// second: of all such points of the first the one that is nearest to another point.
+/// For two segments, on_a a point of the first that is nearest to the second, way the displacement from there to the
+/// nearest point of the second: among all such points of the first the one nearest to another point.
 Point3<Rational> nearest_to(const Point3<Rational>& point, const Hull& a, const Hull& b, const Point3<Rational>& on_a,
                             const Vector3<Rational>& way);
 

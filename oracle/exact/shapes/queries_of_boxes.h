@@ -9,7 +9,7 @@
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/shapes/body_tree.h"
 
-/// What a box or a ray meets of the bodies of a tree.
+/// The bodies of a tree that a box or a ray meets.
 namespace touchstone::oracle {
 
 template <class Number>
@@ -45,7 +45,7 @@ std::vector<Index> met_by(const Ray3<Rational>& ray, const BodyTree& tree, const
 std::vector<Certificate> proofs_of(const Aabb3<Rational>& query, const BodyTree& tree, const Bodies& bodies);
 std::vector<Certificate> proofs_of(const Ray3<Rational>& ray, const BodyTree& tree, const Bodies& bodies);
 
-/// Whether a point is in the interior of a box, or a point of a ray.
+/// True if a point is in the interior of a box, or a point of a ray.
 bool in_interior(const Point3<Rational>& point, const Aabb3<Rational>& box);
 bool in_interior(const Ray3<Rational>& ray, const Aabb3<Rational>& box);
 

@@ -5,8 +5,8 @@
 
 namespace touchstone::oracle {
 
-/// The z of a problem that has one z alone, where floating-point numbers guess which of its numbers are not 0; else
-/// nothing.
+/// The z of a problem with a unique z, if floating-point numbers guess which of its numbers are not 0; otherwise
+/// nullopt.
 ///
 /// The guess: the pivots of principal_pivots.h in doubles. Its proof: elimination of the equations of these numbers in
 /// rationals, of which those that are 0 cost nothing, then z >= 0 and w >= 0 at all contacts; and that the equations of

@@ -5,7 +5,7 @@
 
 namespace touchstone::oracle {
 
-/// The z of a problem that has one z alone, where that is found by pivots on the diagonal; else nothing.
+/// The z of a problem with a unique z, if it is found by pivots on the diagonal; otherwise nullopt.
 ///
 /// The symmetric principal pivoting method (Cottle, Pang, Stone: The Linear Complementarity Problem, section 4.2): a w
 /// below 0 is raised by its own z; whatever would fall below 0 on the way changes places with its complement. No number
