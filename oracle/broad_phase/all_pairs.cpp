@@ -65,7 +65,7 @@ Integer squared_distance(const Ball& a, const Ball& b) {
   return dot(between, between);
 }
 
-/// How much two solids can move before they separate, to the power `degree`; negative: how far apart they are.
+/// The distance that two solids can move before they separate, to the power `degree`; negative: their distance.
 Integer spare(const Ball& a, const Ball& b) {
   const Integer reach = a.radius + b.radius;
   return Integer(reach * reach - squared_distance(a, b));

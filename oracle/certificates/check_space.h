@@ -65,7 +65,7 @@ Plane plane(const json& value, const std::string& what);
 std::vector<Triple> points_in_space(const json& value, const std::string& what);
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what);
 Ball ball(const json& value, const std::string& what);
-/// Of the plane or of space; so the next.
+/// Shapes of the plane or of space, also the next.
 BallOrDisc ball_or_disc(const json& value, const std::string& what);
 Box box(const json& value, const std::string& what);
 Box box_in_space(const json& value, const std::string& what);

@@ -25,8 +25,8 @@ Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b);
 template <Exact Number>
 Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Number>& a, const Mesh<Number>& b);
 
-/// Of all pairs of points of solids apart that are as near as those of the truth, the one whose point of a is nearest
-/// to `on_a`. No other truth rests on it.
+/// Among all pairs of points of disjoint solids that are as near as those of the truth, the one whose point of a is
+/// nearest to `on_a`. No other truth rests on it.
 ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistance<Surd>& truth, const Point3d& on_a);
 
 }  // namespace touchstone::oracle

@@ -218,7 +218,7 @@ class ImpactStepStep {
     return result;
   }
 
-  /// How much the impulse of one contact separates another.
+  /// The separation at one contact due to the impulse of another.
   OverRoot effect(const Met& c, const Met& d) const {
     const auto mass = [&](Index body, Index pushed, Index pushed_back) -> Rational {
       if (!movable(body)) return 0;

@@ -69,7 +69,7 @@ class System {
   Vector3<Integer> velocity(Index body) const {
     return {speeds_.whole[3 * body], speeds_.whole[3 * body + 1], speeds_.whole[3 * body + 2]};
   }
-  /// How much the impulse of one contact separates another, or itself.
+  /// The separation at one contact due to the impulse of another, or of itself.
   Integer effect(const WholeContact& c, const WholeContact& d) const {
     const auto signed_mass = [this](Index body, Index pushed, Index pushed_back) {
       if (body == pushed) return inverse_masses_.whole[body];

@@ -9,7 +9,8 @@
 
 namespace touchstone::reference {
 
-/// A tree of boxes: each node around its bodies, which are halved by the middles of their boxes along the longest axis.
+/// A tree of boxes: each node encloses its bodies, which are split in half by the middles of their boxes along the
+/// longest axis.
 template <class Real>
 class BoxHierarchy {
  public:
@@ -54,9 +55,9 @@ class BoxHierarchy {
   std::vector<BoxHierarchy> children_;
 };
 
-/// What `broad_phase` asks, by a bounding volume hierarchy of boxes.
+/// Answers `broad_phase` by a bounding volume hierarchy of boxes.
 ///
-/// Deck p. 58-61: whatever does not meet a node's volume meets nothing below it. Input, answer and what is refused:
+/// Deck p. 58-61: whatever does not meet a node's volume meets nothing below it. Input, answer and refusals:
 /// reference/broad_phase/broad_phase.h.
 ///
 /// A node is compared and not computed with, and holds what is below it: boxes and points are answered right by the

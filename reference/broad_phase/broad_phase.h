@@ -100,7 +100,7 @@ class PairLoop {
   }
 
  private:
-  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty where a body was removed
+  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty if a body was removed
 };
 
 template <class Real>
@@ -111,7 +111,7 @@ struct IndexedBox {
 template <class Real>
 using IndexedBoxes = std::vector<IndexedBox<Real>>;
 
-/// What is searched for in a structure.
+/// The query of a search in a structure.
 template <class Real>
 struct BoxQuery {
   Aabb3<Real> box;
@@ -171,7 +171,7 @@ class InStructure {
     return met;
   }
 
-  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty where a body was removed
+  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty if a body was removed
 };
 
 template <class Real>
@@ -186,8 +186,8 @@ Aabb3<Real> around(const IndexedBoxes<Real>& bodies) {
   return box;
 }
 
-/// Which bodies meet each other, a box, a point or a ray, while some come, move and go: the broad phase of a running
-/// simulation.
+/// Finds which bodies meet each other, a box, a point or a ray while bodies are added, moved and removed: the broad
+/// phase of a running simulation.
 ///
 /// Deck p. 55-56: the loop over all pairs, n (n - 1) / 2 tests by intervals (p. 45-47) for each query; the other
 /// queries, which no page asks, are n tests by the same intervals and, of a ray, by the parameters at which it is

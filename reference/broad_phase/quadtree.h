@@ -66,9 +66,9 @@ class CellTree {
 template <class Real>
 using Quadtree = CellTree<Real, false>;
 
-/// What `broad_phase` asks, by a quadtree over x and y; a cell is as high as all bodies.
+/// Answers `broad_phase` by a quadtree over x and y; a cell is as high as all bodies.
 ///
-/// Deck p. 62: a cell with many bodies is cut into four. Input, answer and what is refused:
+/// Deck p. 62: a cell with many bodies is cut into four. Input, answer and refusals:
 /// reference/broad_phase/broad_phase.h.
 ///
 /// Right in exact arithmetic. Two cells end in one number, however it was rounded, and bodies and queries are compared

@@ -9,7 +9,7 @@
 
 namespace touchstone::reference {
 
-/// What part of a whole a number is.
+/// The fraction of a total that a number is.
 struct ByQuotient {
   template <class Real>
   static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& whole) {
@@ -17,7 +17,7 @@ struct ByQuotient {
   }
 };
 
-/// By the region in which p lies: of a corner, of an edge, or of the face.
+/// Selects the region in which p lies: of a corner, of an edge, or of the face.
 template <class Real, class Division = ByQuotient>
 Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& triangle) {
   const auto& [a, b, c] = triangle;
@@ -40,7 +40,7 @@ Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& t
   return a + (to_b * ab + to_c * ac);
 }
 
-/// The point of a closed triangle in space that is nearest to a point, and how far it is: the distance and its square.
+/// The point of a closed triangle in space that is nearest to a point, its distance and the square of that.
 ///
 /// No page of the deck asks this. The formula is the textbook's (Ericson, Real-Time Collision Detection, 5.1.5): the
 /// scalar products of the edges from a with the ways from the corners to p tell whether p lies beyond a corner, whose

@@ -29,8 +29,8 @@ namespace touchstone::reference {
 /// Rounding (binary64, to nearest, u = 2^-53): with L and R the two products in a coordinate of N as computed, the
 /// coordinate is off by at most (4 + 20u) u (|L| + |R|) + 2^-1073 (see orientation.h, and the subtraction's own
 /// rounding); let D be the sum of these three bounds. With Q = N . N and s = sqrt(Q) as computed and 2^-960 <= Q <
-/// infinity, and nothing else overflowing, s is the length of the computed N but for 3u relatively. So a coordinate U
-/// of the unit normal of the first three vertices is off by at most
+/// infinity, and nothing else overflowing, s is the length of the computed N except for 3u relatively. So a coordinate
+/// U of the unit normal of the first three vertices is off by at most
 ///     5u |U| + (2 + 8u) D / s + 2^-1074
 /// and `proper` is right for these three where (1 - 4u) s > D.
 /// ulps: 22 roundings behind each coordinate (six differences, nine in the cross product, five in Q, root, quotient).

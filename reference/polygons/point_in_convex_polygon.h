@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of a convex polygon, by the side of each edge.
+/// Locates a point relative to a convex polygon, by the side of each edge.
 ///
 /// Deck p. 16-17: for every edge a -> b
 ///     E = (y - ay)(bx - ax) - (x - ax)(by - ay);

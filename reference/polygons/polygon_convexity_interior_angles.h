@@ -37,7 +37,8 @@ Real sum_of(const std::vector<Real>& angles) {
   return sum;
 }
 
-/// Whether a ring of vertices bounds a convex region, by its interior angles. What is asked: polygon_convexity.h.
+/// Decides whether a ring of vertices bounds a convex region, by its interior angles. The question is that of
+/// polygon_convexity.h.
 ///
 /// Deck p. 6: convex where no interior angle exceeds pi. The angles are acos of a dot product, and the sign of the
 /// cross product tells which of them are reflex; the interior angles of a simple polygon add up to (n - 2) pi. That sum

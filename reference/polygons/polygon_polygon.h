@@ -7,10 +7,10 @@
 
 namespace touchstone::reference {
 
-/// Whether two simple polygons, as closed solids, have common points, and common interior points.
+/// Decides whether two simple polygons, as closed solids, have common points, and common interior points.
 ///
-/// Deck p. 18-19: they overlap where one contains a vertex of the other, else where an edge of one crosses an edge of
-/// the other. The slide answers yes or no; the third answer is read from the same tests: a vertex on the other's
+/// Deck p. 18-19: they overlap where one contains a vertex of the other, otherwise where an edge of one crosses an edge
+/// of the other. The slide answers yes or no; the third answer is read from the same tests: a vertex on the other's
 /// boundary is a touch. a, b: rings in either direction, any unit of length, the same for both; flat vertices are
 /// valid. `overlapping`: a common interior point (one inside the other and coincident polygons included); `touching`:
 /// common points, all of them on both boundaries; `disjoint`: none. Refused by robust and oracle, a before b: fewer

@@ -6,16 +6,16 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of a convex polyhedron, by the side of each face.
+/// Locates a point relative to a convex polyhedron, by the side of each face.
 ///
 /// Deck p. 53: a point is inside where it is on the inside of all faces. The side of a face a, b, c is the sign of
 ///     E = ((b - a) x (c - a)) . (p - a),
 /// which is positive where the face is seen counter-clockwise. Inside where all E have one sign, outside where two have
 /// different ones; E = 0, on which the slide is silent, is `boundary`, unless two others differ.
 ///
-/// mesh, point: any unit of length, the same for both. Faces counter-clockwise from outside; a mesh that is turned
-/// inside out as a whole is the same solid. Any number of faces in one plane, flat vertices, vertices of no face and
-/// several vertices in one position are valid.
+/// mesh, point: any unit of length, the same for both. Faces counter-clockwise from outside; a mesh that is inside out
+/// as a whole is the same solid. Any number of faces in one plane, flat vertices, vertices of no face and several
+/// vertices in one position are valid.
 ///
 /// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: NaN or infinity
 /// in the mesh (mesh.vertices[i][c], "finite number"), or in the point (point[c], "finite number"); a face that names

@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of the solid within a closed mesh, convex or not, by the ray test.
+/// Locates a point relative to the solid within a closed mesh, convex or not, by the ray test.
 ///
 /// Deck p. 53 asks it of convex polyhedra, by sides of faces; pp. 14-15 ask it of polygons that need not be convex, by
 /// a ray. No page has both: this is that ray test in space, with the faces' sides. The ray runs from the point to +x.

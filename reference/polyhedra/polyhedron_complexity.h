@@ -14,7 +14,8 @@
 
 namespace touchstone::reference {
 
-/// How many vertices, edges and faces a mesh has; whether it is a surface, and which; what it encloses.
+/// The numbers of vertices, edges and faces of a mesh; whether it is a surface, and of which kind; the solid it
+/// encloses.
 ///
 /// Deck p. 26: V vertices, E edges, F faces, and Euler's formula
 ///     V - E + F = 2
@@ -39,10 +40,10 @@ namespace touchstone::reference {
 /// and across no edge does the number of faces that lie there, 0 or 1, change. Faces may turn either way, several may
 /// lie in one plane, and edges and vertices may be flat. volume: the sign of the sum of a . (b x c) over all faces, six
 /// times the volume, of which each part counts as often as the mesh goes around it; positive where faces are
-/// counter-clockwise from outside. `none` unless the mesh is closed and oriented: elsewhere the sum depends on where
+/// counter-clockwise from outside. `none` unless the mesh is closed and oriented: otherwise the sum depends on where
 /// the origin is.
 ///
-/// nesting: which component contains which, of a closed and embedded mesh, and left out of others. Its components have
+/// nesting: which component contains which, of a closed and embedded mesh, and omitted for others. Its components have
 /// no common point, so that each lies inside another or outside it (by point_in_polyhedron.h). All pairs, containing
 /// component first, in ascending order; components are numbered in the order of their first faces.
 ///

@@ -6,10 +6,11 @@
 
 namespace touchstone::reference {
 
-/// Of which dimension the common part of two closed triangles in space is.
+/// The dimension of the intersection of two closed triangles in space.
 ///
 /// Deck p. 54: the edges of each face against the other face, by the formula of reference/polyhedra/segment_triangle.h:
-/// `none` where no edge meets the other triangle, `point` where all points that are found are equal, else `segment`.
+/// `none` where no edge meets the other triangle, `point` where all points that are found are equal, otherwise
+/// `segment`.
 /// a, b: any unit of length, the same for both. Closed sets: edges and corners belong to them. `area`: a common part
 /// with an area. The points of the common part are not answered: that of an area is a polygon of up to six corners, for
 /// which the deck has no formula. Degenerate: a triangle without area is the segment or the point that its corners

@@ -11,16 +11,16 @@
 
 namespace touchstone::reference {
 
-/// What a number is between moments: see the contract of impact_step. A type with more digits than 53 says by a
-/// function of that name how it leaves the others out; floating-point numbers have no others.
+/// The precision of a number between times of collision: see the contract of impact_step. A type with more digits than
+/// 53 says by a function of that name how it leaves the others out; floating-point numbers have no others.
 template <class Real>
 Real between_moments(const Real& number) {
   if constexpr (requires { kept_digits(number); }) return kept_digits(number);
   else return number;
 }
 
-/// Where balls are after one step of time in which they collide when they meet, and how they move then: option 2 of
-/// p. 23, of which simulation_step is option 1.
+/// Positions and velocities of balls after one step of time in which they collide when they meet: option 2 of p. 23, of
+/// which simulation_step is option 1.
 ///
 /// Deck p. 23 (option 2: the time of impact within the step), 51 (when two balls that move along lines first meet),
 /// 55-56 (the loop over all pairs), 64-71 and 74 (the response). No page asks the question; the step is put together
@@ -68,10 +68,10 @@ Real between_moments(const Real& number) {
 ///
 /// Not here: gravity, boxes, friction, bodies that turn, springs.
 ///
-/// Method (p. 56 once more): each pair's t by the quadratic formula; those of the least t are answered, each by
-/// the impulse of p. 69-70. What is at rest with one that collides is not seen, and of a body in two
-/// contacts each is answered as if the other were not there (cause: algorithm). Contacts are never too many to it.
-/// Elsewhere it is right in exact arithmetic, with 53 digits between moments.
+/// Method (p. 56 once more): each pair's t by the quadratic formula; those of the least t are answered, each by the
+/// impulse of p. 69-70. What is at rest with one that collides is not seen, and of a body in two contacts each is
+/// answered as if the other were not there (cause: algorithm). Contacts are never too many to it. Otherwise it is right
+/// in exact arithmetic, with 53 digits between moments.
 ///
 /// Rounding: whether a pair meets is told from a discriminant that cancels; no bound is given but the one that running
 /// error analysis finds.

@@ -5,8 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Where balls are after one step of time, how they move then, and which contacts they met: the deck as one running
-/// system.
+/// Positions, velocities and contacts of balls after one step of time: the deck as one running system.
 ///
 /// Deck p. 23 (option 1: contacts are looked for at the end of the step), 55-56 (the loop over all pairs), 64-71 and 74
 /// (the response). No page asks the question; the step is put together from theirs: motion of p. 9, balls and planes
@@ -51,7 +50,7 @@ namespace touchstone::reference {
 /// Method (the loop of p. 56): pairs i < j in ascending order, walls as the last objects; each contact is answered when
 /// its turn comes, by the impulse of p. 69-70, from the velocities that earlier ones have left. Where a body meets two
 /// others, though it may part from one of them, the answer depends on the order, a contact may approach afterwards, and
-/// others are found than there are (cause: algorithm). Elsewhere it is right in exact arithmetic.
+/// others are found than there are (cause: algorithm). Otherwise it is right in exact arithmetic.
 ///
 /// Rounding: whether bodies meet is told from rounded positions, and from differences and squares that round; no bound
 /// is given but the one that running error analysis finds.

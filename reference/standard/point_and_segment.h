@@ -14,7 +14,7 @@
 /// capsules without an interior.
 namespace touchstone::reference::standard {
 
-/// It is divided only between the ends.
+/// Divides only between the ends.
 template <class Real, class Point>
 Point nearest_between_ends(const Point& p, const Point& a, const Point& b) {
   const auto v = b - a;

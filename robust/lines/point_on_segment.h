@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies on a closed segment, both ends included: `on`, with t from 0 at segment.a to 1 at segment.b, or
-/// `off`.
+/// Decides whether a point lies on a closed segment, both ends included: `on`, with t from 0 at segment.a to 1 at
+/// segment.b, or `off`.
 ///
 /// `on` means exactly on it. A segment of length 0 is the point a, with t 0. Right for all finite doubles in every
 /// floating-point environment, and t correctly rounded. NaN and infinities throw InvalidInput, which names the field

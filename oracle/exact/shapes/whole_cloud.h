@@ -41,7 +41,7 @@ class WholeCloud {
 };
 
 /// The extreme points of the points in a plane that has at least three not collinear, counter-clockwise about its
-/// normal from the least index. Of equal points the first.
+/// normal from the least index. Equal points are represented by the first.
 std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane);
 
 /// Both ends of collinear points, if not all are equal: the lexicographically least first.

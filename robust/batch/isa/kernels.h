@@ -5,7 +5,7 @@
 #include "robust/batch/isa/filters.h"
 #include "robust/batch/isa/lanes.h"
 
-/// What the filters of arrays share, and why they are right.
+/// Shared by the filters of arrays, and the proof that they are right.
 ///
 /// Model. These filters run only where results are rounded to nearest and nothing is flushed, so the universal model of
 /// robust/kernel/filters/filters.h is not needed: with v = 2^-53, the result of a sum or a difference is exact * (1 +

@@ -134,7 +134,7 @@ std::optional<Enclosed<Two>> enclosed_cosine_sine(double u) {
 ///
 ///     atan w = w + (-w^3 / 3 + w^5 / 5 - w^7 / 7)
 ///
-/// What the series leaves out is u / 2 of its part in parentheses, which is computed in double from w rounded: w^2 is
+/// The remainder of the series is u / 2 of its part in parentheses, which is computed in double from w rounded: w^2 is
 /// off by 3 u, w^3 by 5 u, the polynomial by 3 u, their product by u: of 10 u, with that half, 14 are taken.
 std::optional<Enclosed<double>> enclosed_angle(const Enclosed<double>& x, const Enclosed<double>& y) {
   if (!x.settled() || !y.settled() || x.high == 0 || y.high == 0) return std::nullopt;
