@@ -26,7 +26,7 @@ struct Parting {
   Judgement of_first, of_second;
 };
 
-/// The result for one operation. Of two different answers both may be right: numbers within the stated bound, or a
+/// The result for one operation. Two different answers may both be right: numbers within the stated bound, or a
 /// touch to which each convention has its own answer.
 struct PartedOperation {
   std::string operation;

@@ -74,7 +74,7 @@ struct Diagnosis {
 using TellStep = std::function<void(const std::string&)>;
 
 /// Merged vertices become the first of them; faces keep their numbers. Everything is decided exactly: properties of
-/// indices by counting, the others by robust::polyhedron_complexity. Of faces that meet, only the first pair is found.
+/// indices by counting, the others by robust::polyhedron_complexity. Only the first pair of faces that meet is found.
 /// Throws InvalidInput if `how` cannot be done (merging_of).
 Diagnosis diagnosed(const MeshFile& file, const Preparation& how, const TellStep& tell = {});
 

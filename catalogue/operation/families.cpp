@@ -24,7 +24,7 @@ Draw integers_at_a_seam(DrawStream& draws) {
   };
 }
 
-/// A family that follows from the types alone: the way it draws a number is chosen once for each question.
+/// A family that follows from the types alone: its method of drawing a number is chosen once for each question.
 struct Derived {
   const char* name;
   Draw (*numbers)(DrawStream&);

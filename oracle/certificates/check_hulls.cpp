@@ -139,7 +139,7 @@ bool span_space(const std::vector<Triple>& normals) {
 }
 
 /// Triangles that have an area, with all points below their planes or in them, and some below, lie on the boundary of
-/// the hull and face outwards. With every edge once in each direction they have no rim: they cover the whole boundary,
+/// the hull and face outwards. With every edge once in each direction they have no rim: they cover the entire boundary,
 /// every part of it equally often. A corner whose faces' normals span space is extreme. Corners that are extreme and
 /// different
 /// points leave for an edge of the hull nothing but the one edge between its ends, which is there once: so they cover

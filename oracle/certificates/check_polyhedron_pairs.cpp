@@ -10,13 +10,12 @@
 
 /// The relation of the solids within two closed meshes. The checks, and why they prove it:
 ///
-/// A tree of planes cuts space into convex cells. Of each face goes with a cell what is in it: where the cell is cut,
-/// the part in front of the plane and the part behind it. If nothing is left of any face of a solid, the cell is inside
-/// or outside of it as one of its points is. So if each cell has such a point that is outside of one solid, no cell has
-/// a point of both.
-/// For disjoint solids cells are closed, and a part counts though it is only on the plane. For touching ones they are
-/// open: a part counts that has a point strictly on the side; faces without area do not count, because they leave a
-/// cell in one piece. The planes themselves hold no set that is open, so no point is in both interiors.
+/// A tree of planes cuts space into convex cells. Each cell carries the parts of faces in it: if the cell is cut, the
+/// part in front of the plane and the part behind it. If nothing is left of any face of a solid, the cell is inside or
+/// outside of it as one of its points is. So if each cell has such a point that is outside of one solid, no cell has a
+/// point of both. For disjoint solids cells are closed, and a part counts though it is only on the plane. For touching
+/// ones they are open: a part counts that has a point strictly on the side; faces without area do not count, because
+/// they leave a cell in one piece. The planes themselves hold no set that is open, so no point is in both interiors.
 namespace touchstone::certify {
 namespace {
 

@@ -26,8 +26,8 @@ void expect_not_degenerate(const Ring& ring);
 /// along in x or in y.
 bool meet(const Ends& a, const Ends& b);
 
-/// The first defect of all, edges i <= j: i has length zero, and j is the same; or i meets j elsewhere than in a vertex
-/// that neighbours share. Edges of length zero come before all others, then the least i, then the least j.
+/// The first defect of all, edges i <= j: i has length zero, and j is the same; or i meets j at a point other than a
+/// vertex that neighbours share. Edges of length zero come before all others, then the least i, then the least j.
 std::optional<std::pair<std::size_t, std::size_t>> defect(const Ring& ring);
 
 /// Requires that the input's ring `what` has no defect.

@@ -19,7 +19,7 @@ namespace touchstone::oracle {
 /// Certificate: meeting: `on_a` and `on_b`, weights of all vertices that give one point ("common_point"). apart: "root"
 /// or "irrational_root", as closest_point_on_segment has them; `on_a` and `on_b`, weights of all vertices that give
 /// points nothing of the other solid is nearer to; and `first`, a vector that no vertex of a comes before, seen from
-/// the nearest point, while none of b comes before what is left of the way from a.vertices[0]: a nearest pair at a
+/// the nearest point, while none of b comes before the rest of the displacement from a.vertices[0]: a nearest pair at a
 /// smaller distance from a.vertices[0] would have to.
 Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b);
 template <Exact Number>

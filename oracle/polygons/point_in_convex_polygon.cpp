@@ -62,7 +62,7 @@ std::vector<Triangle> fan(const Whole& w) {
   for (std::size_t i = 1; i + 1 < w.ring.size(); ++i) {
     const Point2<Integer>&a = w.ring[0], &b = w.ring[i], &c = w.ring[i + 1];
     const int side = sgn(WholeRing::area(a, b, c));
-    if (side == 0) continue;  // flat vertices beside vertex 0
+    if (side == 0) continue;  // flat vertices next to vertex 0
     const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) {
       return Integer(side * WholeRing::area(q, r, w.point));
     };

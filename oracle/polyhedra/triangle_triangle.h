@@ -14,7 +14,7 @@ namespace touchstone::oracle {
 /// and the common part is as large as that of the planes, lines or points on which they lie. Margin: the least squared
 /// distance of a corner from the other triangle, or of two edges. For `none` that is the squared distance of the two; 0
 /// if they only touch, and for `area`. Certificate: those planes, and one to three common points, by weights of the
-/// corners of each, of the dimension that is told.
+/// corners of each, of the dimension in the truth.
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b);
 template <Exact Number>
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b);

@@ -121,7 +121,7 @@ std::string polygon_defect(const WholeCloud& cloud, const std::vector<Index>& ri
 /// True if the normals of the faces at a corner span space: then it is the one point that all their planes have in
 /// common.
 bool is_extreme(const std::vector<Vector3<Integer>>& normals) {
-  std::optional<Vector3<Integer>> across;  // the direction of the planes that have been seen
+  std::optional<Vector3<Integer>> across;  // the direction of the planes so far
   for (const Vector3<Integer>& n : normals) {
     if (across && sgn(dot(*across, n)) != 0) return true;
     if (!across && !zero(cross(normals[0], n))) across = cross(normals[0], n);

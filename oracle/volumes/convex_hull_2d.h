@@ -9,7 +9,7 @@
 
 namespace touchstone::oracle {
 
-/// Truth: on integers, from vertex to vertex, so that no point lies to the right of the way; the first is the
+/// Truth: on integers, from vertex to vertex, so that no point lies to the right of the path; the first is the
 /// lexicographically least, and of equal points the first in the list. Margin: the least size of twice the area of an
 /// edge of the hull and a point that is no end of it, which is 0 if points are equal, inside an edge or all on one
 /// line; of two points their squared distance; none of a single one. Time: points times corners. 4,000 points that are

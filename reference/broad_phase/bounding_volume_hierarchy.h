@@ -61,7 +61,7 @@ class BoxHierarchy {
 /// reference/broad_phase/broad_phase.h.
 ///
 /// A node is compared and not computed with, and holds what is below it: boxes and points are answered right by the
-/// double version. Of a ray, the quotients of a node round no further in than those of what is in it: the double
+/// double version. For a ray, the quotients of a node round no further in than those of what is in it: the double
 /// version answers what `broad_phase` answers. In exact arithmetic it is right.
 template <class Real>
 Replies bounding_volume_hierarchy(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands) {

@@ -13,7 +13,7 @@ using Octree = CellTree<Real, true>;
 /// Answers `broad_phase` by an octree.
 ///
 /// Deck p. 62: a cell with many bodies is cut into eight. Input, answer and refusals:
-/// reference/broad_phase/broad_phase.h. Where it is right: as reference/broad_phase/quadtree.h.
+/// reference/broad_phase/broad_phase.h. It is right under the conditions of reference/broad_phase/quadtree.h.
 template <class Real>
 Replies octree(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands) {
   return replies(InStructure<Octree, Real>{}, boxes, commands);

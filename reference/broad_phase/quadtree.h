@@ -73,8 +73,8 @@ using Quadtree = CellTree<Real, false>;
 ///
 /// Right in exact arithmetic. Two cells end in one number, however it was rounded, and bodies and queries are compared
 /// with it: boxes and points are answered right by the double version, unless a middle overflows and a cell begins
-/// beyond the range. Of a ray, both cells of a body may be missed where it passes between them and its parameters round
-/// (cause: rounding).
+/// beyond the range. For a ray, both cells of a body may be missed where it passes between them and its parameters
+/// round (cause: rounding).
 template <class Real>
 Replies quadtree(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands) {
   return replies(InStructure<Quadtree, Real>{}, boxes, commands);

@@ -113,22 +113,20 @@ DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) 
 /// No page of the deck asks this. The formula is that of Gilbert, Johnson and Keerthi (A fast procedure for computing
 /// the distance between complex objects in three-dimensional space, 1988; Ericson, Real-Time Collision Detection, 9.5),
 /// put together from p. 48-50's nearest point and p. 53-54's vertices, edges and faces: of the Minkowski difference,
-/// all ways from a point of b to one of a, the shortest is looked for, on simplices of at most four ways between
-/// vertices.
-/// a, b: meshes, any unit of length, the same for both; the squared distance is in its square. Closed sets: where they
-/// have a common point, touching included, the relation is `meeting`, both distances are 0 and no points are given.
-/// Where many pairs are as near, because faces or edges are parallel, the points on a of all of them are a convex set,
-/// and the one that is nearest to a.vertices[0] is the answer, with the point of b that is as near to it as any. There
-/// is only one such pair. Engines may name another that is as near, unless they declare that they name this one
-/// (`nearest`, docs/engines.md).
-/// Refused by robust and oracle: NaN or infinity in a vertex; then what is not the surface of a convex solid, by the
-/// rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh. That page
-/// also says which meshes are valid: faces in one plane, flat vertices, vertices of no face, and a surface that is
-/// inside out.
+/// all displacements from a point of b to one of a, the shortest is sought, on simplices of at most four displacements
+/// between vertices. a, b: meshes, any unit of length, the same for both; the squared distance is in its square. Closed
+/// sets: where they have a common point, touching included, the relation is `meeting`, both distances are 0 and no
+/// points are given. Where many pairs are as near, because faces or edges are parallel, the points on a of all of them
+/// are a convex set, and the one that is nearest to a.vertices[0] is the answer, with the point of b that is as near to
+/// it as any. There is only one such pair. Engines may name another that is as near, unless they declare that they name
+/// this one (`nearest`, docs/engines.md). Refused by robust and oracle: NaN or infinity in a vertex; then what is not
+/// the surface of a convex solid, by the rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h,
+/// with "a" or "b" for the mesh. That page also says which meshes are valid: faces in one plane, flat vertices,
+/// vertices of no face, and a surface that is inside out.
 ///
-/// In exact arithmetic relation and distance are always right: the way gets shorter each time, and there are finitely
-/// many simplices. A new vertex pair is beyond the plane through the point found, so the simplex is never flat, and
-/// nothing is divided by 0. Among several nearest pairs it returns any (cause: algorithm).
+/// In exact arithmetic relation and distance are always right: the displacement gets shorter each time, and there are
+/// finitely many simplices. A new vertex pair is beyond the plane through the point found, so the simplex is never
+/// flat, and nothing is divided by 0. Among several nearest pairs it returns any (cause: algorithm).
 ///
 /// Margin: the distance by which a has to be moved, in the maximum norm, until the relation changes.
 ///
@@ -138,8 +136,8 @@ DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) 
 /// are 3 u W, three sums 4 u (W + M). Let e be the sum of these over both points and all axes. So the distance D is
 /// never too short by more: D >= (D* - e) (1 - 4u) - 2^-536, D* being the exact distance. There is no bound on how much
 /// too long it may be, nor on when flat simplices make it answer `meeting`. ulps: 60 roundings behind the distance
-/// (three differences in the ways, nine in the edges, 27 in the products of three vectors, three quotients, three
-/// weights, nine in a point, three differences, three squares, two sums, the root, less what is shared).
+/// (three differences in the displacements, nine in the edges, 27 in the products of three vectors, three quotients,
+/// three weights, nine in a point, three differences, three squares, two sums, the root, less what is shared).
 template <class Real>
 ConvexDistance<Real> convex_distance(const Mesh<Real>& a, const Mesh<Real>& b) {
   using std::sqrt;

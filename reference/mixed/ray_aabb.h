@@ -40,7 +40,7 @@ struct SlabTimes {
 ///
 /// No page of the deck asks this. The formula is that of swept_aabb_aabb.h (p. 45-47, 51) for a point without an end:
 /// on an axis with a direction v that is not 0 the ray is between the sides from (min - origin) / v to (max - origin) /
-/// v, or the other way round; on one with v = 0, all the time or never. `hit` from the latest of 0 and the entries to
+/// v, or in reverse order; on one with v = 0, all the time or never. `hit` from the latest of 0 and the entries to
 /// the earliest exit, if that is not before; otherwise `none`.
 /// ray, aabb: any unit of length, the same for both; t is in units of the direction's length. Closed sets: the origin
 /// and the box's boundary belong to them, so a ray that only grazes a face, an edge or a corner is a hit. first is 0 if

@@ -14,11 +14,10 @@ namespace touchstone::reference {
 /// The plane is the thin set N . p + d = 0 and has no solid side: a ray crosses it from either side. ray, plane:
 /// origin, direction and d / |N| in any unit of length, the same for both; N of any length but 0. t is in units of the
 /// direction's length. Closed sets: an origin on the plane is a `point` with t = 0, wherever the ray leads, unless it
-/// leads along the plane. `inside`: all of the ray lies in the plane, so there is no single t. A ray along the plane
-/// beside it is `none`.
-/// NaN or infinity: refused by robust and oracle (field, "finite number"); so are a direction of length 0
-/// ("ray.direction", "nonzero direction") and N = 0 ("plane.normal", "nonzero normal"). t and the point are infinite if
-/// the exact ones are beyond the range of doubles.
+/// leads along the plane. `inside`: all of the ray lies in the plane, so there is no single t. A ray parallel to the
+/// plane and off it is `none`. NaN or infinity: refused by robust and oracle (field, "finite number"); so are a
+/// direction of length 0 ("ray.direction", "nonzero direction") and N = 0 ("plane.normal", "nonzero normal"). t and the
+/// point are infinite if the exact ones are beyond the range of doubles.
 ///
 /// In exact arithmetic the formula is right, except where E0 = R = 0: there it answers `none` instead of `inside`
 /// (cause: algorithm).

@@ -15,8 +15,8 @@ namespace touchstone::reference {
 /// valid. `overlapping`: a common interior point (one inside the other and coincident polygons included); `touching`:
 /// common points, all of them on both boundaries; `disjoint`: none. Refused by robust and oracle, a before b: fewer
 /// than 3 vertices ("a", "at least 3 vertices"); NaN or infinity (field, "finite number"); an edge of length zero or
-/// edges that meet elsewhere than neighbours do in their vertex (the vertex, "different from vertex i: drop one of the
-/// two", "simple: ..."; geometry/validation.h). A last position that repeats the first is no vertex: it is dropped,
+/// edges that meet at a point other than the vertex of neighbours (the vertex, "different from vertex i: drop one of
+/// the two", "simple: ..."; geometry/validation.h). A last position that repeats the first is no vertex: it is dropped,
 /// once.
 ///
 /// Where every vertex of both lies outside the other or on its boundary and no edges cross in their interiors, the

@@ -29,7 +29,7 @@ namespace touchstone::reference {
 ///     hence no piece of an edge (it could leave through uv or vw only), so vz is a diagonal.
 /// (2) A diagonal makes two smaller rings, both simple; so by induction n - 3 diagonals make n - 2 triangles, each a
 ///     simple ring of three vertices, of positive area.
-/// (3) They hang together by their diagonals as a tree. One with a single neighbour has two edges of the ring as sides,
+/// (3) Their diagonals connect them in a tree. One with a single neighbour has two edges of the ring as sides,
 ///     and no vertex in it but its corners: its middle corner is an ear. There are two of these, their middle corners
 ///     no neighbours.
 /// A last position that repeats the first is no vertex; it is dropped, once, and all indices are those of the ring as

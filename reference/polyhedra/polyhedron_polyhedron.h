@@ -16,7 +16,7 @@ namespace touchstone::reference {
 ///
 /// Deck p. 25, 52-54: first bounding volumes; then is a vertex of one inside the other; then the edges of one against
 /// the faces of the other. Here the bounding volumes are the boxes along the axes around the vertices that faces name;
-/// inside is told by the ray of reference/polyhedra/point_in_polyhedron.h; an edge meets a face as in
+/// inside is decided by the ray of reference/polyhedra/point_in_polyhedron.h; an edge meets a face as in
 /// reference/polyhedra/segment_triangle.h.
 ///
 /// a, b: any unit of length, the same for both. Both are closed as there: every edge is in an even number of faces, and

@@ -17,12 +17,12 @@ namespace touchstone::reference {
 /// span. NaN or infinity: refused by robust and oracle (field, "finite number").
 ///
 /// The slide has no case for what lies in one plane: triangles that overlap in an area, share an edge or touch in one
-/// plane are told by the edges that leave it, if any do, and `area` is never answered (cause: algorithm). So are
+/// plane are decided by the edges that leave it, if any do, and `area` is never answered (cause: algorithm). So are
 /// triangles without area.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with E and e(E) of reference/polyhedra/segment_triangle.h, the double
 /// version is right with `none` where E for a exceeds e(E) at all corners of b, with one sign, and E for b at all
-/// corners of a. Nothing is promised elsewhere.
+/// corners of a. Nothing is promised otherwise.
 template <class Real>
 TriangleTriangleRelation triangle_triangle(const Triangle3<Real>& a, const Triangle3<Real>& b) {
   std::optional<Point3<Real>> first;

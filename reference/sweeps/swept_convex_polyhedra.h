@@ -54,11 +54,11 @@ class ProjectedTimes {
 /// face, and a surface that is inside out.
 ///
 /// In exact arithmetic the formula is always right. At one time t, the points p such that a, moved by p, meets b are a
-/// polytope with an inside: b less a. A facet of it is where a face of b meets a vertex of a, or the other way round,
-/// or an edge of each: its normal is one of the axes, and the polytope lies where all these intervals overlap, ends
-/// included. So a meets b at t exactly if they overlap on every axis, and on each that is so during one closed interval
-/// of time, always, or never. (Axes of edges that are parallel are zero, and nothing is apart on these; an axis too
-/// many does no harm, because what meets, overlaps on every axis.)
+/// polytope with an inside: b less a. A facet of it is where a face of b meets a vertex of a, or vice versa, or an edge
+/// of each: its normal is one of the axes, and the polytope lies where all these intervals overlap, ends included. So a
+/// meets b at t exactly if they overlap on every axis, and on each that is so during one closed interval of time,
+/// always, or never. (Axes of edges that are parallel are zero, and nothing is apart on these; an axis too many does no
+/// harm, because what meets, overlaps on every axis.)
 ///
 /// Margin: the distance by which a has to be moved, in the maximum norm, until the relation changes. 0 for a step that
 /// only grazes, or ends or starts with a touch and goes no deeper.

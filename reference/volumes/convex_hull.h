@@ -36,7 +36,7 @@ namespace touchstone::reference {
 /// magnitude, and s >= 2^-20 the least sine of an angle between the directions from one point to two others. A
 /// coordinate of a normal v x w is off by at most 4u (|v_i w_j| + |v_j w_i|), so the normal by less than 6u |v| |w| <=
 /// 6u |v x w| / s (that of step 3, without differences, by 4u). It moves a cosine by as much as its length is off in
-/// units of itself, two normals by 12u / s, and the square by 24u / s. On the way from the normals the dot product and
+/// units of itself, two normals by 12u / s, and the square by 24u / s. After the normals the dot product and
 /// its square lose 7u, the squared lengths and their product 7u, the quotient u. With terms of u^2 the computed value
 /// is off by less than 40u / s. So the answer is right where one point is the highest and where the values of no two
 /// points that any step may compare are closer than 80u / s: those of step 2; those of triangles with one edge as seen

@@ -83,8 +83,8 @@ Obb3<Real> box_along(const std::array<Vector3<Real>, 3>& axes, const std::vector
 /// Deck p. 27, which shows such a box and says no more. Its axes are those of the covariance of the points, as the
 /// textbooks have it (Ericson, Real-Time Collision Detection, 4.4.3).
 /// points: any unit of length; at least one. They may be equal, on one line, on one plane.
-/// Many boxes are right, whatever their axes, and nobody promises the smallest. Of the numbers that are returned,
-/// exactly as they are, with u = 2^-53 and M the greatest magnitude of a coordinate:
+/// Many boxes are right, whatever their axes, and the smallest is not required. The numbers that are returned must
+/// satisfy, exactly, with u = 2^-53 and M the greatest magnitude of a coordinate:
 /// - The box holds every point: center + r u + s v + t w with r, s, t in [-1, 1], u, v, w the half axes.
 /// - It is a box: for any two half axes a and b, |a . b| <= 2^-20 |a| |b| + 2^-1072 (|a| + |b|), lengths in the second
 ///   term as sums of magnitudes. Unit vectors at right angles that are rounded to binary32 have |a . b| < 2^-23, what

@@ -37,7 +37,7 @@ std::string paragraph(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     const bool indented = line.compare(0, 4, "    ") == 0;
     const auto formula = indented ? formula_in_mathml(line.substr(4)) : std::nullopt;
-    // A line with words beside its formula stays separate; one of words alone continues a list's entry.
+    // A line with words next to its formula stays separate; one of words alone continues a list's entry.
     const bool both = indented && !formula && line.find(" = ") != std::string::npos;
     const In now = formula ? In::formula : both ? In::both : In::words;
     if (now == in) {

@@ -88,7 +88,7 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
   const bool apart = engine == nullptr && order.size() > 1;
   // The most expensive ones begin, so that no job is left with one of them at the end.
   if (apart) std::stable_partition(order.begin(), order.end(), is_dear);
-  if (tally.repeat.recorded) return;  // a map would show the textbook formula, around a question that nobody asked
+  if (tally.repeat.recorded) return;  // a map would show the textbook formula, around a question that was not recorded
   constexpr int coarsest = 16;
   for (int side = coarsest; side == coarsest || (side <= MapGrid::side && !over()); side *= 2) {
     std::atomic<std::size_t> done{0};

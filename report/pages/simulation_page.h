@@ -8,8 +8,8 @@
 namespace touchstone::report {
 
 /// A self-contained page that plays the runs of a scene side by side (player.js): positions, velocities and contacts,
-/// energy, drift and momentum, the distance of runs from one another, and where they diverge. Of more than 2,000 steps
-/// every second, third ... is shown. The same recording gives the same bytes.
+/// energy, drift and momentum, the distance of runs from one another, and where they diverge. If there are more than
+/// 2,000 steps, every second, third ... is shown. The same recording gives the same bytes.
 std::string simulation_page(const simulate::Recording& recording);
 
 /// The input of player.js.

@@ -182,7 +182,7 @@ std::string ulps_in_words(double ulps) {
 }
 
 std::string off_in_words(const Judgement& judgement) {
-  constexpr double most = 1e6;  // beyond this nobody reads a distance as one
+  constexpr double most = 1e6;  // beyond this a distance is meaningless to a reader
   const auto& number = judgement.number;
   if (!number || (number->exact != 0 && judgement.ulps <= most)) return ulps_in_words(judgement.ulps) + " off";
   return fmt::format("expected {}, got {}", number->exact, number->answered);

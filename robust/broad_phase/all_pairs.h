@@ -14,7 +14,7 @@ namespace touchstone::robust {
 /// only touch meet; a ball of radius 0 and a box with min == max are points.
 ///
 /// Right for all finite doubles in every floating-point environment. Balls: sort and sweep along the axis on which they
-/// overlap least, in time n log n for the order and then one look at each pair whose intervals meet on that axis.
+/// overlap least, in time n log n for the order and then one test of each pair whose intervals meet on that axis.
 /// Boxes: a tree made for the list (robust/structures/pair_tree.h), in time n log n and the number of pairs; long boxes
 /// across each other take about n^1.5. At most 2^32 - 1 solids. NaN and infinities throw InvalidInput, which names the
 /// field and "finite number"; so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract:

@@ -50,10 +50,10 @@ struct Directions {
   std::array<double, most> distance, squared;
 };
 
-/// Fills in the first `count`, and returns the coarsest grain that holds for all of them.
+/// Fills in the first `count`, and returns the largest power of two that divides all of them.
 Grain directions_of(const Point3d* points, std::size_t count, const Frame& frame, int k, Directions& found);
 
-/// Returns the coarsest grain that holds for all points.
+/// Returns the largest power of two that divides the coordinates of all points.
 Grain grain_of(const std::vector<Point3d>& points, const Frame& frame);
 
 }  // namespace touchstone::robust::hulls

@@ -12,9 +12,9 @@ struct Solid {
   std::vector<FramePoint> simplex;
 };
 
-/// The convex hull of finite points, at least one. Of equal points the first in the list is named. `latest` becomes the
-/// later one of its value and the last stage that any decision needed. From `worth_looking` points on, the far ones are
-/// searched first, which affects only time.
+/// The convex hull of finite points, at least one. Equal points are represented by the first in the list. `latest`
+/// becomes the later one of its value and the last stage that any decision needed. From `worth_looking` points on, the
+/// far ones are searched first, which affects only time.
 inline constexpr std::size_t usually_worth_looking = 32;
 Solid solid_of(const std::vector<Point3d>& points, const Frame& frame, Stage& latest,
                std::size_t worth_looking = usually_worth_looking);

@@ -18,8 +18,8 @@ struct Numbers {
   }
 };
 
-/// The stage `enclosed`, inlined where an answer is made of its numbers: constructed elsewhere and copied it would cost
-/// more.
+/// The stage `enclosed`, inlined where an answer is made of its numbers: constructed out of place and copied it would
+/// cost more.
 ///
 /// Takes two triangles of the fan around vertex 0 at a time: with a, b, c three vertices relative to it, a x b + b x c
 /// = b x (c - a). If the last triangle is alone, c is vertex 0. Not proved by machine: the errors that sum_of_squares

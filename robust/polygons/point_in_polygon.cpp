@@ -30,16 +30,16 @@ Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 /// processed alike, without branches; at the end the signs are trusted if every |x y1 - y x1| exceeds one bound.
 ///
 /// Bound, with u, n, H and (1) to (6) as in filters.h: let sx and sy be the sums of all |x| and |y|, that of the vertex
-/// before the first edge included (of a whole ring it counts twice), sx + sy <= H. A NaN or an infinity stays in them,
+/// before the first edge included (in a full ring it counts twice), sx + sy <= H. A NaN or an infinity stays in them,
 /// and rounding is monotone, so that they are at least the extents as cross_sign there computes them for any edge. So
 /// its C and A serve here: no |x y1 - y x1| beyond C sx sy + A has the wrong sign.
 ///
 /// The sign of y is uncertain if y is 0, or so small that FTZ or DAZ changed it: then the true |y| is at most 5 n.
 /// Let every vertex but the ends of a part move upwards or downwards, by less than 6 n, until its y has the sign that
-/// was computed. On the way each y is off by 11 n instead of 5 n (1), which costs 14 n H more in (3): A is enough for
+/// was computed. Meanwhile each y is off by 11 n instead of 5 n (1), which costs 14 n H more in (3): A is enough for
 /// that, 2 A are taken. So no determinant becomes 0, the ring never passes over the point, and the point stays in or
 /// out. At the end no y is 0, and the signs tell the crossings. Proved, for any number of edges (crossings_right): each
-/// determinant has the exact sign, wherever on these ways the vertices are, and the answer is the parity of the
+/// determinant has the exact sign, wherever on these paths the vertices are, and the answer is the parity of the
 /// crossings at their end.
 struct Crossings {
   explicit Crossings(const Point2d& point) : origin_{point.x, point.y} {}

@@ -15,8 +15,8 @@ bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.
 /// Counts from one walk around the ring.
 struct Walk {
   std::size_t left = 0, right = 0;  ///< turns
-  std::size_t flips = 0;     ///< edges that lead up after one that leads down, or the other way (lexicographically)
-  Side at_first = Side::on;  ///< the turn at the vertex that is lexicographically first
+  std::size_t flips = 0;            ///< edges that lead up after one that leads down, or vice versa (lexicographically)
+  Side at_first = Side::on;         ///< the turn at the vertex that is lexicographically first
   Stage latest = Stage::filter;
 };
 

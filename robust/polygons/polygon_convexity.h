@@ -12,9 +12,9 @@ namespace touchstone::robust {
 /// without three collinear neighbours.
 ///
 /// Right for all finite doubles in every floating-point environment. If no two turns differ in sign, the winding number
-/// of the directions distinguishes convex from crossing, in linear time; only a ring that turns both ways is searched
-/// for edges that meet. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do fewer
-/// than 3 vertices. Contract: reference/polygons/polygon_convexity.h.
+/// of the directions distinguishes convex from crossing, in linear time; only a ring that turns to both sides is
+/// searched for edges that meet. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
+/// do fewer than 3 vertices. Contract: reference/polygons/polygon_convexity.h.
 PolygonConvexity polygon_convexity(const Polygon2d& polygon);
 
 /// Each stage alone, for tests and other operations; not part of the API.

@@ -20,7 +20,7 @@ Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, dou
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be computed. Of degree 6, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 6, too high for the lattice.
 struct damped_reflection : Signatures<decltype(robust::damped_reflection)> {
   static Partial enclosed;
   static Total exact;

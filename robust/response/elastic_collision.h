@@ -20,7 +20,7 @@ Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velociti
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be computed. Of degree 7, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 7, too high for the lattice.
 struct elastic_collision : Signatures<decltype(robust::elastic_collision)> {
   static Partial enclosed;
   static Total exact;

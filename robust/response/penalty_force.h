@@ -20,7 +20,7 @@ Vector3d penalty_force(const Point3d& point, const Vector3d& velocity, const Pla
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be computed. Of degree 4 and more, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 4 and more, too high for the lattice.
 struct penalty_force : Signatures<decltype(robust::penalty_force)> {
   static Partial enclosed;
   static Total exact;

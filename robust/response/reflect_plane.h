@@ -19,7 +19,7 @@ Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal);
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be computed. Of degree 5, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 5, too high for the lattice.
 struct reflect_plane : Signatures<decltype(robust::reflect_plane)> {
   static Partial enclosed;
   static Total exact;

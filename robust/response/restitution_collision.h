@@ -22,7 +22,7 @@ Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velo
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be computed. Of degree 8, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 8, too high for the lattice.
 struct restitution_collision : Signatures<decltype(robust::restitution_collision)> {
   static Partial enclosed;
   static Total exact;

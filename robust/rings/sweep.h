@@ -18,7 +18,7 @@ bool simple_by_sweep(const Polygon2d& ring);
 ///
 /// Method. Between an edge with the inside above it (a floor) and the next one above (its ceiling) the part of the
 /// inside that has been swept over and not cut off yet lies to the right of a chain of vertices, from the floor's left
-/// end up to the ceiling's. Every vertex that the line comes to joins the chains beside it, and then triangles of it
+/// end up to the ceiling's. Every vertex that the line reaches joins the adjacent chains, and then triangles of it
 /// and the next two of the chain are cut off while these three turn strictly left:
 ///   - v ends one edge and begins another: v joins its chain at the floor's or the ceiling's end.
 ///   - v begins two edges outside: v alone is a new chain.
@@ -32,10 +32,10 @@ bool simple_by_sweep(const Polygon2d& ring);
 ///     the two, because from there on the chain bends away from v or goes straight on; and between chain and line there
 ///     is nothing else.
 /// (3) r sees v, where two edges begin inside: nothing comes between them in the order of the sweep.
-/// (4) A chain that closes with v is a simple ring in which v and the chain's two ends alone may turn left. Of a simple
-///     ring of more than three vertices two turn left which are not neighbours and can be cut off with positive area
-///     (it has a triangulation without flat triangles: reference/polygons/triangulate_polygon.h); these are the ends.
-///     So each step of cutting it off has positive area.
+/// (4) A chain that closes with v is a simple ring in which v and the chain's two ends alone may turn left. A
+///     simple ring of more than three vertices has two that turn left, are not neighbours and can be cut off with
+///     positive area (it has a triangulation without flat triangles:
+///     reference/polygons/triangulate_polygon.h); these are the ends. So each step of cutting it off has positive area.
 /// The order by x and then by y is the order by x after a turn by a small angle: points with the same x are no special
 /// case.
 std::optional<Decided<std::vector<std::vector<Index>>>> triangulated_by_sweep(const Polygon2d& ring);

@@ -26,7 +26,7 @@ struct Moment {
   /// the quotient by u more, and by 2^-1075 where it underflows. A t as computed that is at most 2^1000 comes of no
   /// overflow, or of an infinite divided by a finite number, which is infinite. So t is off by (2 + 3u) u |t| +
   /// 2^-1075, for which 4 u |t| + 2^-1074, rounded twice, has 2 u |t| - 2^-1074 to spare, and the ends, rounded, stay
-  /// outside. What is greater is anywhere. Not proved by machine.
+  /// outside. A greater t may be anywhere. Not proved by machine.
   Moment(double to, double from, double step);
 };
 

@@ -14,7 +14,7 @@ namespace touchstone::robust::structures {
 /// The first face without an area.
 std::optional<Index> first_flat_face(const Meshd& mesh);
 
-/// The first pair of faces, in ascending order, that meet elsewhere; all faces have areas. Tests the pairs of
+/// The first pair of faces, in ascending order, that meet beyond these; all faces have areas. Tests the pairs of
 /// robust/structures/near_faces.h. Most of these are separated by a plane perpendicular to an axis or by the plane of
 /// one of them; the others cost some microseconds each, in GMP's integers: neighbours in an oblique common plane, and
 /// those around the vertex of a saddle.

@@ -51,7 +51,7 @@ struct TimeBounds {
 /// with the axis, of at most 6 D k m together, are off by 6 units for that, 24 for the axis, and 18 for their own
 /// roundings and those of two sums: by 48. (Terms of u^2 are far below one unit, and so is P times the axis, which all
 /// values share and which cancels in differences.) A difference of two is off by 96, and rounded from at most 12 D k m
-/// by 12 more; the velocity by 42. What is added to them or taken off below is rounded from as much again: 120 and 54.
+/// by 12 more; the velocity by 42. Adding to them or subtracting below rounds by as much again: 120 and 54.
 /// An error of 128 units, 2^-45 D k m, pays for all.
 ///
 /// Guards: D is at most 2^250, and k and m at least 2^-250. Then nothing overflows, and what underflows, or is read as

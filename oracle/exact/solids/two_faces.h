@@ -11,7 +11,7 @@
 namespace touchstone::oracle {
 
 /// Two faces with areas, over integers. A plane through an edge of one of them, upright on that face, may hold them
-/// apart. Where none does, one exact linear program decides both ways: either there is a plane with the
+/// apart. Where none does, one exact linear program decides: either there is a plane with the
 /// first face on one side, the second on the other, and of their corners on it the common ones alone; what they have in
 /// common is in that plane, and so spanned by common corners. Or, by Farkas, positive multiples of corners that are not
 /// common, and any of common ones, cancel; those of common ones go to the side where they are positive, and what is

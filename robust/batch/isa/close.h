@@ -22,12 +22,12 @@ struct Sides {
 /// t' and s + s', of the third and the first, with their rounding errors. Never finds points collinear.
 ///
 /// Let L + l and R + r be the products u s and w t in heads and tails, and S = |L| + |R|. The turn is (L - R) + ((l -
-/// r) + ((u s' + s u') - (w t' + t w'))) + (u' s' - w' t'). The last is at most v^2 S and left out. Of the terms in the
-/// middle l and r add up to v S at most, the others to 2 v S, up to terms of higher order. The roundings of the four
-/// products add 2 v^2 S, those of the sums of two 2 v^2 S and v^2 S, of the difference of these 2 v^2 S, and of the sum
-/// in the middle 3 v^2 S: 11 v^2 S with what is left out. L - R is off by v |L - R|, and the outermost sum by v times
-/// itself; L - R is at most the value and 3 v S. So the value is off by less than 2 v |value| + 14 v^2 S, with all
-/// terms of higher order 3 v |value| + 16 v^2 S. The bound has 2^3 v and 2^8 v^2.
+/// r) + ((u s' + s u') - (w t' + t w'))) + (u' s' - w' t'). The last is at most v^2 S and left out. Among the terms in
+/// the middle l and r add up to v S at most, the others to 2 v S, up to terms of higher order. The roundings of the
+/// four products add 2 v^2 S, those of the sums of two 2 v^2 S and v^2 S, of the difference of these 2 v^2 S, and of
+/// the sum in the middle 3 v^2 S: 11 v^2 S with what is left out. L - R is off by v |L - R|, and the outermost sum by v
+/// times itself; L - R is at most the value and 3 v S. So the value is off by less than 2 v |value| + 14 v^2 S, with
+/// all terms of higher order 3 v |value| + 16 v^2 S. The bound has 2^3 v and 2^8 v^2.
 ///
 /// Underflow. Sums that underflow are exact. Each of the eight products, and each tail of one, may be off by 2^-1075
 /// more: 2^-1000 pays for that. An FMA leaves out roundings.

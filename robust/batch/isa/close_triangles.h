@@ -27,7 +27,7 @@ struct Way {
 /// The tail is at most 4 v S and off by 15 v^2 S: v^2 S for l - t, 2 for the four products, 2 for the sums of two, 2
 /// for the difference of these, 3 and 4 for the last two sums, 1 for the products of two tails, which are left out.
 /// Times the third displacement, h + k, in units of v^2 S |h|: 15 from that, 4 for the product of two tails, left out,
-/// 1 and 4 for the products, 5 and 6 for their sums; what is beside D h, rounded, is at most 6 v S |h|. The three of
+/// 1 and 4 for the products, 5 and 6 for their sums; the rest besides D h, rounded, is at most 6 v S |h|. The three of
 /// these are added (12), and to them the errors of the two sums of D h (2 and 8): 57 v^2 P in all, P being the sum of
 /// S |h|, and the last sum cannot make a sign wrong. The bound is 2^7 v^2 P, which pays for all terms of higher order.
 ///

@@ -19,7 +19,7 @@
 /// would stay finite when a partial sum of the value overflows. Each filter says how it avoids that. The same holds for
 /// infinite and NaN inputs: the row is not decided here, and a later stage refuses it.
 ///
-/// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
+/// With m <= 12 roundings before a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
 /// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. The
 /// filters of this file are proved by machine from this text (robust/proofs/lane_*.v); triangles.h and beside.h say
 /// which of theirs are proved.

@@ -44,10 +44,10 @@ Mask ahead(Mask left, Mask positive, Mask negative) { return (left & negative) |
 /// faces and of the boxes around them, least y, greatest y, least z, greatest z, greatest x.
 ///
 /// A point that is on no face is inside if the ray crosses an odd number of faces. A face counts if its projection
-/// along x contains the point and its plane is ahead: it turns the other way about the point than its edges do. An edge
-/// of two faces is crossed for both or for neither, by the same comparisons. A point on a face is within its projection
-/// and in its plane, which is tested exactly; or it is on a projected edge, whose turn is then 0 or one of whose ends
-/// has the same height, and that is not decided here. A face whose box is elsewhere adds 0.
+/// along x contains the point and its plane is ahead: its turn about the point is opposite to that of its edges. An
+/// edge of two faces is crossed for both or for neither, by the same comparisons. A point on a face is within its
+/// projection and in its plane, which is tested exactly; or it is on a projected edge, whose turn is then 0 or one of
+/// whose ends has the same height, and that is not decided here. A face whose box does not match adds 0.
 class Solid {
  public:
   static constexpr std::size_t columns = 3;

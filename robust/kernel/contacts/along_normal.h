@@ -16,9 +16,10 @@
 ///   what is taken from high and added to low rounds by u of its result, settled or not. c as a factor: 2. c, where it
 ///   is itself a product: 11. The product of both: 1 + 1.1 + 2.2 + 1.1. Together 41, and its tail is below 2.2 T s.
 /// - n . n is off by 18 of itself, its product with m by 12 more, the sum of its head and tail by 1: together 31.
-/// - Of the quotient, head q: q times the divisor's head is exact, so its subtraction rounds by u of what is left, 4 T
-///   s at most; by q times the tail and its subtraction 6 more, by adding low 3: 13. What is left then, 1.1 T s, times
-///   the inverse, which is off by 2 u: 4.
+/// - The quotient has the head q: q times the divisor's head is exact, so its subtraction rounds by u of what is left,
+///   4 T
+///   s at most; by q times the tail and its subtraction 6 more, by adding low 3: 13. The remainder, 1.1 T s, times the
+///   inverse, which is off by 2 u: 4.
 /// - t n: 14.6, as robust/kernel/enclosed/push.h has it of a tail below 2.4 T s i.
 /// Together 104; 144 are taken, eight times the error of Sum, |c| and i. A bound relative to S holds where the products
 /// cancel, too: nothing here has to be settled. Not proved by machine, except for the last line.

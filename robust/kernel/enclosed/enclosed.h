@@ -95,10 +95,10 @@ struct Enclosed {
 
 /// A sum of less than 2^12 terms: heads by two_sum, and tails and what two_sum leaves in one number.
 ///
-/// Let M be the sum of the magnitudes of n heads. The terms are off by 7 E M, and their tails are at most 2 T M. What
-/// two_sum leaves is at most u M each time; adding it to the term's tail costs 2 E M for all terms together, adding
-/// both to what is left so far 2 E M for each but the first; for u M, n^2 u^2 M more. Together 2 n + 7 in units of E M,
-/// and n^2 u / T, which is below 1/8. 2 n + 12 are taken.
+/// Let M be the sum of the magnitudes of n heads. The terms are off by 7 E M, and their tails are at most 2 T M. The
+/// remainder of two_sum is at most u M each time; adding it to the term's tail costs 2 E M for all terms together,
+/// adding both to what is left so far 2 E M for each but the first; for u M, n^2 u^2 M more. Together 2 n + 7 in units
+/// of E M, and n^2 u / T, which is below 1/8. 2 n + 12 are taken.
 template <class Float>
 class Sum {
   using Format = filters::FloatFormat<Float>;
@@ -195,8 +195,8 @@ struct Divisor {
 /// q is off by T and 6 u; let S = |q d|. q times the divisor's head leaves at most 2 T S + |n.low| of n.high, which
 /// costs 2 E S and u |n.low|, and nothing if n is settled (Sterbenz). q times the divisor's tail costs E S; its
 /// subtraction, which leaves little more than T S + |n.low|, E S and u |n.low|; adding n.low, which leaves little more
-/// than T S, E S; the divisor's tail itself is off by E. What is left times the inverse, which is off by 3 u: 3 E S and
-/// E S. Together 10 E of the quotient, and 2 u |n.low / d|; 14 E and 40 u |n.low| are taken.
+/// than T S, E S; the divisor's tail itself is off by E. The remainder times the inverse, which is off by 3 u: 3 E S
+/// and E S. Together 10 E of the quotient, and 2 u |n.low / d|; 14 E and 40 u |n.low| are taken.
 ///
 /// For the errors: n / d is off by (n.error + |n / d| d.error) / (|d| - d.error), and d.error <= |d| / 16.
 template <class Float>
@@ -212,10 +212,10 @@ Enclosed<Float> operator/(const Enclosed<Float>& n, const Divisor<Float>& d) {
 
 /// For a settled positive number. high has k digits: the root's head, r.
 ///
-/// r^2 is exact, and so is its subtraction from high (Sterbenz). What is left with low, x - r^2, is at most 2 T x:
-/// rounding it costs 2 E x, E of the root. The root is r + (x - r^2) / (root + r). The sum of roots is off by 2 u, its
-/// inverse by another, the product by another: 4 E of the root, as what is added is at most T of it. Together 5 E; 8
-/// are taken. As error <= x / 16, the root is off by error / (1.96 r) for it.
+/// r^2 is exact, and so is its subtraction from high (Sterbenz). The remainder together with low, x - r^2, is at most 2
+/// T x: rounding it costs 2 E x, E of the root. The root is r + (x - r^2) / (root + r). The sum of roots is off by 2 u,
+/// its inverse by another, the product by another: 4 E of the root, as what is added is at most T of it. Together 5 E;
+/// 8 are taken. As error <= x / 16, the root is off by error / (1.96 r) for it.
 template <class Float>
 Enclosed<Float> square_root(const Enclosed<Float>& x) {
   using Format = filters::FloatFormat<Float>;

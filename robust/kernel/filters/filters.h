@@ -35,7 +35,7 @@
 /// (5) A computed bound C e1 e2 + A loses a factor 1 - u for each of its m operations, those in the extents included.
 ///     It remains to choose C with (1 - u)^m C >= (1 + u) times the sum of the relative terms. Divided by its
 ///     first term that quotient is a power series in u with positive coefficients, or below one, hence convex, so
-///     against a C = c u + d u^2 with the same first term it is enough to look at u = 1/16; every C below is a number
+///     against a C = c u + d u^2 with the same first term it is enough to check u = 1/16; every C below is a number
 ///     of the format for double.
 /// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
 ///
@@ -128,7 +128,7 @@ Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<
 /// The sign of radius^2 - v.x^2 - v.y^2, v a computed difference of two points: positive inside the circle.
 ///
 /// The sum of the squares is itself the extent. Let r2 be the exact square of the radius. If the computed inside I is
-/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; the other way round, I >= r2 (1
+/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; conversely, I >= r2 (1
 /// - u) and O <= r2 (1 + u)^4. (I - O) / (I + O) rises with I / O, so the first is at most ((1 + u) - (1 - u)^4) / ((1
 /// + u) + (1 - u)^4), and below 5/2 u (1 + u / 2); where FMA leaves I unrounded in the sum alone, below 5/2 u (1 + u);
 /// the other below 5/2 u. m = 3. C = 5/2 u + 16 u^2: at u = 1/16, 1.371 < 1.4 in units of 5/2 u. The guard bounds |v.x|
@@ -218,7 +218,7 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 /// two|.
 ///
 /// With a, b, c the units of (2) for v x s, v x f, f x s, a + b + c <= ex ey, and E, F, G the three as computed. If the
-/// sign of the whole is wrong, then that of one or of two is, and the value is at most twice that one, and the
+/// sign of the total is wrong, then that of one or of two is, and the value is at most twice that one, and the
 /// roundings of one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself
 /// or positive.
 /// - one: as for segments, at most 2 T' (a + b) before it is rounded. F + F is taken for rounded, by 2 u (1 + u)^2 b,

@@ -41,8 +41,8 @@ class Perhaps {
  public:
   Perhaps(std::nullopt_t) {}
   Perhaps(const Answer& answer) : known_(1), answer_(answer) {}
-  /// An answer of several parts, constructed in place. Otherwise g++ constructs it elsewhere, part by part, and copies
-  /// it by 16 bytes, for which the processor has to wait until the parts are in memory.
+  /// An answer of several parts, constructed in place. Otherwise g++ constructs it in a temporary, part by part, and
+  /// copies it by 16 bytes, for which the processor has to wait until the parts are in memory.
   template <class... Parts>
   Perhaps(std::in_place_t, const Parts&... parts) : known_(1), answer_{parts...} {}
   explicit operator bool() const { return known_ != 0; }

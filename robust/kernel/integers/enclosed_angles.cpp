@@ -92,8 +92,8 @@ Reduced reduced(double u, const Tables& t) {
 ///
 /// The last part is computed in double, from s rounded. Its polynomials leave out s^8 / 8! and s^9 / 9!, less than u /
 /// 8 of them. s^2 is off by 3 u, cos s - 1 by 3 u more and sin s - s by 5 u more, both for their coefficients and the
-/// last steps; what they are multiplied with by u; these products and their sum by 2 u. Of 11 u, 14 are taken. The
-/// pairs of the table are off by u^2, which the 7 E of a product hold.
+/// last steps; what they are multiplied with by u; these products and their sum by 2 u. Together 11 u; 14 are taken.
+/// The pairs of the table are off by u^2, which the 7 E of a product hold.
 std::optional<Enclosed<Two>> enclosed_cosine_sine(double u) {
   if (!(std::fabs(u) <= 0x1p20)) return std::nullopt;
   const Tables& t = tables();
