@@ -59,7 +59,7 @@ std::size_t place_of(const Json& contact, const std::string& path, const char* f
   const std::string name = catalogue::member_path(path, field);
   if (!contact.contains(field)) throw InvalidInput(name, "missing");
   const std::size_t place = catalogue::read_index(contact[field], name);
-  if (place >= size) throw InvalidInput(name, expected("a whole number below " + std::to_string(size), contact[field]));
+  if (place >= size) throw InvalidInput(name, expected("an integer below " + std::to_string(size), contact[field]));
   return place;
 }
 

@@ -55,7 +55,7 @@ std::uint32_t Fields::count_or(const char* name, std::uint32_t least, std::uint3
   if (!has(name)) return usual;
   const std::uint32_t count = catalogue::read_index(at(name), path_of(name));
   if (count < least)
-    throw InvalidInput(path_of(name), expected("a whole number from " + std::to_string(least) + " up", at(name)));
+    throw InvalidInput(path_of(name), expected("an integer from " + std::to_string(least) + " up", at(name)));
   return count;
 }
 

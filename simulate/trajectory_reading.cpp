@@ -29,7 +29,7 @@ struct Place {
   }
   std::size_t index(std::size_t size) const {
     if (!json.is_number_unsigned() || json.get<std::size_t>() >= size)
-      throw InvalidInput(path, expected("a whole number below " + std::to_string(size), json));
+      throw InvalidInput(path, expected("an integer below " + std::to_string(size), json));
     return json.get<std::size_t>();
   }
   mpq_class rational() const {

@@ -126,7 +126,7 @@ void require_disjoint(const Tally& a, const Tally& b) {
   }
   for (const std::uint64_t shard : a.grid.done) {
     if (std::binary_search(b.grid.done.begin(), b.grid.done.end(), shard)) {
-      throw InvalidInput("grid.done", "every shard once (" + std::to_string(shard) + " is there twice)");
+      throw InvalidInput("grid.done", "duplicate shard " + std::to_string(shard));
     }
   }
 }

@@ -21,7 +21,8 @@ class StoppingVerdicts {
     std::stringstream list(names == nullptr ? "" : names);
     for (std::string name; std::getline(list, name, ',');) {
       const auto found = std::find(verdict_names.begin() + 1, verdict_names.end(), name);
-      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts with commas, not " + name);
+      if (found == verdict_names.end())
+        throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts separated by commas, not " + name);
       named_.push_back(static_cast<Verdict>(found - verdict_names.begin()));
     }
   }

@@ -271,7 +271,7 @@ bool read_flag(const Json& value, const std::string& field) {
 std::uint32_t read_index(const Json& value, const std::string& field) {
   const double number = read_double(value, field);
   if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number)))
-    throw InvalidInput(field, expected("a whole number below 2^32", value));
+    throw InvalidInput(field, expected("an integer below 2^32", value));
   return static_cast<std::uint32_t>(number);
 }
 

@@ -190,7 +190,7 @@ int exhaust_command(const ExhaustCommand& asked, std::ostream& out, std::ostream
   const Shard shard = shard_of(command.shard);
   require_writable("--json", command.json_file);
   if (command.decisions && !command.engine.empty())
-    throw UsageError("--decisions: expected without --engine, whose answers are no decisions alone");
+    throw UsageError("--decisions cannot be combined with --engine: an engine returns full answers");
   tell(shard, err);
   const auto run = command.decisions ? decisions : examinations;
   return run(operation, command, shard, out, err);

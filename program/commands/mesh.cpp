@@ -100,7 +100,7 @@ Json json_of(const Row& row, const MeshCommand& command, const std::optional<Rep
 void require_usage(const MeshCommand& command) {
   for (const auto& [option, written] : {std::pair{"--repair", &command.repair}, std::pair{"--page", &command.page}}) {
     if (written->empty()) continue;
-    if (command.files.size() > 1) throw UsageError(std::string(option) + ": of one mesh, and there are several files");
+    if (command.files.size() > 1) throw UsageError(std::string(option) + ": expected one mesh, got several files");
     require_other_file(option, *written, command.files[0]);
   }
   if (!command.repair.empty()) text_of_mesh({}, command.repair);  // refuses an unknown ending

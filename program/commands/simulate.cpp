@@ -131,7 +131,7 @@ int simulate_command(const SimulateCommand& command, std::ostream& out, std::ost
   const auto scene = read_or_refuse(command.file, [&] { return simulate::read_scene(json); });
   require_apart(command);
   Simulation simulation(scene, runs_named(command.runs));
-  if (command.resume && !command.engines.empty()) throw UsageError("--resume: an engine cannot go on from a file");
+  if (command.resume && !command.engines.empty()) throw UsageError("--resume: an engine cannot resume from a file");
   for (const std::string& engine : command.engines)
     simulation.add(engine_run(engine_lines(engine, command.timeout), engine, scene, simulation.names()));
   Trajectory trajectory(command.trajectory);

@@ -183,7 +183,7 @@ int soak_command(const SoakCommand& asked, std::ostream& out, std::ostream& err)
                      grouped(static_cast<std::uint64_t>(static_cast<double>(soak.asked_now()) / soak.time())));
   if (!finished) {
     checkpoint.keep_now(soak.state());
-    err << "touchstone: interrupted" << (checkpoint.file().empty() ? "" : "; the same command goes on from ")
+    err << "touchstone: interrupted" << (checkpoint.file().empty() ? "" : "; the same command resumes from ")
         << checkpoint.file() << '\n';
     return interrupted;
   }

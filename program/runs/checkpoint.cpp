@@ -37,7 +37,7 @@ Checkpoint::Checkpoint(const std::string& file, Json run, std::ostream& err) {
   if (of != run_)
     throw UsageError(part_ + ": expected the state of this run, " + run_ + ", or no such file; it is of " +
                      excerpt(of, 500));
-  err << "touchstone: goes on from " << part_ << '\n';
+  err << "touchstone: resumes from " << part_ << '\n';
 }
 
 void Checkpoint::keep(const std::function<Json()>& state) {

@@ -64,7 +64,7 @@ class Scene {
       const auto [i, outer] = std::move(waiting.back());
       waiting.pop_back();
       const Value node = document_.root()["nodes"][i];
-      if (seen_[i]) node.refuse("a node below one node alone");
+      if (seen_[i]) node.refuse("a node with at most one parent");
       seen_[i] = true;
       const auto transform = composed(outer, transform_of(node));
       if (!transform) node.refuse(exact_transform_rule);

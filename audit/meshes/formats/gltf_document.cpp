@@ -112,7 +112,7 @@ Document read_document(const std::string& name, std::string_view bytes, const Be
     document.format = "glTF (binary)";
     file.skip(4);
     if (file.number<std::uint32_t>() != 2) file.refuse("glTF of version 2");
-    if (file.number<std::uint32_t>() > bytes.size()) file.refuse("as many bytes as it says: the file ends too early");
+    if (file.number<std::uint32_t>() > bytes.size()) file.refuse("the file ends before the declared number of bytes");
     const auto length = file.number<std::uint32_t>();
     if (file.number<std::uint32_t>() != json_chunk) file.refuse("JSON as the first chunk");
     text = file.take(length);

@@ -39,7 +39,7 @@ class TextValues : public Values {
   void skip(Type) override { text_.word(); }
   std::optional<std::size_t> begin_row() override {
     end_row();
-    if (!text_.next_words('\0')) text_.refuse("more numbers: the file ends too early");
+    if (!text_.next_words('\0')) text_.refuse("the file ends before the declared number of values");
     in_row_ = true;
     return text_.number();
   }
@@ -85,7 +85,7 @@ class BinaryValues : public Values {
       default: break;
     }
     const auto value = bytes_.number<std::uint64_t>();
-    if (value > std::uint64_t{std::numeric_limits<long long>::max()}) refuse("whole number of less than 64 bits");
+    if (value > std::uint64_t{std::numeric_limits<long long>::max()}) refuse("an integer of less than 64 bits");
     return static_cast<long long>(value);
   }
   void skip(Type type) override {
@@ -107,7 +107,7 @@ std::size_t place_of(const Text& text, const Element& element, std::initializer_
     const Property& property = element.properties[i];
     for (const char* name : names) {
       if (property.name != name || property.count.has_value() != list) continue;
-      if (list && !ply::integral(property.type)) text.refuse(element.line, "whole numbers as indices");
+      if (list && !ply::integral(property.type)) text.refuse(element.line, "an integer type for indices");
       return i;
     }
   }

@@ -73,8 +73,7 @@ class Model {
   }
 
   Placement placement(const XmlElement& element) const {
-    if (element.attributes.contains(path_of_another_part))
-      xml_.refuse("objects of this part alone; export as one part");
+    if (element.attributes.contains(path_of_another_part)) xml_.refuse("objects of this part only; export as one part");
     const std::string& object = attribute(element, "objectid");
     if (!objects.contains(object)) xml_.refuse("an object further above");
     return {object, transform(element)};

@@ -21,7 +21,7 @@ constexpr std::size_t locator_64_length = 20;
 
 Bytes record(const std::string& name, std::string_view all, std::uint64_t at, std::string_view signature) {
   if (at > all.size() || !all.substr(at).starts_with(signature))
-    throw InvalidInput(name, "a zip archive whose directory is whole");
+    throw InvalidInput(name, "a zip archive with an intact directory");
   return {name, all, std::endian::little, static_cast<std::size_t>(at) + signature.size()};
 }
 
@@ -96,7 +96,7 @@ Zip::Zip(std::string name, std::string_view bytes) : name_(std::move(name)), byt
     extend({name_, entry.take(extra), std::endian::little}, {&found.unpacked, &found.packed, &found.header});
     entry.skip(comment);
     at += directory_entry.size() + (from - entry.left());
-    if (!entries_.emplace(file, found).second) refuse(file, "in the archive once");
+    if (!entries_.emplace(file, found).second) refuse(file, "in the archive only once");
   }
 }
 
@@ -109,7 +109,7 @@ std::string_view Zip::packed(const std::string& file, const Entry& entry) const 
   header.skip(22);
   const auto length = header.number<std::uint16_t>(), extra = header.number<std::uint16_t>();
   header.skip(length), header.skip(extra);
-  if (entry.packed > header.left()) refuse(file, "as many bytes as it says: the file ends too early");
+  if (entry.packed > header.left()) refuse(file, "the file ends before the declared number of bytes");
   return header.take(static_cast<std::size_t>(entry.packed));
 }
 
@@ -141,8 +141,7 @@ void Zip::read(const std::string& file, const std::function<void(std::string_vie
       piece(std::string_view(part).substr(0, part.size() - stream.avail_out));
     }
   }
-  if (checksum != entry.checksum || length != entry.unpacked)
-    refuse(file, "whole: its checksum or length is another one");
+  if (checksum != entry.checksum || length != entry.unpacked) refuse(file, "intact: its checksum or length differs");
 }
 
 }  // namespace touchstone::audit::meshes

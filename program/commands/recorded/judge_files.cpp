@@ -170,7 +170,7 @@ void add_columns(const Operation& operation, const std::vector<std::string>& fil
 
 audit::JudgedLogs judge_files(const JudgeCommand& command, EngineNotes& notes) {
   const Operation& operation = operation_named(command.pairs.empty() ? command.columns : command.pairs);
-  if (command.engine.empty()) throw UsageError("--pairs, --columns: expected --engine too, which answers");
+  if (command.engine.empty()) throw UsageError("--pairs, --columns: expected --engine too, to answer the questions");
   require_asked_of_engines({&operation});
   const auto engine = pipe_engine(command.engine, command.timeout, &Interruptible::stopped(), &notes);
   if (!engine->supports(operation.name()))
