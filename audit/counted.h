@@ -6,7 +6,7 @@
 
 #include "audit/uses.h"
 
-/// Counts as people read them.
+/// Counts in readable form.
 namespace touchstone::audit {
 
 /// 1234567 -> "1,234,567"

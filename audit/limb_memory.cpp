@@ -12,7 +12,7 @@
 namespace touchstone::audit {
 namespace {
 
-// A piece is exactly as long as what was asked for, in whole limbs: what malloc gave before fits into the lists.
+// A piece is exactly as long as requested, in full limbs: pieces from malloc fit into the lists.
 constexpr std::size_t limb = 8, classes = 257, block = std::size_t{1} << 16;  // pieces of up to 2 kB
 
 struct Free {
@@ -34,7 +34,7 @@ struct {
   Lists* first = nullptr;
 } left_behind;
 
-/// Made with the first block of a thread: takes over the lists of a thread that has ended, and leaves its own.
+/// Made with the first block of a thread: takes over the lists of a finished thread, and leaves its own.
 struct Heir {
   Heir() {
     const std::lock_guard<std::mutex> lock(left_behind.mutex);

@@ -3,9 +3,9 @@
 
 namespace touchstone::audit {
 
-/// From now on GMP takes its memory from free lists of each thread, which is a sixth faster where most of the time goes
-/// into exact numbers, and throws std::bad_alloc where there is none, instead of ending the program. For the whole
-/// process and until it ends; numbers that exist already may be changed and released as before.
+/// From now on GMP takes its memory from free lists of each thread, which is a sixth faster if most of the time goes
+/// into exact numbers, and throws std::bad_alloc if there is none, instead of ending the program. Applies to the entire
+/// process until it ends; existing numbers may be changed and released as before.
 void use_limb_memory();
 
 }  // namespace touchstone::audit

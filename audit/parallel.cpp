@@ -28,7 +28,7 @@ void in_parallel(int jobs, std::size_t count, const std::function<void(std::size
   try {
     for (std::size_t i = 1; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i)
       others.emplace_back(some);
-  } catch (const std::system_error&) {  // with those that there are
+  } catch (const std::system_error&) {  // continues with those that have started
   }
   some();
   for (std::thread& thread : others) thread.join();

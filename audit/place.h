@@ -16,7 +16,7 @@ namespace touchstone::audit {
 /// Longer than any text that an audit writes.
 inline constexpr std::size_t most_of_a_text = 1000;
 
-/// A value and where it stands in the file, so that a refusal can name it.
+/// A value and its position in the file, so that a refusal can name it.
 struct Place {
   const Json& value;
   std::string path;

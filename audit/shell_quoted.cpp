@@ -10,7 +10,7 @@ namespace {
 
 bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7f; }
 
-/// By printf, which makes the control characters: the word stays on one line.
+/// By printf, which produces the control characters: the word stays on one line.
 std::string printed(const std::string& text) {
   std::string format;
   for (const char c : text) {

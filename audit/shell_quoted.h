@@ -7,8 +7,8 @@
 
 namespace touchstone::audit {
 
-/// Text as one word of a POSIX shell, on one line, quoted where a shell would not take it as it stands. Of newlines at
-/// its end the shell keeps none.
+/// Text as one word of a POSIX shell, on one line, quoted if a shell would not take it literally. The shell drops
+/// newlines at its end.
 std::string shell_quoted(const std::string& text);
 
 }  // namespace touchstone::audit

@@ -9,7 +9,7 @@
 
 namespace touchstone::audit {
 
-/// Seconds from when it is made; 0: for ever. The clock may be another than the machine's, in seconds.
+/// Time limit in seconds from construction, 0 = none. The clock may be replaced; it returns seconds.
 class TimeLimit {
  public:
   explicit TimeLimit(double seconds = 0, std::function<double()> clock = seconds_of_machine)

@@ -3,7 +3,7 @@
 
 namespace touchstone::catalogue {}
 
-/// The names of the modules below, in which audit is written.
+/// The names of lower modules that audit uses.
 namespace touchstone::audit {
 using namespace catalogue;
 }  // namespace touchstone::audit

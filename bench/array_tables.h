@@ -10,7 +10,7 @@
 #include "bench/data_sets.h"
 #include "catalogue/catalogue.h"
 
-/// The rows that arrays are asked while the clock runs.
+/// The rows of the arrays that are timed.
 namespace touchstone::bench {
 
 using catalogue::Operation;
@@ -38,7 +38,7 @@ inline bool accepted(const Operation& operation, const Question& question) {
   return true;
 }
 
-/// All hard cases, or those of full precision; all as well where none says so by its name.
+/// All hard cases, or those of full precision; also all if none is named as one of full precision.
 inline std::vector<std::size_t> hard_families(const Operation& operation, Cases kind) {
   std::vector<std::size_t> named, all;
   for (std::size_t i = 0; i < operation.families().size(); ++i) {
@@ -50,7 +50,7 @@ inline std::vector<std::size_t> hard_families(const Operation& operation, Cases 
   return named.empty() || kind == Cases::hard ? all : named;
 }
 
-/// case_count rows, all like `shape`: of one alternative and, where there are lists, of one list.
+/// A table of case_count rows, all like `shape`: of one alternative and, if there are lists, of one list.
 struct Table {
   Question shared;
   std::vector<std::vector<double>> numbers;
@@ -65,15 +65,15 @@ struct Table {
   }
 };
 
-/// A shape that all rows share, for operations that ask about many points beside one.
+/// A shape that all rows share, for operations that ask about many points and one shape.
 struct SharedShape {
-  Question question;            ///< with the shape, and any point
-  std::vector<double> numbers;  ///< of the naive formula (bench/isa/naive_space.h), `count` parts of them
+  Question question;            ///< holds the shape, and any point
+  std::vector<double> numbers;  ///< for the naive formula (bench/isa/naive_space.h): `count` parts
   std::size_t count = 0;
-  std::function<std::vector<double>(catalogue::DrawStream&)> on_boundary;  ///< a point rounded onto it
+  std::function<std::vector<double>(catalogue::DrawStream&)> on_boundary;  ///< draws a point on it, rounded
 };
 
-/// From 0 to 1.
+/// A fraction in [0, 1].
 inline double fraction(catalogue::DrawStream& draws) { return catalogue::ordinary(draws) / 2 + 0.5; }
 
 /// A ring of 16 vertices: on a circle, or anywhere.
@@ -96,7 +96,7 @@ inline SharedShape ring_of(bool convex) {
   return shape;
 }
 
-/// The hull of an octahedron's corners and of the middles of its edges, all on a sphere: 32 faces.
+/// The hull of an octahedron's corners and edge midpoints, all on a sphere: 32 faces.
 inline Meshd solid_of_32_faces() {
   Meshd mesh;
   const double r = 0.9;
@@ -146,7 +146,7 @@ inline SharedShape solid() {
   return shape;
 }
 
-/// The shape beside which an operation's points are asked: that of its name. nullptr where it has none.
+/// The shape that an operation's points are asked about, found by the operation's name. nullptr if it has none.
 inline const SharedShape* shape_of(const Operation& operation) {
   static const SharedShape any_ring = ring_of(false), convex_ring = ring_of(true), convex_solid = solid();
   if (operation.name() == "point_in_polygon") return &any_ring;
@@ -156,7 +156,7 @@ inline const SharedShape* shape_of(const Operation& operation) {
   return nullptr;
 }
 
-/// Without `hard` where that would be the rows of near_degenerate once more.
+/// Leaves out `hard` if it would repeat the rows of near_degenerate.
 inline std::vector<Cases> kinds_of(const Operation& operation) {
   std::vector<Cases> kinds = {Cases::random, Cases::one_in_a_hundred, Cases::near_degenerate};
   const bool more = hard_families(operation, Cases::hard) != hard_families(operation, Cases::near_degenerate);
@@ -164,7 +164,7 @@ inline std::vector<Cases> kinds_of(const Operation& operation) {
   return kinds;
 }
 
-/// A question of the family, or of points in [-1, 1) beside the shape.
+/// A question of the family, or of points in [-1, 1) and the shape.
 inline Question drawn_row(const Operation& operation, std::size_t family, bool hard, catalogue::DrawStream& draws) {
   const SharedShape* const shape = shape_of(operation);
   if (shape == nullptr) return operation.draw(draws, family);
@@ -207,7 +207,7 @@ inline Table drawn_table(const Operation& operation, const std::vector<Word>& wo
   return table;
 }
 
-/// The table asked for last.
+/// The most recent table.
 inline const Table& table_of(const Operation& operation, const std::vector<Word>& words, Cases kind) {
   static std::string made;
   static Table table;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decisions over arrays: every operation of the catalogue that has them, beside the naive formula over the same columns
-// (one row at a time, and in the lanes of the same instruction sets), robust and CGAL's Epick and Shewchuk's
-// predicates one question at a time.
-// And from memory, where the cache is too small, beside the rate at which the same memory can be read.
+// Decisions over arrays: every operation of the catalogue that has them, compared with the naive formula over the same
+// columns (one row at a time, and in the lanes of the same instruction sets), and with robust, CGAL's Epick and
+// Shewchuk's predicates, one question at a time.
+// Large arrays are also timed from memory, where the cache is too small, compared with the rate at which that memory
+// can be read.
 //
-// bench/arrays --verify compares all array answers with robust, one question at a time, and times nothing.
+// bench/arrays --verify compares all array answers with robust, one question at a time, without timing.
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ constexpr Naive naive_formulas[] = {{"orientation", 6, &NaiveLoops::orientation}
                                     {"segment_triangle", 15, &NaiveLoops::segment_triangle},
                                     {"triangle_triangle", 18, &NaiveLoops::triangle_triangle}};
 
-/// Of operations that ask about points beside one shape.
+/// For operations that ask about points and one shape.
 struct NaiveBeside {
   const char* name;
   NaiveSharedLoop* NaiveLoops::*loop;
@@ -73,7 +74,7 @@ void add(const std::string& name, const Timed& timed) {
   benchmark::RegisterBenchmark(name.c_str(), timed);
 }
 
-/// ask(answers) again and again.
+/// Calls ask(answers) repeatedly.
 template <class Ask>
 void time_arrays(benchmark::State& state, std::size_t rows, const Ask& ask) {
   std::vector<std::uint8_t> answers(rows);
@@ -185,11 +186,11 @@ void add_shewchuk(const std::string& group, const Asked& asked) {
 void add_shewchuk(const std::string&, const Asked&) {}
 #endif
 
-/// Whatever CGAL has of a question's type.
+/// The types that CGAL has for a question.
 template <class Row, class Question>
 struct EpickOf {
   static void add(const std::string& group, const Asked& asked) {
-    // Where rounding leaves the second point of CGAL's ray in the first, CGAL divides by 0, and the program ends.
+    // If rounding makes the second point of CGAL's ray equal to the first, CGAL divides by 0, and the program ends.
     const bool rays = std::string_view(Row::metadata().name).starts_with("ray_");
     if (rays && asked.kind == Cases::hard) return;
     if constexpr (HasEpick<Row>) add_epick<Row, Question>(group, asked);
@@ -211,7 +212,7 @@ struct EpickOf<Row, std::tuple<Meshd, Point3d>> {
   static void add(const std::string& group, const Asked& asked) { add_epick_beside<Meshd, Point3d>(group, asked); }
 };
 
-/// The words of the tables: one for each alternative, or that of the shape that all rows share.
+/// The enumerators of the tables: one for each alternative, or that of the shape that all rows share.
 std::vector<std::vector<Word>> words_of_tables(const Operation& operation) {
   if (operation.row().batch.decide == nullptr) return {};
   if (const SharedShape* const shape = shape_of(operation)) return {shape->question.words};
@@ -242,7 +243,7 @@ void add_row() {
 
 constexpr std::size_t more_than_any_cache = std::size_t{1} << 22;
 
-/// So many rows of random numbers in [0, 1), and the sum of them all.
+/// Adds benchmarks over `rows` rows of random numbers in [0, 1), and of adding them all up.
 void add_rows(const char* name, std::size_t columns, std::size_t rows) {
   const Operation& operation = *catalogue::find_operation(name);
   const std::string length = rows == more_than_any_cache ? "from_memory" : "rows_" + std::to_string(rows);
@@ -279,7 +280,7 @@ void add_rows(const char* name, std::size_t columns, std::size_t rows) {
   });
 }
 
-/// Prints a line for each table; false if an answer differs from robust's.
+/// Prints a line for each table; returns false if an answer differs from robust's.
 bool verified() {
   bool held = true;
   for (const Operation* operation : catalogue::all_operations()) {

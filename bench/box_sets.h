@@ -13,21 +13,21 @@
 
 #include "geometry/volumes.h"
 
-/// Lists of boxes, of about four pairs a box where nothing else is said.
+/// Lists of boxes, with about four pairs a box unless stated otherwise.
 namespace touchstone::bench {
 
 inline constexpr std::array box_sets{
-    "uniform",     ///< in the unit cube, of like sizes
+    "uniform",     ///< in the unit cube, of similar sizes
     "clustered",   ///< 64 normal clusters
     "six_orders",  ///< sizes over six orders of magnitude
     "nine_orders",
-    "one_huge",    ///< uniform, and one box around all
+    "one_huge",    ///< uniform, and one box that encloses all
     "lattice",     ///< cells of a grid that share their faces to the last bit
     "nested",      ///< clusters in clusters, over 400 binades
     "sticks",      ///< as long as the cube on one axis, thin on the others
     "flat",        ///< in one plane
-    "duplicates",  ///< each four times
-    "equal",       ///< all the same; all meet
+    "duplicates",  ///< each box four times
+    "equal",       ///< all equal; all meet
     "points",      ///< points of a small grid
     "zeros",       ///< -0.0, 0.0 and their neighbours
     "extreme",     ///< up to the largest double

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// CGAL as peer: the same decisions by the library that people use for them, kernels Epick and Epeck.
+// CGAL as a peer: the same decisions by the library that people use for them, kernels Epick and Epeck.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -18,7 +18,7 @@ using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 /// shapes(question...)   the question as CGAL's own objects (made before the clock starts)
 /// decide(shapes...)     the int of Decisions
 /// promised(question...) exact answers can be expected here (CGAL's intersection tests expect proper segments)
-/// only_epeck            the question itself takes a construction, which Epick rounds: another question
+///    only_epeck            the question itself takes a construction, which Epick rounds to a different question
 template <class Row>
 struct CgalPeer;
 
@@ -65,7 +65,7 @@ struct CgalPeer<catalogue::rows::explicit_line> {
 
 template <>
 struct CgalPeer<catalogue::rows::implicit_circle> {
-  static constexpr bool only_epeck = true;  // it has circles with the radius squared only
+  static constexpr bool only_epeck = true;  // its circles have only the radius squared
   template <class K>
   static auto shapes(const Circle2d& circle, const Point2d& p) {
     const typename K::FT radius(circle.radius);
@@ -131,8 +131,8 @@ struct CgalPeer<catalogue::rows::ray_segment> {
   static int decide(const Ray& ray, const Segment& s) {
     return CGAL::do_intersect(ray, s);
   }
-  /// With coordinates near 2^1011 Epeck of CGAL 5.5.1 says that rays miss segments which CGAL itself over Gmpq finds
-  /// met.
+  /// With coordinates near 2^1011, Epeck of CGAL 5.5.1 says that rays miss segments that CGAL itself finds met over
+  /// Gmpq.
   static bool promised(const Ray2d& ray, const Segment2d& s) {
     return !(s.a == s.b) && std::abs(ray.origin.x) < 0x1p1000 && std::abs(ray.direction.x) < 0x1p1000;
   }

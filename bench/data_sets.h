@@ -16,18 +16,18 @@
 #include "catalogue/shape/walk.h"
 #include "geometry/invalid_input.h"
 
-/// What is asked while the clock runs. The same cases on every machine and with every compiler.
+/// The questions of the benchmarks. The same cases on every machine and with every compiler.
 namespace touchstone::bench {
 
-/// Fewer, and the branch predictor learns the answers by heart: CGAL's orientation, measured over 512 cases that come
-/// round again and again, seems five times faster than over this many.
+/// With fewer, the branch predictor learns the answers by heart: CGAL's orientation, measured over 512 cases in a loop,
+/// seems five times faster than over this many.
 inline constexpr std::size_t case_count = std::size_t{1} << 17;
-/// Of questions with lists, each of which has many branches of its own.
+/// For questions with lists, each of which has many branches of its own.
 inline constexpr std::size_t case_count_of_lists = std::size_t{1} << 13;
 
 enum class DataSet {
   random,              ///< every number uniform in [-1, 1)
-  near_degenerate,     ///< random numbers rounded onto a degenerate place: hard cases named so (below)
+  near_degenerate,     ///< random numbers rounded onto a degenerate place: hard cases of such a name (below)
   small_integer_grid,  ///< every number one of 0 .. 7: many cases are degenerate
   huge,                ///< random, lengths times 2^1012: every product of lengths overflows
   tiny,                ///< random, lengths so that all are multiples of 2^-1074: every product of lengths underflows
@@ -41,7 +41,7 @@ inline const char* name_of(DataSet set) {
   return names[static_cast<std::size_t>(set)];
 }
 
-/// Lengths times 2^k; what is no length (a slope, an angle) stays.
+/// Multiplies lengths by 2^k; anything else (a slope, an angle) stays.
 template <class Row>
 void scale(typename Row::Question& question, int k) {
   if (const auto own = Row::hooks().scale) {
@@ -51,12 +51,12 @@ void scale(typename Row::Question& question, int k) {
   }
 }
 
-/// Whether a family is named as one of full precision: random numbers rounded onto a degenerate place.
+/// Returns whether the family's name says that it has full precision: random numbers rounded onto a degenerate place.
 inline bool near_degenerate(std::string_view family) {
   return family.starts_with("nearly") || family.find("rounded") != std::string_view::npos;
 }
 
-/// The hard cases of full precision; all hard cases where none says so by its name.
+/// The hard cases of full precision; all hard cases if none is named as one.
 template <class Row>
 std::vector<catalogue::HardCase<typename Row::Question>> near_misses() {
   const auto all = Row::hard_cases();
@@ -91,7 +91,7 @@ typename Row::Question drawn(DataSet set, catalogue::DrawStream& draws) {
   return question;
 }
 
-/// Questions that the contract accepts. Ends with an error where it refuses nearly all that is drawn.
+/// Questions that the contract accepts. Ends with an error if it refuses nearly all draws.
 template <class Row>
 std::vector<typename Row::Question> draw_cases(DataSet set) {
   const std::string stream = std::string(Row::metadata().name) + "/" + name_of(set);
@@ -112,7 +112,7 @@ std::vector<typename Row::Question> draw_cases(DataSet set) {
   return cases;
 }
 
-/// The cases of one set, made when they are first asked for. Only the set asked for last is kept.
+/// The cases of one set, made on first use. Only the most recent set is kept.
 template <class Row>
 const std::vector<typename Row::Question>& cases_of(DataSet set) {
   static DataSet made = set;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The distance of two convex solids of 8 to 100 vertices, with nearest points: robust's, with and without its test
-// whether the meshes are convex, and FCL's GJK with libccd, of the same shapes, whose objects are made before.
+// The distance of two convex solids of 8 to 100 vertices, with nearest points: robust's, with and without its convexity
+// test of the meshes, and FCL's GJK with libccd, on the same shapes, whose objects are made beforehand.
 //
-// bench/distances --verify compares the distances and times nothing.
+// bench/distances --verify compares the distances without timing.
 
 #include <benchmark/benchmark.h>
 #include <fcl/fcl.h>
@@ -25,7 +25,7 @@
 namespace touchstone::bench {
 namespace {
 
-/// Random points of a sphere, and their hull's faces.
+/// Random points on a sphere, and the faces of their hull.
 Meshd ball(std::size_t count, const Point3d& center, std::mt19937_64& bits) {
   const auto unit = [&bits] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
   Meshd mesh;
@@ -52,7 +52,7 @@ std::unique_ptr<fcl::CollisionObjectd> theirs(const Meshd& mesh) {
       std::make_shared<fcl::Convexd>(vertices, static_cast<int>(mesh.faces.size()), faces));
 }
 
-/// Apart by about the size of one.
+/// Solids separated by about the size of one.
 std::vector<Pair> pairs_of(std::size_t count) {
   std::mt19937_64 bits(1);
   std::vector<Pair> pairs;

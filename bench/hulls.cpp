@@ -3,10 +3,10 @@
 // Convex hulls of many points in space: robust, CGAL's convex_hull_3 with the kernel Epick, and qhull, all from one
 // list of points, in processor time.
 //
-// bench/hulls --verify compares the numbers of faces that robust and CGAL find (of points whose faces are triangles)
-// and times nothing.
+// bench/hulls --verify compares the numbers of faces that robust and CGAL find (for points whose faces are triangles)
+// without timing.
 
-// CGAL as peer: the same hulls by the library that people use for them.
+// CGAL as a peer: the same hulls by the library that people use for them.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
@@ -35,8 +35,9 @@ namespace {
 using Points = std::vector<Point3d>;
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// Of n points: uniform in a ball, on a sphere, in a box and on its faces; on a grid of 100^3; around twenty centres;
-/// on a cylinder; in a plane, exactly or but for rounding; on a line; turned so that faces are flat but for rounding.
+/// A set of n points: uniform in a ball, on a sphere, in a box and on its faces; on a grid of 100^3; around twenty
+/// centres; on a cylinder; in a plane, exactly or up to rounding; on a line; rotated so that faces are flat up to
+/// rounding.
 Points cloud(const std::string& set, std::size_t n) {
   catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, set.c_str(), 0));
   const auto number = [&draws] { return catalogue::ordinary(draws); };
@@ -91,7 +92,7 @@ Points cloud(const std::string& set, std::size_t n) {
 constexpr const char* sets[] = {"ball",     "grid",  "clusters",     "sphere", "box", "box_faces", "turned_box_faces",
                                 "cylinder", "plane", "nearly_plane", "line"};
 
-/// Only the cloud asked for last is kept.
+/// Keeps only the most recent cloud.
 const Points& cloud_of(const std::string& set, std::size_t n) {
   static std::string made;
   static Points points;
@@ -110,7 +111,7 @@ std::size_t faces_by_cgal(const Points& points) {
 }
 
 #ifdef TOUCHSTONE_QHULL
-/// 0 where it gives no hull ("initial simplex is flat").
+/// Returns 0 if it gives no hull ("initial simplex is flat").
 std::size_t faces_by_qhull(const Points& points) {
   static std::FILE* const nowhere = std::fopen("/dev/null", "w");
   std::vector<double> theirs;

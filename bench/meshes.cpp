@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a mesh of many faces is embedded: robust's polyhedron_complexity with all its other answers, and CGAL's
-// does_self_intersect with the kernel Epick, of one mesh, in processor time.
+// Tests whether a mesh of many faces is embedded: robust's polyhedron_complexity with all its other answers, and CGAL's
+// does_self_intersect with the kernel Epick, on one mesh, in processor time.
 //
-// bench/meshes --verify compares their answers and times nothing.
+// bench/meshes --verify compares their answers without timing.
 
-// CGAL as peer: the same question by the library that people use for it.
+// CGAL as a peer: the same question by the library that people use for it.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -27,7 +27,7 @@ namespace {
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Epick::Point_3>;
 
-/// 4 n (n - 1) triangles between two poles; `place` gives the point of a height in [0, pi] and an angle in [0, 2 pi).
+/// 4 n (n - 1) triangles between two poles; `place` maps a height in [0, pi] and an angle in [0, 2 pi) to a point.
 template <class Place>
 Meshd globe(Index n, const Place& place) {
   Meshd mesh;
@@ -55,8 +55,8 @@ Point3d on_sphere(double height, double angle, double radius) {
           radius * std::cos(height)};
 }
 
-/// A sphere; one with bumps; and the points of the sphere moved out to a cube, its faces flat and askew but for
-/// rounding.
+/// A sphere; a sphere with bumps; and the sphere's points moved out to a cube, with faces that are flat and oblique up
+/// to rounding.
 Meshd mesh_of(const std::string& set, Index n) {
   return globe(n, [&set](double height, double angle) {
     if (set == "bumps") return on_sphere(height, angle, 1 + 0.2 * std::sin(7 * height) * std::sin(5 * angle));

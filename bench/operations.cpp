@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: Apache-2.0 Every operation of the catalogue: the full answer of robust beside the slide's
-// formula; and where the operation decides something, the decision of robust beside a naive inline formula, CGAL and
-// plain rationals.
+// SPDX-License-Identifier: Apache-2.0
+// Every operation of the catalogue: the full answer of robust compared with the slide's formula; and if the operation
+// decides something, the decision of robust compared with a naive inline formula, CGAL and plain rationals.
 //
-// bench/operations --verify compares all that is timed with the oracle, on every case, and times nothing.
+// bench/operations --verify compares every timed answer with the oracle, on every case, without timing.
 
 #include <cstdio>
 #include <cstring>
@@ -32,7 +32,7 @@ concept HasCgal = requires {
   CgalPeer<Row>::only_epeck;
 };
 
-/// The formula is one for any number type, and right in exact arithmetic.
+/// The formula is generic in the number type, and right in exact arithmetic.
 template <class Row>
 concept HasRational = !requires {
   Decisions<Row>::doubles_alone;
@@ -46,7 +46,7 @@ template <class Row>
 inline constexpr bool has_shewchuk = false;
 #endif
 
-/// Functions of a question's fields as functions of the question.
+/// Turns functions of a question's fields into functions of the question.
 template <class Row>
 struct Asked {
   static int ours(const QuestionOf<Row>& q) {
@@ -83,7 +83,7 @@ struct Asked {
   }
 };
 
-/// What robust and the peers answered otherwise than the oracle.
+/// Counts of answers of robust and the peers that differ from the oracle's.
 struct Wrong {
   std::size_t robust = 0, naive = 0, epick = 0, epeck = 0, rational = 0, shewchuk = 0;
 };
@@ -118,7 +118,7 @@ std::size_t wrong_answers(DataSet set) {
   return wrong;
 }
 
-/// Prints a line for each operation and set; false if somebody who promises to be exact was not.
+/// Prints a line for each operation and set; returns false if an implementation that promises exactness was wrong.
 bool verified() {
   bool held = true;
   std::printf("%-18s %-20s %8s %8s %8s %8s %8s %8s\n", "wrong of 131072", "", "robust", "naive", "Epick", "Epeck",
@@ -131,7 +131,7 @@ bool verified() {
         std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu %8zu\n", Row::metadata().name, name_of(set), w.robust,
                     w.naive, w.epick, w.epeck, w.rational, w.shewchuk);
         wrong_full += w.robust + w.epick + w.epeck + w.rational;
-        if (set != DataSet::huge && set != DataSet::tiny) wrong_full += w.shewchuk;  // which promises nothing there
+        if (set != DataSet::huge && set != DataSet::tiny) wrong_full += w.shewchuk;  // it promises nothing there
       }
       if (wrong_full != 0) {
         held = false;
@@ -142,7 +142,7 @@ bool verified() {
   return held;
 }
 
-/// CGAL's objects for the cases of one set, kept for the set asked for last: Epeck's points take 100 bytes and more.
+/// CGAL's objects for the cases of one set, kept for the most recent set: Epeck's points take 100 bytes and more.
 template <class Row, class K>
 const auto& shapes_of(DataSet set) {
   using Shapes = decltype(Asked<Row>::template shapes<K>(cases_of<Row>(set)[0]));
@@ -190,7 +190,7 @@ void add_row(DataSet set) {
           [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
     }
   }
-  // Which answers hold numbers, for the goals of ratios.py.
+  // Tells which answers hold numbers, for the goals of ratios.py.
   const catalogue::Kind kind = Row::metadata().kind;
   const char* label = kind == catalogue::Kind::measure || kind == catalogue::Kind::set ? "numbers" : "";
   add("slide_answer", [=](benchmark::State& s) {

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 How fast the truth is: for every operation of the catalogue the drawing of a
-// question, the oracle's answer, the same with its certificate and a whole examination as in the audit's loop; the
-// decisions alone; and exhaustive runs.
+// SPDX-License-Identifier: Apache-2.0
+// The speed of the truth: for every operation of the catalogue the drawing of a question, the oracle's answer, the same
+// with its certificate, and a full examination as in the audit's loop; the decisions alone; and exhaustive runs.
 
 #include <string>
 
@@ -18,7 +18,7 @@ const catalogue::Operation& operation_of() {
   return operation;
 }
 
-/// Cases of one set as the audit holds them.
+/// The cases of one set in the audit's form.
 template <class Row>
 const std::vector<catalogue::Question>& questions_of(DataSet set) {
   static DataSet made = set;
@@ -32,7 +32,7 @@ const std::vector<catalogue::Question>& questions_of(DataSet set) {
   return questions;
 }
 
-/// What an audit does with one question: both judgements and the word for the tally.
+/// An audit's work on one question: both judgements and the outcome for the tally.
 std::size_t examined(const catalogue::Operation& operation, const catalogue::Question& question) {
   const auto examination = operation.examine(question);
   return static_cast<std::size_t>(examination->judge_reference().verdict) +
@@ -68,7 +68,7 @@ void draw_families(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
 }
 
-/// Part of the grid on which every number is one of 0 .. size - 1: robust against the oracle's integers, counted and
+/// A part of the grid on which every number is one of 0 .. size - 1: robust against the oracle's integers, counted and
 /// hashed.
 void exhaust(benchmark::State& state, const catalogue::Operation& operation, int size) {
   const std::uint64_t configurations = operation.configurations(size).value_or(std::uint64_t{1} << 40);
@@ -93,7 +93,7 @@ void add_exhaustive(const catalogue::Operation& operation) {
   }
 }
 
-/// The decisions that the oracle also has alone.
+/// Adds the decisions that the oracle can also make alone.
 void add_decisions(DataSet set) {
   using catalogue::rows::orientation, catalogue::rows::segment_segment;
   const auto add = [&](const char* op, auto timed) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // All pairs of boxes that meet: robust's sorted list, the list with its certificate, the check of the certificate, and
-// CGAL's box_self_intersection_d, which only counts, in processor time; and a BoxTree of which a tenth has moved.
+// CGAL's box_self_intersection_d, which only counts, in processor time; and a BoxTree in which a tenth of the boxes has
+// moved.
 //
-// bench/pairs --verify compares the counts, checks the certificates and prints their size, and times nothing.
+// bench/pairs --verify compares the counts, checks the certificates and prints their size, without timing.
 // TOUCHSTONE_BOXES=FILE adds the boxes of a real scene: one a line, "min.x min.y min.z max.x max.y max.z".
 
-// CGAL as peer: the same question by the library that people use for it.
+// CGAL as a peer: the same question by the library that people use for it.
 #include <CGAL/box_intersection_d.h>
 #include <benchmark/benchmark.h>
 
@@ -45,7 +46,7 @@ std::size_t counted_by_cgal(const Boxes& boxes) {
   return count;
 }
 
-/// Throws where it does not hold.
+/// Throws if the proof does not hold.
 void check(const Boxes& boxes, const Proof& proof) {
   static_assert(sizeof(Aabb3d) == 6 * sizeof(double) && sizeof(IndexPair) == 2 * sizeof(std::uint32_t));
   certify::check_pair_tree(certify::PairTreeClaim{{&boxes[0].min.x, 6 * boxes.size()},
@@ -66,7 +67,7 @@ robust::BoxTree tree_of(const Boxes& boxes) {
   return tree;
 }
 
-/// Moves a tenth of the bodies by up to half their size, to and fro.
+/// Moves a tenth of the bodies by up to half their size, back and forth.
 void move_some(robust::BoxTree& tree, const Boxes& boxes, bool forth) {
   BoxNumbers draw(1);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -80,7 +81,7 @@ void move_some(robust::BoxTree& tree, const Boxes& boxes, bool forth) {
 
 constexpr const char* scene = "scene";
 
-/// Throws where a line is no box.
+/// Throws if a line is not a box.
 Boxes boxes_of_file(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error(path + ": cannot be read");
@@ -100,7 +101,7 @@ Boxes boxes_of_file(const std::string& path) {
   return boxes;
 }
 
-/// Made when first asked for, and thrown away when another one is: a list of a million takes long to draw.
+/// Made on first use and replaced when another list is asked for: a list of a million takes long to draw.
 const Boxes& boxes_of(const std::string& set, std::size_t n) {
   static std::string held;
   static Boxes boxes;
@@ -158,7 +159,7 @@ void add_all(const char* set, std::size_t n) {
 
 constexpr std::array timed_sets{"uniform", "clustered", "six_orders", "nine_orders", "one_huge",
                                 "lattice", "nested",    "sticks",     "flat",        "duplicates"};
-/// The longest list: sticks take n^1.5, and boxes in one plane meet more often the more there are.
+/// The longest list: sticks take n^1.5, and the more boxes lie in one plane, the more often they meet.
 std::size_t most(const std::string& set) { return set == "flat" || set == "sticks" ? 100'000 : 1'000'000; }
 
 bool verified(const char* set, std::size_t n) {

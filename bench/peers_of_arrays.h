@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// CGAL as peer: the questions that arrays are asked, one at a time.
+// CGAL as a peer: the questions of the arrays, one at a time.
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -14,8 +14,8 @@
 #include "bench/cgal_peers.h"
 #include "bench/peers_of_rays.h"
 
-/// The peers that only bench/arrays has. CGAL has balls by the square of their radius, which is another question where
-/// that is rounded, so there are none with balls.
+/// The peers that only bench/arrays has. CGAL defines balls by the square of their radius, which is a different
+/// question if the square is rounded, so no peer has balls.
 namespace touchstone::bench {
 
 template <class K>
@@ -56,7 +56,7 @@ struct CgalPeer<catalogue::rows::triangle_triangle> : PeerThatMeets {};
 template <>
 struct CgalPeer<catalogue::rows::ray_aabb> : PeerThatMeets {};
 
-/// Points beside one shape.
+/// Many points and one shape.
 template <class Shape>
 class CgalBeside;
 

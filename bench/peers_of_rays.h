@@ -7,8 +7,8 @@
 #include "bench/cgal_peers.h"
 #include "bench/plain_peers.h"
 
-/// The peers of rays and segments against triangles, boxes and balls of space. They are formulas for doubles alone: in
-/// exact arithmetic, too, they leave cases out (a line in the plane of the triangle).
+/// The peers for rays and segments against triangles, boxes and balls in space. They are formulas for doubles only:
+/// even in exact arithmetic they miss cases (a line in the plane of the triangle).
 namespace touchstone::bench {
 
 /// Moeller and Trumbore's two coordinates and t, over the determinant, without a division.
@@ -23,7 +23,7 @@ struct MoellerTrumbore {
   bool inside() const { return (determinant > 0) & (u >= 0) & (v >= 0) & (u + v <= determinant) & (t >= 0); }
 };
 
-/// As it is printed: each test as soon as its number is there, and an epsilon.
+/// The version in books: each test as soon as its number is known, and an epsilon.
 inline bool usual_moeller_trumbore(const Point3d& from, const Vector3d& way, const Triangle3d& triangle, double most) {
   const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(way, f);
   const double d = dot(e, p);
@@ -78,7 +78,7 @@ struct Decisions<catalogue::rows::segment_triangle> : OfDoubles {
   }
 };
 
-/// Slabs with divisions: 1/0 is infinite, and 0/0 loses.
+/// Slabs with divisions: 1/0 is infinite, and a NaN from 0/0 is ignored.
 struct SlabTest {
   double first, last;
   void cut(double from, double way, double min, double max) {
@@ -188,7 +188,7 @@ struct CgalPeer<catalogue::rows::segment_triangle> {
   static int decide(const Segment& segment, const Triangle& triangle) {
     return CGAL::do_intersect(segment, triangle);
   }
-  /// It expects triangles with an area and segments with a length.
+  /// It requires triangles with an area and segments with a length.
   static bool promised(const Segment3d& s, const Triangle3d& t) {
     const Vector3d normal = cross(t.b - t.a, t.c - t.a);
     return !(s.a == s.b) && (normal.x != 0 || normal.y != 0 || normal.z != 0);

@@ -9,10 +9,11 @@
 /// The decisions of the chapter as ints, so that all peers answer alike: ours, and plain formulas over any number type.
 namespace touchstone::bench {
 
-/// ours(question...)           the decision of robust truth(answer)               the same int from the oracle's answer
-/// naive(question...)          the formula that one writes inline, without branches where it can do without; Real:
-/// double usual(question...)          the same as one finds it in books, where that has early exits
-/// complete(question...)       right where arithmetic is exact; Real: mpq_class. Left out where naive is complete
+/// - ours(question...): the decision of robust.
+/// - truth(answer): the same int from the oracle's answer.
+/// - naive(question...): the formula that one writes inline, without branches where possible; Real: double.
+/// - usual(question...): the version in books, if that has early exits.
+/// - complete(question...): right if arithmetic is exact; Real: mpq_class. Left out if naive is complete.
 template <class Row>
 struct Decisions;
 
@@ -113,7 +114,7 @@ struct Decisions<catalogue::rows::segment_segment> {
   static int truth(const Answer& answer) {
     return answer.relation != SegmentRelation::disjoint;
   }
-  /// Four sides. Says that segments on one line meet.
+  /// Four sides. Reports that segments on one line meet.
   template <class Real>
   static int naive(const Segment2<Real>& a, const Segment2<Real>& b) {
     const Real ba = turn(a.a, a.b, b.a), bb = turn(a.a, a.b, b.b), aa = turn(b.a, b.b, a.a), ab = turn(b.a, b.b, a.b);
@@ -139,8 +140,8 @@ struct Decisions<catalogue::rows::ray_segment> {
   static int truth(const Answer& answer) {
     return answer.relation != RayRelation::none;
   }
-  /// The ends on different sides of the ray's line, and that line met at t >= 0. Says that a segment on the ray's line
-  /// is met.
+  /// The ends are on different sides of the ray's line, and that line is met at t >= 0. Reports that a segment on the
+  /// ray's line is met.
   template <class Real>
   static int naive(const Ray2<Real>& ray, const Segment2<Real>& s) {
     const Vector2<Real> a = s.a - ray.origin, b = s.b - ray.origin;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// point_in_polygon on rings of 16 and of 1,000 vertices: robust beside a naive inline loop and CGAL's bounded_side_2.
+// point_in_polygon on rings of 16 and of 1,000 vertices: robust compared with a naive inline loop and CGAL's
+// bounded_side_2.
 //
-// bench/polygons --verify compares all that is timed with the oracle, on every case, and times nothing.
+// bench/polygons --verify compares every timed answer with the oracle, on every case, without timing.
 
-// CGAL as peer: the same question to the library that people use for it.
+// CGAL as a peer: the same question to the library that people use for it.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 
@@ -47,7 +48,7 @@ Case drawn(DataSet set, std::size_t size, catalogue::DrawStream& draws) {
   return made;
 }
 
-/// Rings with case_count vertices in all, kept for the set and size asked for last.
+/// Rings with case_count vertices in all, kept for the most recent set and size.
 const std::vector<Case>& cases_of(DataSet set, std::size_t size) {
   static std::string made;
   static std::vector<Case> cases;
@@ -64,7 +65,7 @@ const std::vector<Case>& cases_of(DataSet set, std::size_t size) {
 
 int ours(const Case& c) { return static_cast<int>(robust::point_in_polygon(c.polygon, c.point)); }
 
-/// The ray test without a division, a branch or a thought of the boundary: on random input faster than with them.
+/// The ray test without a division, a branch or any care for the boundary: on random input faster than with them.
 int naive(const Case& c) {
   const Point2d& p = c.point;
   bool inside = false;
@@ -77,7 +78,7 @@ int naive(const Case& c) {
   return static_cast<int>(inside ? Location::inside : Location::outside);
 }
 
-/// The ray test as it is mostly written: a branch and a division for an edge that the ray's line meets.
+/// The ray test as usually written: a branch and a division for each edge that the ray's line meets.
 int usual(const Case& c) {
   const Point2d& p = c.point;
   const std::vector<Point2d>& v = c.polygon.vertices;
@@ -137,7 +138,7 @@ void add(DataSet set, std::size_t size) {
   });
 }
 
-/// False if robust is wrong anywhere. CGAL does not promise an answer where the ring crosses itself.
+/// Returns false if robust is wrong anywhere. CGAL promises no answer if the ring crosses itself.
 bool verified() {
   std::size_t wrong_of_ours = 0;
   for (const std::size_t size : {16, 1000}) {

@@ -2,15 +2,15 @@
 //
 // Rays at the edges and corners of closed meshes, where plain formulas leak: bench/rays SECONDS [FOLDER [SEED]].
 //
-// Every ray starts inside of the mesh or outside, and is directed at a corner, or at a point of an edge, as doubles
-// round it. Of every face ray_triangle_relation says whether the ray meets it. Where it meets it at an edge or corner,
-// the side of the ray on which that edge is decides as if the ray were moved by an infinitesimal step along x, a
-// smaller one along y and a still smaller one along z: exact, and the same for both faces of an edge.
+// Every ray starts inside or outside of the mesh and is aimed at a corner, or at a point of an edge, rounded to
+// doubles. ray_triangle_relation decides for every face whether the ray meets it. If it meets the face at an edge or
+// corner, the side of the ray on which that edge lies decides, as if the ray were moved by an infinitesimal step along
+// x, a smaller one along y and a still smaller one along z: exact, and the same for both faces of an edge.
 //   leak     from the inside no face is met;
 //   parity   the number of faces that are crossed is even from the inside, or odd from outside;
 //   twice    it is more than 1 from the inside of a convex mesh, or more than 2 from outside.
-// Of random tetrahedra, of the catalogue's meshes, and of those in FOLDER (.obj) that are closed. Prints how many rays
-// were asked of each; exits with 1 if something of this happened.
+// The meshes are random tetrahedra, the catalogue's meshes, and those in FOLDER (.obj) that are closed. Prints the
+// number of rays for each; exits with 1 if any of these defects occurred.
 
 #include <algorithm>
 #include <array>
@@ -69,7 +69,7 @@ int side_of_edge(const std::array<Integer, 12>& n) {
   return 0;
 }
 
-/// On which side of the ray the edge a, b is.
+/// The side of the ray on which the edge a, b lies.
 int side_of_edge(const Ray3d& ray, const Point3d& a, const Point3d& b) {
   const auto& [o, d] = ray;
   const auto sign = robust::filters::rise(o, a, b, d);
@@ -89,14 +89,14 @@ double between(DrawStream& draws, double low, double high) {
   return low + part * (high - low);
 }
 
-/// Of twelve digits.
+/// Rounds to twelve digits.
 double short_number(double x) {
   int exponent = 0;
   std::frexp(x, &exponent);
   return std::ldexp(std::nearbyint(std::ldexp(x, 12 - exponent)), exponent - 12);
 }
 
-/// In a box around the mesh, by a quarter larger to either side.
+/// A point in the mesh's box enlarged by a quarter on each side.
 Point3d point_near(DrawStream& draws, const Meshd& mesh) {
   Point3d p;
   for (double Point3d::*axis : {&Point3d::x, &Point3d::y, &Point3d::z}) {
@@ -142,7 +142,7 @@ Meshd tetrahedron(DrawStream& draws) {
   return mesh;
 }
 
-/// From one origin.
+/// Casts some rays from one origin.
 void cast_some(Target& target, DrawStream& draws) {
   if (target.mesh.faces.size() == 4) target.mesh = tetrahedron(draws);
   const Point3d origin = point_near(draws, target.mesh);

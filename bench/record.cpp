@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pair of segments tested by the formula in double, and recorded by touchstone_record.h and touchstone/record.h, or
-// printed and written by the C library, into a file that is emptied each two million calls. items_per_second are calls;
-// what recording takes is the difference to `tested`.
+// Tests a pair of segments by the formula in double, and records it by touchstone_record.h and touchstone/record.h, or
+// prints and writes it by the C library, into a file that is truncated every two million calls. items_per_second counts
+// calls; the cost of recording is the difference to `tested`.
 #include "c/record.h"
 
 #include <array>
@@ -31,7 +31,7 @@ const std::vector<Pair>& pairs() {
 double side(const double* p, const double* q, const double* r) {
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
-/// Without branches, as the other benchmarks test.
+/// Without branches, like the other benchmarks.
 bool meet(const Pair& s) {
   const double *a = &s[0], *b = &s[2], *c = &s[4], *d = &s[6];
   return (int{side(a, b, c) * side(a, b, d) <= 0} & int{side(c, d, a) * side(c, d, b) <= 0}) != 0;
@@ -41,7 +41,7 @@ std::string place() {
   return (std::filesystem::temp_directory_path() / ("touchstone_bench_record_" + std::to_string(::getpid()))).string();
 }
 
-/// ask(pair) for chunks of pairs; begin() empties the file, which is not timed.
+/// Calls ask(pair) for chunks of pairs; begin() truncates the file and is not timed.
 template <class Begin, class Ask>
 void time_calls(benchmark::State& state, const Begin& begin, const Ask& ask) {
   constexpr std::size_t most = 2'000'000;
@@ -91,7 +91,7 @@ void time_recorder(benchmark::State& state, unsigned long one_in, const std::str
   if (touchstone_record_close() != 0) state.SkipWithError("the log could not be written");
   if (file == place()) std::filesystem::remove(file);
 }
-/// Into a file that keeps nothing: what the recorder itself takes.
+/// Records into a file that keeps nothing: the cost of the recorder itself.
 void record_c_to_null(benchmark::State& state) { time_recorder<recorded_in_c>(state, 1, "/dev/null"); }
 void record_cpp_to_null(benchmark::State& state) { time_recorder<recorded_in_cpp>(state, 1, "/dev/null"); }
 void record_c(benchmark::State& state) { time_recorder<recorded_in_c>(state, 1); }
@@ -103,7 +103,7 @@ void record_c_closed(benchmark::State& state) {
       state, [] {}, recorded_in_c);
 }
 
-/// What the C library makes of the same call; no other thread shares the file.
+/// The same call through the C library; no other thread shares the file.
 template <class Put>
 void time_stdio(benchmark::State& state, const Put& put) {
   const std::string file = place();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of 10,000 balls in a room, by the formulas in double, by robust, and by Bullet and ODE where they are
-// installed. items_per_second are steps. What a body more takes of memory, of a run too, which has the exact step and
-// its rationals beside its own.
+// Steps of 10,000 balls in a room, by the formulas in double, by robust, and by Bullet and ODE if they are installed.
+// items_per_second counts steps. Also measures the memory for each further body, including a run that also holds the
+// exact step and its rationals.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ using namespace simulate;
 constexpr std::size_t balls = 10000;
 constexpr double radius = 0.25, place = 0.75;
 
-/// Uniform in [0, 1), of 32 bits, by the generator of Lehmer: the same with every library.
+/// Uniform in [0, 1) with 32 bits, by Lehmer's generator: the same with every library.
 class Random {
  public:
   double next() {
@@ -86,7 +86,7 @@ void time_steps(benchmark::State& bench) {
   bench.SetLabel(std::to_string(contacts / steps) + " contacts a step");
 }
 
-/// Its part of `time_steps`. `kept`: from one step to the next, as there; else all is made anew.
+/// Its part of `time_steps`. `kept`: objects persist from one step to the next; otherwise everything is made anew.
 template <bool kept>
 void time_broad_phase(benchmark::State& bench) {
   const World<Formulas<double>> world(scene());
@@ -104,7 +104,7 @@ void time_broad_phase(benchmark::State& bench) {
   bench.SetLabel(std::to_string(pairs) + " pairs and walls");
 }
 
-/// The most memory, in bytes, that a process of its own has had in use after that work.
+/// The peak memory, in bytes, of a process that does nothing but this work.
 template <class Work>
 double most_memory(const Work& work) {
   int ends[2];
@@ -124,7 +124,7 @@ double most_memory(const Work& work) {
   return kilobytes * 1024;
 }
 
-/// How much more 40,000 bodies need than 10,000, for each, after five steps; the scene is counted.
+/// The extra memory of 40,000 bodies over 10,000, per body, after five steps, including the scene.
 template <class Work>
 void measure_memory(benchmark::State& bench, const Work& work) {
   for (auto _ : bench) {

@@ -10,21 +10,21 @@
 namespace touchstone::bench {
 
 #if !defined(__OPTIMIZE__)
-/// Before anything runs.
+/// Printed before anything runs.
 inline const int said = std::fputs(
     "compiled without optimisation, so that it keeps compiling: its times mean nothing (./dev bench compiles it to "
     "run)\n",
     stderr);
 #endif
 
-/// Cases of one iteration of Google Benchmark, so that its own loop costs nothing.
+/// Cases per iteration of Google Benchmark, so that its own loop costs nothing.
 inline constexpr std::size_t chunk = 4096;
 
-/// One case at a time: without this the compiler would compute a plain formula for several cases at once, and nobody
-/// who has one question can do that. Costs no instruction.
+/// Makes the loop take one case at a time: otherwise the compiler would compute a plain formula for several cases at
+/// once, which a caller with one question cannot do. Costs no instruction.
 inline void keep(int& total) { asm volatile("" : "+r"(total)); }
 
-/// ask(cases[i]) for all cases in turn, again and again; ask answers an int. items_per_second are cases.
+/// Calls ask(cases[i]) for all cases in turn, repeatedly; ask returns an int. items_per_second counts cases.
 template <class Cases, class Ask>
 void time_decisions(benchmark::State& state, const Cases& cases, const Ask& ask) {
   std::size_t next = 0;
@@ -41,7 +41,7 @@ void time_decisions(benchmark::State& state, const Cases& cases, const Ask& ask)
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(chunk));
 }
 
-/// The same where ask answers anything; it is made in full.
+/// The same if ask returns anything else; the value is computed in full.
 template <class Cases, class Ask>
 void time_answers(benchmark::State& state, const Cases& cases, const Ask& ask) {
   std::size_t next = 0;

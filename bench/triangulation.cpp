@@ -2,8 +2,7 @@
 // Triangulations of rings of ten thousand vertices, by robust.
 //
 // bench/triangulation --shapes FILE writes the rings as one JSON object of lists x, y, x, y, ..., for peers in other
-// languages (bench/earcut.mjs). bench/triangulation --verify checks every triangulation by the oracle and times
-// nothing.
+// languages (bench/earcut.mjs). bench/triangulation --verify checks every triangulation by the oracle without timing.
 
 #include <cmath>
 #include <cstdio>
@@ -34,14 +33,14 @@ Point2d polar(double radius, double turns) {
 
 double part(std::size_t i, std::size_t n) { return static_cast<double>(i) / static_cast<double>(n); }
 
-/// From radius(u) along a turn of the plane, u from 0 to 1.
+/// A ring of points at distance radius(u) around the origin, with u from 0 to 1.
 Polygon2d round_about(const std::function<double()>& radius) {
   Polygon2d ring;
   for (std::size_t i = 0; i < vertices; ++i) ring.vertices.push_back(polar(radius(), part(i, vertices)));
   return ring;
 }
 
-/// Out along one curve and back along another.
+/// A ring out along one curve and back along another.
 template <class Out, class Back>
 Polygon2d there_and_back(const Out& out, const Back& back) {
   Polygon2d ring;

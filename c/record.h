@@ -20,15 +20,15 @@
 #include "catalogue/shape/described_all.h"
 #include "catalogue/shape/encoded_value.h"
 
-/// Records calls of one's own functions, with their answers, in a log (docs/own_inputs.md). Headers alone: nothing is
-/// linked but POSIX threads. What the log loses, and when, is said in touchstone_record.h.
+/// Records calls of your own functions, with their answers, in a log (docs/own_inputs.md). Header-only; links only
+/// POSIX threads. touchstone_record.h says what the log can lose, and when.
 ///
 ///   touchstone::Recording recording("game.log", {.engine = "my game 1.0", .one_in = 100});
 ///   ...
 ///   const bool hit = touchstone::record("segment_segment", [&] { return my_test(a, b); }, segment(a), segment(b));
 namespace touchstone {
 
-/// As touchstone_record_options says.
+/// The fields of touchstone_record_options.
 struct RecordingOptions {
   const char *engine = nullptr, *boundary = nullptr;
   double tolerance = 0;
@@ -37,10 +37,10 @@ struct RecordingOptions {
   unsigned long long most_bytes = 0;
 };
 
-/// A log that is open while the object lives. One at a time: another closes the one before.
+/// A log that stays open while the object lives. Only one is open at a time: opening another closes the previous one.
 class Recording {
  public:
-  /// Throws std::system_error naming the file where it cannot be written.
+  /// Throws std::system_error with the file's name if the file cannot be written.
   explicit Recording(const std::string& file, const RecordingOptions& options = {}) {
     const touchstone_record_options same{options.engine, options.boundary, options.tolerance, options.one_in,
                                          options.first,  options.near,     options.most_bytes};
@@ -52,8 +52,8 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 };
 
-/// How near to degenerate the call is that this thread records next: |determinant| / error bound. May be said inside of
-/// the function that is recorded.
+/// Sets how near to degenerate the next call that this thread records is: |determinant| / error bound. May be called
+/// inside the recorded function.
 inline void record_nearness(double nearness) { touchstone_record_nearness(nearness); }
 
 /// The name of an operation, and the line that named it.
@@ -66,7 +66,7 @@ struct OperationHere {
 
 namespace recording {
 
-/// The sites of calls that one instantiation of `record` makes: functions of one type may be called in several places.
+/// The call sites of one instantiation of `record`: functions of one type may be called in several places.
 struct SiteHere {
   OperationHere here;
   touchstone_record_site site;
@@ -82,7 +82,7 @@ touchstone_record_site& site_of(std::atomic<SiteHere*>& sites, const OperationHe
   return made->site;
 }
 
-/// How many numbers a value has, where all of its type have as many and nothing else; else 0.
+/// The count of numbers in a value if all values of its type hold the same count and nothing else; otherwise 0.
 template <class T>
 constexpr std::size_t fixed_numbers() {
   if constexpr (catalogue::Composite<T>) {
@@ -98,7 +98,7 @@ constexpr std::size_t fixed_numbers() {
   }
 }
 
-/// Whether a value of the type has numbers of the type Real.
+/// True if a value of the type holds numbers of type Real.
 template <class T, class Real>
 inline constexpr bool holds = std::is_same_v<T, Real>;
 template <catalogue::Composite T, class Real>
@@ -114,11 +114,11 @@ inline constexpr bool holds<std::vector<T>, Real> = holds<T, Real>;
 template <class... Ts, class Real>
 inline constexpr bool holds<std::tuple<Ts...>, Real> = (holds<Ts, Real> || ...);
 
-/// Float where a call has floats and no doubles.
+/// Float if a call has floats and no doubles.
 template <class... Ts>
 using number_type = std::conditional_t<(holds<Ts, float> || ...) && !(holds<Ts, double> || ...), float, double>;
 
-/// Writes these numbers in their order.
+/// Writes the value's numbers in order.
 template <class Real, class T>
 constexpr void put_numbers(const T& value, Real*& at) {
   if constexpr (catalogue::Composite<T>) {
@@ -129,7 +129,7 @@ constexpr void put_numbers(const T& value, Real*& at) {
   }
 }
 
-/// Whether a value is its numbers in their order, and nothing else.
+/// True if a value consists of its numbers in order and nothing else.
 template <class Real, class T>
 constexpr bool is_its_numbers() {
   constexpr std::size_t count = fixed_numbers<T>();
@@ -144,13 +144,13 @@ constexpr bool is_its_numbers() {
   }
 }
 
-/// How many numbers a question of these arguments has; 0: they differ, or there are words.
+/// The count of numbers in a question of these arguments; 0 if it varies or if there are enumerators.
 template <class... Arguments>
 constexpr std::size_t numbers_of() {
   return ((fixed_numbers<Arguments>() > 0) && ...) ? (fixed_numbers<Arguments>() + ...) : 0;
 }
 
-/// What a function answers where it answers.
+/// The type that a function answers with if it answers.
 template <class Answer>
 struct Given {
   using type = Answer;
@@ -171,7 +171,7 @@ constexpr touchstone_record_answer answer_kind() {
   else return catalogue::Enumeration<Answer> ? TOUCHSTONE_RECORD_WORD : TOUCHSTONE_RECORD_WHOLE;
 }
 
-/// One place in a program: OperationHere tells it when the first call is made, and it stays for the log.
+/// One place in a program, named by OperationHere at the first call; it stays valid for the log.
 template <class Real>
 touchstone_record_site site_at(const OperationHere& here, touchstone_record_answer kind, std::size_t numbers) {
   const std::string place = std::string(here.file) + ":" + std::to_string(here.line);
@@ -192,7 +192,7 @@ void record_at(touchstone_record_site& site, const catalogue::EncodedValue<Real>
   touchstone_record_call(&site, &asked, &answered, error);
 }
 
-/// A short answer, or an answer as a whole.
+/// Writes a short answer, or a full answer.
 template <class Real, class Answer, class... Arguments>
 void record_answer(touchstone_record_site& site, const Answer& answer, const Arguments&... arguments) {
   constexpr std::size_t numbers = numbers_of<Arguments...>();
@@ -219,10 +219,11 @@ void record_answer(touchstone_record_site& site, const Answer& answer, const Arg
 
 }  // namespace recording
 
-/// Makes the call, records it with its answer as one of the operation, and returns the answer. The arguments are the
-/// operation's (docs/operations.md), over double or float, as they are after the call; the answer is what a function of
-/// an engine may return (docs/engines.md): true or false, an enumerator, the whole answer, or a std::optional of one of
-/// these, of which an empty one is not recorded. An exception is recorded as an error, and goes on.
+/// Makes the call, records it and its answer under the operation, and returns the answer. The arguments are the
+/// operation's (docs/operations.md), over double or float, with the values they have after the call. The answer is
+/// anything that a function of an engine may return (docs/engines.md): true or false, an enumerator, the full answer,
+/// or a std::optional of one of these; an empty optional is not recorded. An exception is recorded as an error and
+/// rethrown.
 template <class Call, class... Arguments>
 std::invoke_result_t<Call&> record(const OperationHere& here, Call&& call, const Arguments&... arguments) {
   using Answer = std::remove_cvref_t<std::invoke_result_t<Call&>>;

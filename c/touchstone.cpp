@@ -18,7 +18,7 @@ namespace {
 
 using namespace catalogue;
 
-/// What the catalogue has printed, every number with a point or an exponent, so that it is no index.
+/// Prints every number of the catalogue's output with a point or an exponent, so that none reads as an index.
 Json with_points(const Shape& shape, const Json& printed) {
   EncodedValue<double> encoded;
   read_json<double>(shape, parse_line(one_line(printed)), "", encoded, read_answer_number);
@@ -45,7 +45,7 @@ Question question_of(const Operation& operation, const char* text) {
   return operation.parse(parse_line(text));
 }
 
-/// The truth and what belongs to it, as fields of a line.
+/// Adds the truth, and what describes it, to a line as fields.
 void add_truth(Json& line, const Examination& examination) {
   const Operation& operation = examination.operation();
   line["input"] = with_points(operation.question_shape(), operation.print(examination.question()));
@@ -62,7 +62,7 @@ char* copied(const std::string& text) {
   return copy;
 }
 
-/// The text that `make` makes in *result.
+/// Stores in *result the text that `make` returns.
 template <class Make>
 int made(char** result, touchstone_error* error, const Make& make) {
   if (result != nullptr) *result = nullptr;

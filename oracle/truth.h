@@ -20,7 +20,7 @@ template <class Number>
 concept Exact = std::same_as<Number, Rational>;
 
 /// A proof of one answer in named lists of rationals, for a checker that knows no geometry algorithm: it only
-/// multiplies, adds and compares. `kind` says which inequalities are to hold; each kind is described where it is
+/// multiplies, adds and compares. `kind` determines which inequalities must hold; each kind is described where it is
 /// checked.
 struct Certificate {
   std::string kind;
@@ -29,15 +29,15 @@ struct Certificate {
   std::vector<std::pair<std::string, std::vector<Certificate>>> parts{};
 };
 
-/// The one right answer and the margin: how far the input is, along the deciding quantity of the operation (named in
-/// the operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative; none where
-/// no other answer exists, or nothing is decided.
+/// The right answer and the margin: the distance of the input, along the deciding quantity of the operation (named in
+/// the operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative; none if no
+/// other answer exists, or nothing is decided.
 template <class Answer>
 struct Truth {
   Answer answer;
   std::optional<Rational> margin;
-  /// Makes the certificate from what solving has found, which it keeps. Overloads for rationals may leave it empty:
-  /// certificates are of doubles.
+  /// Makes the certificate from the results of the solution, which it keeps. Overloads for rationals may leave it
+  /// empty: certificates are for doubles.
   std::function<Certificate()> certificate{};
 };
 

@@ -24,7 +24,7 @@ void refuse_command(const CLI::App& application, const std::string& name) {
   throw UsageError(name + ": no command" + did_you_mean(name, known) + all);
 }
 
-/// Whether the word behind it is its value.
+/// True if the word after it is its value.
 bool takes_a_value(const CLI::App& command, const std::string& name) {
   const CLI::Option* const option = command.get_option_no_throw(name);
   return option != nullptr && option->get_expected_min() > 0;
@@ -59,7 +59,7 @@ void require_known_names(const CLI::App& program, int argc, const char* const* a
       const std::string name = word.substr(0, equals);
       const std::vector<std::string> known = option_names_of(*command);
       if (std::find(known.begin(), known.end(), name) == known.end()) {
-        if (word[1] != '-') continue;  // letters in a row, or a value: the parser's to judge
+        if (word[1] != '-') continue;  // combined letters, or a value: left to the parser
         throw UsageError(name + ": no option of " + full_name(*command) + did_you_mean(name, known) + " (see --help)");
       }
       if (equals + 1 == word.size()) throw UsageError(name + ": expected a value behind =, got nothing");

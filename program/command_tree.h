@@ -8,23 +8,23 @@
 
 #include "program/terminal/uses.h"
 
-/// The commands and options of the program as data: what may be typed.
+/// The commands and options of the program as data.
 namespace touchstone::program {
 
-/// What runs a command once the line is parsed.
+/// Runs a command once the line is parsed.
 using Action = std::function<int()>;
 
 /// The commands below an application, in the order in which they were added.
 std::vector<const CLI::App*> commands_of(const CLI::App& application);
 
-/// Every way to spell the options of a command: "--seed", "-h", "--help".
+/// All spellings of the options of a command: "--seed", "-h", "--help".
 std::vector<std::string> option_names_of(const CLI::App& command);
 
 /// "touchstone vectors write"
 std::string full_name(const CLI::App& command);
 
-/// Throws UsageError where the line names a command or an option that is none, with the one that was probably meant,
-/// or gives an option an empty value behind an equals sign.
+/// Throws UsageError if the line names an unknown command or option, with the one that was probably meant, or gives an
+/// option an empty value after an equals sign.
 void require_known_names(const CLI::App& program, int argc, const char* const* argv);
 
 }  // namespace touchstone::program

@@ -13,7 +13,7 @@
 namespace touchstone::program {
 namespace {
 
-/// Text of a paragraph: no letter of it is an instruction to roff.
+/// Text of a paragraph, escaped so that no letter of it is an instruction to roff.
 std::string roff(const std::string& text) {
   std::string escaped = text[0] == '.' || text[0] == '\'' ? "\\&" : "";
   for (const char c : text) escaped += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
@@ -50,7 +50,7 @@ std::string synopsis(const CLI::App& command) {
   return roff(text + " [options]");
 }
 
-/// What program/completion.bash has to know.
+/// The data for program/completion.bash.
 std::string words_for_bash(const CLI::App& program) {
   std::string operations, cases;
   std::set<std::string> values;
@@ -73,7 +73,7 @@ std::string words_for_bash(const CLI::App& program) {
 }  // namespace
 
 std::string man_page(const CLI::App& program) {
-  const std::string described = program.get_description();  // begins with the name
+  const std::string described = program.get_description();  // starts with the name
   std::string synopses, commands;
   for (const CLI::App* command : with_commands(program)) {
     if (!commands_of(*command).empty()) continue;

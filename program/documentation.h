@@ -6,10 +6,10 @@
 
 #include "program/terminal/uses.h"
 
-/// What documents the program, from the same tree of commands and options as --help.
+/// The documentation of the program, generated from the same tree of commands and options as --help.
 namespace touchstone::program {
 
-/// Below every help.
+/// Printed below every help.
 constexpr const char* limits_in_words =
     "An engine has twice --timeout for its first line and --timeout for each answer; 256\n"
     "questions are in flight. 12 answers that do not come, 100 restarts in an operation\n"
@@ -27,7 +27,7 @@ std::string man_page(const CLI::App& program);
 /// another shell.
 std::string completion(const CLI::App& program, const std::string& shell);
 
-/// "touchstone 0.1.0 (2026-11-28)", then the compiler and the libraries, a line each.
+/// "touchstone 0.1.0 (2026-11-28)", then the compiler and the libraries, one line each.
 std::string version();
 
 }  // namespace touchstone::program

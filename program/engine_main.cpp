@@ -37,7 +37,7 @@ void introduce(const Served& engine, const std::string& program) {
             << std::string(program.size(), ' ') << "                vectors check DIR, check-engine\n\n";
 }
 
-/// Names with commas, in lines of at most 100 characters; those after the first are indented.
+/// Names separated by commas, in lines of at most 100 characters; those after the first are indented.
 std::string listed(const std::string& heading, const std::vector<std::string>& names) {
   constexpr std::size_t widest = 100;
   std::string text, line = heading;
@@ -52,7 +52,7 @@ std::string listed(const std::string& heading, const std::vector<std::string>& n
   return text + line + '\n';
 }
 
-/// Options with which standard output is not a table that people read.
+/// True for options with which standard output is not a table for people.
 bool prints_no_table(int argc, const char* const* argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i], next = i + 1 < argc ? argv[i + 1] : "";

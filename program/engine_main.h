@@ -10,13 +10,13 @@ struct Served;
 
 namespace touchstone::program {
 
-/// What stands above the table of an engine's audit: the operations that were found in it by name, and those that were
-/// not, so that a misspelt name is seen; unless they are `named`, how many they are, in one line.
+/// The text above the table of an engine's audit: the operations found in it by name, and those not found, so that a
+/// misspelt name is noticed; unless they are `named`, only their number, in one line.
 std::string operations_found(const Served& engine, bool named = true);
 
 /// The main program of an engine. With the argument --serve it answers over pipes; with the name of a command first
 /// (ask, exhaust, map, vectors check, check-engine) it is that command of `touchstone` with itself as the engine, in a
-/// process of its own; else it is `touchstone audit` of itself.
+/// process of its own; otherwise it is `touchstone audit` of itself.
 int engine_program(const EngineMembers& engine, int argc, const char* const* argv);
 
 }  // namespace touchstone::program

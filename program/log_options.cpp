@@ -21,8 +21,8 @@ void add_log(CLI::App& program, Action& action) {
   auto options = std::make_shared<LogConvertCommand>();
   auto* convert = command->add_subcommand("convert", "Writes a log in the other form: as JSON lines, or as binary");
   convert->add_option("in", options->in, "The log; - is standard input")->required();
-  convert->add_option("out", options->out, "Where to; - is standard output")->required();
-  convert->add_option("--to", options->to, "This form, whichever the log has: json or binary")
+  convert->add_option("out", options->out, "Output file; - is standard output")->required();
+  convert->add_option("--to", options->to, "Output form: json or binary")
       ->check(CLI::IsMember({"json", "binary"}))
       ->default_str("the other");
   convert->callback([=, &action] { action = [=] { return log_convert_command(*options, std::cout, std::cerr); }; });
@@ -34,7 +34,7 @@ void add_judge(CLI::App& program, Action& action) {
   auto options = std::make_shared<JudgeCommand>();
   command->add_option("files", options->files, "Logs, compressed by gzip or zstd or not; - is standard input")
       ->required();
-  command->add_option("--ops", options->operations, "Only calls of these operations, with commas");
+  command->add_option("--ops", options->operations, "Only calls of these operations, separated by commas");
   command
       ->add_option("--boundary", options->boundary,
                    "How the recorded functions treat shapes that only touch: closed, open or unspecified")
@@ -46,24 +46,26 @@ void add_judge(CLI::App& program, Action& action) {
   auto* pairs =
       command
           ->add_option("--pairs", options->pairs,
-                       "The files are meshes, or WKT or GeoJSON: this operation of all pairs, asked of --engine")
+                       "The files are meshes, WKT or GeoJSON: ask --engine this operation for all pairs of shapes")
           ->default_str("");
   auto* columns =
       command
           ->add_option("--columns", options->columns,
-                       "The files have a question a line, a column for each number: this operation, asked of --engine")
+                       "The files have one question per line and one number per column: ask --engine this operation")
           ->excludes(pairs)
           ->default_str("");
   auto* engine = command->add_option("--engine", options->engine, "Answers the questions of --pairs and --columns")
                      ->check(a_command)
                      ->default_str("");
   command
-      ->add_option("--against", options->against,
-                   "An engine that is asked the same: on which calls it parts from the log, and who is right")
+      ->add_option(
+          "--against", options->against,
+          "An engine that is asked the same: lists the calls on which it differs from the log, and which is right")
       ->check(a_command)
       ->excludes(pairs, columns, engine)
       ->default_str("");
-  command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
+  command->add_option("--timeout", options->timeout, "Time limit in seconds for one answer of the engine")
+      ->check(positive);
   command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
   add_shard(*command, options->shard, options->json_file);
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");

@@ -5,9 +5,9 @@
 
 namespace touchstone::program {
 
-/// What `log` is asked: logs of recorded calls.
+/// Adds the command `log`: logs of recorded calls.
 void add_log(CLI::App& program, Action& action);
-/// What `judge` is asked: whether recorded answers are right.
+/// Adds the command `judge`: verdicts on recorded answers.
 void add_judge(CLI::App& program, Action& action);
 
 }  // namespace touchstone::program

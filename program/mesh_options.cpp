@@ -14,7 +14,7 @@
 namespace touchstone::program {
 namespace {
 
-/// A number from 0 to `most`. The line may have taken a file for it.
+/// A number from 0 to `most`. The parser may have taken a file name for it.
 double length_of(const std::string& option, const std::string& text, double most, const std::string& range) {
   double value = 0;
   if (CLI::detail::lexical_cast(text, value) && value >= 0 && value <= most) return value;

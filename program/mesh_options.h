@@ -10,7 +10,7 @@
 
 namespace touchstone::program {
 
-/// Adds --mesh, with --merge, --planar and --cut. Parsing the line sets what they say.
+/// Adds --mesh, with --merge, --planar and --cut. Parsing the line sets their values.
 CLI::Option* add_file_meshes(CLI::App& command, std::vector<std::string>& named, Preparation& how);
 
 /// Adds the command `mesh`. Parsing the line sets the action that runs it.

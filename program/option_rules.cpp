@@ -18,7 +18,7 @@ const CLI::Validator positive(
     "POSITIVE");
 
 CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
-  const std::string rule = fmt::format("a whole number from {} to {}", least, most);
+  const std::string rule = fmt::format("an integer from {} to {}", least, most);
   return CLI::Validator(
       [=](std::string& text) {
         std::uint64_t value = 0;
@@ -40,7 +40,7 @@ const CLI::Validator a_command(
 
 void add_engine(CLI::App& command, std::string& engine, double& timeout, const std::string& what) {
   command.add_option("--engine", engine, "Command of an engine (docs/engines.md). " + what)->check(a_command);
-  command.add_option("--timeout", timeout, "Seconds for one answer of the engine")->check(positive);
+  command.add_option("--timeout", timeout, "Time limit in seconds for one answer of the engine")->check(positive);
 }
 
 }  // namespace touchstone::program

@@ -28,7 +28,8 @@ void add_ops(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("ops", "The catalogue of operations");
   auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
   auto words = std::make_shared<std::vector<std::string>>();
-  auto* search = command->add_option("word", *words, "Only the operations nearest to these words, the best first");
+  auto* search =
+      command->add_option("word", *words, "Only the operations that match these words best, best match first");
   auto* as_json = command->add_flag("--json", *json, "Machine-readable")->excludes(search);
   command->add_flag("--markdown", *markdown, "The page docs/operations.md: C++ signatures, JSON fields, words")
       ->excludes(as_json)
@@ -46,10 +47,10 @@ void add_ask(CLI::App& program, Action& action) {
   auto options = std::make_shared<AskCommand>();
   command->add_option("operation", options->operation, "Name of the operation")->required();
   command->add_option("file", options->file, "JSON lines; - is standard input");
-  auto* as_typed =
-      command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
+  auto* as_typed = command->add_flag("--as-typed", options->as_typed,
+                                     "Also print the truth for the decimals as typed, before rounding to double");
   auto* truth = command->add_flag("--truth", options->truth,
-                                  "The truth and its margin alone: no certificate, no robust, no reference");
+                                  "Print only the truth and its margin: no certificate, no robust, no reference");
   command
       ->add_option("--as", options->as,
                    "Print regression tests of your own code instead: catch2, gtest, pytest or jest")
@@ -60,13 +61,14 @@ void add_ask(CLI::App& program, Action& action) {
   add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
   auto* mesh = add_file_meshes(*command, options->meshes, options->preparation);
   command
-      ->add_flag("--verbose", options->verbose, "Tell on standard error what was read of a mesh file, and made of it")
+      ->add_flag("--verbose", options->verbose,
+                 "Report on standard error what was read from a mesh file, and how it was converted")
       ->needs(mesh);
   auto* wkt = command->add_flag("--wkt", options->wkt,
-                                "A line is WKT: a geometry for each field, in their order, separated by semicolons");
+                                "Each line is WKT: one geometry per field, in field order, separated by semicolons");
   command
       ->add_flag("--geojson", options->geojson,
-                 "The input is GeoJSON, each text of one line or more: a geometry for each field, in their order")
+                 "The input is GeoJSON texts of one or more lines: one geometry per field, in field order")
       ->excludes(wkt);
   command->callback([=, &action] { action = [=] { return ask_command(*options, std::cout, std::cerr); }; });
 }
@@ -79,46 +81,51 @@ void add_audit(CLI::App& program, Action& action) {
                    "Command that answers questions over pipes; without it, the textbook formulas in double")
       ->check(a_command);
   command
-      ->add_option("--against", options->against,
-                   "A second engine: on which questions the two part, and who is right, the smallest first")
+      ->add_option(
+          "--against", options->against,
+          "A second engine: lists the questions on which the two differ, and which one is right, smallest first")
       ->check(a_command)
       ->default_str("");
-  command->add_option("--ops", options->operations, "Operations with commas, or all");
+  command->add_option("--ops", options->operations, "Operations, separated by commas, or all");
   command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
-  command->add_flag("--by-cost", options->by_cost,
-                    "Of an operation that costs more than ten of the cheapest so many fewer as it costs more, but 100 "
-                    "at least: a first look at all");
-  command->add_option("--seconds", options->seconds, "Limit per operation, its findings made smaller included")
+  command->add_flag(
+      "--by-cost", options->by_cost,
+      "Fewer questions for operations that cost more than ten times the cheapest, in proportion to the cost, "
+      "but at least 100: a quick look at all operations");
+  command
+      ->add_option("--seconds", options->seconds, "Time limit per operation, including the reduction of its findings")
       ->check(positive)
       ->default_str("none");
   command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
-  command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
-  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")
+  command->add_option("--families", options->families, "Families of inputs, separated by commas (see ops --json)");
+  command->add_option("--jobs", options->jobs, "Threads, each with its own engine process")
       ->check(any_jobs)
       ->default_str("one a processor");
-  command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
+  command->add_option("--timeout", options->timeout, "Time limit in seconds for one answer of an engine")
+      ->check(positive);
   add_shard(*command, options->shard, options->json_file);
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
   command
       ->add_option("--report-seconds", options->report_seconds,
-                   "Make the failure maps of the report finer for so long; without it a map has at most "
+                   "Time for refining the failure maps of the report; without it a map has at most "
                    "--cases squares, and the same arguments give the same bytes")
       ->check(positive)
       ->default_str("none");
   command->add_option("--before", options->before,
                       "File of an earlier audit's --json: the report shows both, as before and after a fix");
-  command->add_option("--range", options->range, "ordinary: ask only questions of ordinary size; all: any")
+  command->add_option("--range", options->range, "ordinary: only inputs of ordinary magnitude; all: any input")
       ->check(CLI::IsMember({"ordinary", "all"}));
-  command->add_option("--ordinary", options->ordinary,
-                      "LEAST,MOST: numbers of ordinary size are 0 or between these in size");
+  command->add_option(
+      "--ordinary", options->ordinary,
+      "LEAST,MOST: a number is of ordinary magnitude if it is 0 or its absolute value lies between these");
   add_gate(*command, options->gate);
   auto* summary =
       command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
   command->add_option("--width", options->width,
-                      "Columns that a question or an answer takes on the screen before it is cut; 0: never");
+                      "Columns after which a question or an answer is truncated on the screen; 0 = never");
   command
       ->add_flag("--verbose", options->verbose,
-                 "Every family and every finding on a terminal too, where one screen is usual")
+                 "Print every family and finding on a terminal, too, instead of one screen")
       ->excludes(summary);
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();
@@ -136,7 +143,7 @@ void add_check_engine(CLI::App& program, Action& action) {
   command->add_option("engine", options->engine, "Command of the engine (docs/engines.md)")
       ->required()
       ->check(a_command);
-  command->add_option("--timeout", options->timeout, "Seconds for one answer")->check(positive);
+  command->add_option("--timeout", options->timeout, "Time limit in seconds for one answer")->check(positive);
   command->callback([=, &action] { action = [=] { return check_engine_command(*options, std::cout, std::cerr); }; });
 }
 
@@ -144,10 +151,11 @@ void add_draw(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("draw", "Questions with their truth as JSON lines, for tests in any language");
   auto options = std::make_shared<DrawCommand>();
   command->add_option("operation", options->operation, "Name of the operation")->required();
-  command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
-  command->add_option("--cases", options->cases, "Questions, dealt out over the families in turn")->check(any_cases);
+  command->add_option("--families", options->families, "Families of inputs, separated by commas (see ops --json)");
+  command->add_option("--cases", options->cases, "Number of questions, distributed evenly over the families")
+      ->check(any_cases);
   command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
-  command->add_option("--range", options->range, "ordinary: only questions of ordinary size; all: any")
+  command->add_option("--range", options->range, "ordinary: only inputs of ordinary magnitude; all: any input")
       ->check(CLI::IsMember({"ordinary", "all"}));
   command->add_flag("--binary32", options->binary32, "Every number is exact in float");
   command->callback([=, &action] { action = [=] { return draw_command(*options, std::cout); }; });
@@ -157,19 +165,19 @@ void add_exhaust(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("exhaust", "Every configuration on a small grid");
   auto options = std::make_shared<ExhaustCommand>();
   command->add_option("operation", options->operation, "Name of the operation")->required();
-  command->add_option("--grid", options->grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
+  command->add_option("--grid", options->grid, "Every coordinate takes the values 0 .. K-1")->check(CLI::Range(1, 64));
   command
       ->add_option("--list-length", options->list_length,
-                   "How many elements each list has, such as vertices of a polygon")
+                   "Number of elements of each list, such as vertices of a polygon")
       ->check(CLI::Range(1, 64))
       ->default_str("as the tests ask");
   add_shard(*command, options->shard, options->json_file);
-  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")
+  command->add_option("--jobs", options->jobs, "Threads, each with its own engine process")
       ->check(any_jobs)
       ->default_str("one a processor, with an engine one");
   command->add_flag("--decisions", options->decisions,
-                    "Only the decision of robust against the oracle's integers, at full speed");
-  add_engine(*command, options->engine, options->timeout, "Asked instead of the textbook formulas in double");
+                    "Compare only the decision of robust with the integer oracle, at full speed");
+  add_engine(*command, options->engine, options->timeout, "Engine to ask instead of the textbook formulas in double");
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();
     action = [=] { return exhaust_command(*options, std::cout, std::cerr); };
@@ -180,8 +188,8 @@ void add_soak(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand(
       "soak", "Robust against the oracle alone, at full speed, in every floating-point environment");
   auto options = std::make_shared<SoakCommand>();
-  command->add_option("operations", options->operations, "Operations with commas, or all");
-  command->add_option("--seconds", options->seconds, "Limit of the whole run; the operations take turns")
+  command->add_option("operations", options->operations, "Operations, separated by commas, or all");
+  command->add_option("--seconds", options->seconds, "Time limit of the run; the operations take turns")
       ->check(positive)
       ->default_str("60; with --cases none");
   command->add_option("--cases", options->cases, "Questions per operation, in all shards together")
@@ -208,8 +216,8 @@ void add_vectors(CLI::App& program, Action& action) {
   auto operations = std::make_shared<std::string>("all");
   auto seed = std::make_shared<std::uint64_t>(1);
   auto* write = command->add_subcommand("write", "Writes them into a directory");
-  write->add_option("directory", *directory, "Where to")->required();
-  write->add_option("--ops", *operations, "Operations with commas, or all");
+  write->add_option("directory", *directory, "Output directory")->required();
+  write->add_option("--ops", *operations, "Operations, separated by commas, or all");
   write->add_option("--seed", *seed, "Same seed, same vectors")->check(any_seed);
   write->callback([=, &action] {
     action = [=] { return vectors_write_command(*directory, *operations, *seed, std::cout, std::cerr); };
@@ -218,23 +226,25 @@ void add_vectors(CLI::App& program, Action& action) {
   auto jobs = std::make_shared<int>(0);
   auto* from = command->add_subcommand("from", "Writes the hardest of recorded calls, made smaller, into a directory");
   from->add_option("logs", *logs, "Logs of recorded calls")->required();
-  from->add_option("--to", *directory, "Where to")->required();
-  from->add_option("--ops", *operations, "Operations with commas, or all");
+  from->add_option("--to", *directory, "Output directory")->required();
+  from->add_option("--ops", *operations, "Operations, separated by commas, or all");
   from->add_option("--jobs", *jobs, "Threads")->check(any_jobs)->default_str("one a processor");
   from->callback([=, &action] {
     action = [=] { return vectors_from_command(*directory, *logs, *operations, *jobs, std::cout); };
   });
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   auto checked = std::make_shared<VectorsCheckCommand>();
-  check->add_option("directory", checked->directory, "Where they are")->required();
-  check->add_option("--ops", checked->operations, "Operations with commas, or all; of some, the manifest is left out");
+  check->add_option("directory", checked->directory, "Directory of the vectors")->required();
+  check->add_option("--ops", checked->operations,
+                    "Operations, separated by commas, or all; the manifest is checked only for all");
   add_engine(*check, checked->engine, checked->timeout,
-             "Asked the vectors of its operations, and judged; no others are checked");
+             "Engine that is asked the vectors of its operations and judged; other vectors are not checked");
   auto* engine = check->get_option("--engine");
-  check->add_option("--json", checked->json_file, "Write what the engine answered to this file; - is standard output")
+  check->add_option("--json", checked->json_file, "Write the answers of the engine to this file; - is standard output")
       ->needs(engine);
   check->add_option("--junit", checked->junit_file, "Write the same as JUnit's XML into this file")->needs(engine);
-  check->add_flag("--verbose", checked->verbose, "Every finding of the engine, and not the first ten of a file");
+  check->add_flag("--verbose", checked->verbose,
+                  "Print every finding of the engine, not only the first ten of each file");
   check->callback([=, &action] {
     checked->program = command->get_parent()->get_name();
     action = [=] { return vectors_check_command(*checked, std::cout, std::cerr); };
@@ -244,7 +254,7 @@ void add_vectors(CLI::App& program, Action& action) {
 void add_certify(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("certify", "Re-checks certificates with the small checker alone");
   auto options = std::make_shared<CertifyCommand>();
-  command->add_option("file", options->file, "Lines as ask or vectors write them; - is standard input");
+  command->add_option("file", options->file, "Lines as written by ask or vectors; - is standard input");
   add_file_meshes(*command, options->meshes, options->preparation);
   command->callback([=, &action] { action = [=] { return certify_command(*options, std::cout, std::cerr); }; });
 }
@@ -257,7 +267,7 @@ void add_map(CLI::App& program, Action& action) {
   command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
   command->add_option("--out", options->directory, "Directory for the pictures");
   command->add_flag("--binary32", options->binary32, "The textbook formula in float instead of double");
-  add_engine(*command, options->engine, options->timeout, "A third map shows its answers");
+  add_engine(*command, options->engine, options->timeout, "Engine whose answers a third map shows");
   command->callback([=, &action] {
     action = [=] {
       options->program = command->get_parent()->get_name();
@@ -270,20 +280,21 @@ void add_map(CLI::App& program, Action& action) {
 void add_simulate(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
   auto options = std::make_shared<SimulateCommand>();
-  command->add_option("scene", options->file, "Its JSON file (docs/simulate.md)")->required();
+  command->add_option("scene", options->file, "JSON file of the scene (docs/simulate.md)")->required();
   command->add_option("--steps", options->steps, "How many")->check(whole(0, 1'000'000'000))->default_str("");
-  command->add_option("--runs", options->runs, "Of float, double, robust, with commas");
+  command->add_option("--runs", options->runs, "Any of float, double, robust, separated by commas");
   command->add_option("--trajectory", options->trajectory,
                       "Write each step into this file, CSV if named .csv, else JSON lines; - is standard output");
   command
       ->add_option("--engine", options->engines,
-                   "Command of an engine that makes the steps over pipes (docs/simulate.md); once for each engine")
+                   "Command of an engine that computes the steps over pipes (docs/simulate.md); repeatable")
       ->allow_extra_args(false)
       ->check(a_command)
       ->default_str("");
-  command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
-  command->add_flag("--resume", options->resume, "Go on from the last whole line of that file");
-  command->add_option("--page", options->page, "Write a page that plays the runs into this file; - is standard output");
+  command->add_option("--timeout", options->timeout, "Time limit in seconds for one answer of an engine")
+      ->check(positive);
+  command->add_flag("--resume", options->resume, "Resume from the last complete line of that file");
+  command->add_option("--page", options->page, "Write a page that plays the runs to this file; - is standard output");
   command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
 }
 
@@ -291,13 +302,13 @@ void add_deck(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("deck", "The lecture deck as one page that lives");
   auto options = std::make_shared<DeckCommand>();
   command->add_option("--page", options->page, "Write it into this file; - is standard output")->required();
-  command->add_option("--scenes", options->scenes, "Directory of the scenes that it plays")->default_str("");
-  command->add_option("--cases", options->cases, "Asked of each operation")->check(whole(1, 1'000'000));
+  command->add_option("--scenes", options->scenes, "Directory of the scenes that the page plays")->default_str("");
+  command->add_option("--cases", options->cases, "Questions per operation")->check(whole(1, 1'000'000));
   command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
   command->callback([=, &action] { action = [=] { return deck_command(*options, std::cerr); }; });
 }
 
-/// In one line, whatever names of files and fields it quotes.
+/// Prints one line, whatever names of files and fields it quotes.
 int complained(const std::exception& wrong, int code) {
   std::cerr << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
   return code;

@@ -17,7 +17,7 @@ void add_reduce(CLI::App& program, std::function<int()>& action) {
   command->add_option("operation", options->operation, "Name of the operation")->required();
   command->add_option("file", options->file, "One question in JSON; - is standard input")
       ->default_str("standard input, or none where --mesh gives every field");
-  add_engine(*command, options->engine, options->timeout, "It has to go on failing with the same cause");
+  add_engine(*command, options->engine, options->timeout, "Engine that has to keep failing with the same cause");
   auto* engine = command->get_option("--engine");
   auto* with =
       command
@@ -27,21 +27,23 @@ void add_reduce(CLI::App& program, std::function<int()>& action) {
           ->default_str("reference");
   command
       ->add_option("--until", options->until,
-                   "Command that reads a question in JSON, a line; it has to go on ending with exit code 0")
+                   "Command that reads a question, one line of JSON, and has to keep exiting with code 0")
       ->check(a_command)
       ->excludes(engine)
       ->excludes(with)
       ->default_str("");
   command->add_flag("--any-answer", options->any_answer,
-                    "The same cause will do, whatever is true and answered in words");
+                    "Accept the same cause, whatever the truth and the answer are");
   command->add_flag("--allow-degenerate", options->allow_degenerate,
-                    "Points may become equal or collinear, radii 0 ..., although those of the question are not");
+                    "Points may become equal or collinear, radii 0 and so on, even if those of the question are not");
   command->add_flag("--allow-invalid", options->allow_invalid,
-                    "Questions outside the contract are tried, too: of a crash, or with --until");
-  command->add_option("--seconds", options->seconds, "Limit; what is smallest by then is printed")
+                    "Also try questions outside the contract: for a crash, or with --until");
+  command->add_option("--seconds", options->seconds, "Time limit; prints the smallest question found by then")
       ->check(positive)
       ->default_str("none");
-  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own. The result is the same")
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Threads, each with its own engine process; the result does not depend on it")
       ->check(any_jobs)
       ->default_str("one a processor");
   command
@@ -49,8 +51,8 @@ void add_reduce(CLI::App& program, std::function<int()>& action) {
                    "Directory for the question, its meshes, a picture, regression tests and a report to paste")
       ->default_str("");
   add_file_meshes(*command, options->meshes, options->preparation);
-  auto* wkt = command->add_flag("--wkt", options->wkt, "The question is WKT, as of ask");
-  command->add_flag("--geojson", options->geojson, "The question is GeoJSON, as of ask")->excludes(wkt);
+  auto* wkt = command->add_flag("--wkt", options->wkt, "The question is WKT, as in ask");
+  command->add_flag("--geojson", options->geojson, "The question is GeoJSON, as in ask")->excludes(wkt);
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();
     action = [=] { return reduce_command(*options, std::cout, std::cerr); };

@@ -13,18 +13,18 @@ void add_gate(CLI::App& command, GateCommand& gate) {
       "RATE");
   command.add_option(
       "--fail-on", gate.fail_on,
-      "Causes with commas that fail the audit: rounding (cancellation, out_of_range), algorithm, inexact, "
+      "Causes, separated by commas, that fail the audit: rounding (cancellation, out_of_range), algorithm, inexact, "
       "invalid, not_asked, inconsistent_convention, surplus (these by default), convention, tolerance, unsupported; "
       "none");
   command.add_option("--baseline", gate.baseline, "Findings in this file are known and do not fail the audit");
   command.add_option("--write-baseline", gate.write_baseline, "Write the findings into this file as known");
   command
       .add_option("--max-rate", gate.max_rate,
-                  "Share of an operation's cases that findings which are not known may have (default 0)")
+                  "Largest accepted share of an operation's cases with findings that are not known (default 0)")
       ->check(rate);
   command
       .add_option("--max-surplus", gate.max_surplus,
-                  "Share of the pairs that are apart which lists of pairs may hold (default 0.75)")
+                  "Largest accepted share of separated pairs in lists of pairs (default 0.75)")
       ->check(rate);
   command.add_option("--junit", gate.junit_file, "Write the result as JUnit's XML into this file");
   command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");
@@ -36,8 +36,8 @@ void add_gate(CLI::App& command, GateCommand& gate) {
 void add_shard(CLI::App& command, std::string& shard, std::string& json_file) {
   command
       .add_option("--shard", shard,
-                  "I/N: the I-th of N parts. Its state is kept in FILE.part beside --json FILE, from which the same "
-                  "command goes on after it was stopped")
+                  "I/N: run the I-th of N parts; its state is kept in FILE.part next to --json FILE, and the same "
+                  "command resumes from it after an interruption")
       ->default_str("of the launcher");
   command.add_option("--json", json_file, "Write the result to this file; - is standard output")->default_str("");
 }

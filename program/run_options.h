@@ -9,10 +9,10 @@
 /// Options of commands that count many answers.
 namespace touchstone::program {
 
-/// What of `audit` is for CI.
+/// Adds the options of `audit` for CI.
 void add_gate(CLI::App& command, GateCommand& gate);
 
-/// How a run is cut, and where its result goes.
+/// Adds the options that divide a run and name its result.
 void add_shard(CLI::App& command, std::string& shard, std::string& json_file);
 
 }  // namespace touchstone::program

@@ -30,10 +30,10 @@ def main():
 
     few, many = {"boxes": [BOX] * 2}, {"boxes": [BOX] * 1500}
     code, answers, complaints = ask(program, "all_pairs", few, many, few)
-    error, pair = {"field": "line", "rule": "answered in the memory there is"}, {"pairs": [[0, 1]]}
+    error, pair = {"field": "line", "rule": "out of memory"}, {"pairs": [[0, 1]]}
     if [answer.get("truth", answer.get("error")) for answer in answers] != [pair, error, pair]:
         wrong.append(f"expected that one line is refused: {[list(answer) for answer in answers]}")
-    if code != 2 or len(complaints) != 1 or not complaints[0].endswith("line 2: line: answered in the memory there is"):
+    if code != 2 or len(complaints) != 1 or not complaints[0].endswith("line 2: line: out of memory"):
         wrong.append(f"exit code {code}, {complaints}")
 
     # A kilobyte for each pair of a body and a query would be 3 GB.

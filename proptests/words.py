@@ -5,9 +5,9 @@
   words.py               the source tree around this file
   words.py --self-check  small files with one wrong word or sentence each: every one must be found
 
-No source uses an identifier that the vocabulary has replaced. In pages and in docstrings of Python no sentence begins
-with Of, Whether or What, unless it asks, nor with Where unless a main clause follows a comma. Pages use the field's
-terms."""
+No source uses an identifier that the vocabulary has replaced. In pages, in docstrings of Python and in comments of C++
+no sentence begins with Of, Whether or What, unless it asks, nor with Where unless a main clause follows a comma. Pages
+and comments use the field's terms."""
 import argparse
 import ast
 import pathlib
@@ -41,7 +41,31 @@ PHRASES = {
     r"(?:is|are) told(?! to)": "reported, named",
     r"there twice": "duplicate",
 }
-PHRASE = re.compile("|".join(rf"(?P<p{i}>\b(?:{old})\b)" for i, old in enumerate(PHRASES)))
+# The same in comments of C++; names in backquotes and of files do not count.
+COMMENT_PHRASES = {
+    r"(?i:no one|nobody|whoever|who)(?! is to blame)": "the caller, the engine, the reader",
+    r"whole (?:number|ring|mesh|answer|way)s?|as a whole": "integer, entire, full",
+    r"beside(?!\.h)": "next to, near, in addition to",
+    r"(?:is|are|be|was) told|unless told|told apart": "reported, known, decided, distinguished",
+    r"looked at|looks at|look at": "tested, examined",
+    r"the other way (?:a?round|about)|on (?:its|the) way|both ways": "reversed, meanwhile, in both directions",
+    r"(?:is|was) seen(?= to| in| that)|not seen": "found, noticed",
+    r"hangs? together": "is connected",
+    r"takes? for granted": "assumes",
+    r"coarsest grain": "largest power of two",
+    r"for ever": "without limit",
+}
+# Comments are held to this in the folders whose comments have been rewritten.
+COMMENTED = ("audit", "bench", "c", "catalogue/codec", "catalogue/draw", "catalogue/judge", "catalogue/numbers",
+             "catalogue/operation", "fuzz", "oracle", "program", "python", "reference", "report", "robust", "simulate",
+             "testing")
+
+
+def any_of(phrases):
+    return re.compile("|".join(rf"(?P<p{i}>\b(?:{old})\b)" for i, old in enumerate(phrases)))
+
+
+PHRASE, COMMENT_PHRASE = any_of(PHRASES), any_of(COMMENT_PHRASES)
 # The start of a sentence: of a page, a paragraph, an item, a cell, or after the end of another.
 START = r"(?:\A|(?<=\n\n)|(?<=[.!?;] )|(?<=\.\n)|(?<=\.\n  )|(?<=\n- )|(?<=\n\* )|(?<=\| ))"
 FRAGMENT = re.compile(START + r"(Of|Whether|What|Where|So many|How many)\b([^|]*?)(\?|[.;!](?=\s|\Z)|\n\n|\||\Z)")
@@ -73,10 +97,27 @@ def fragments(name, text, first=1):
             yield f"{name}:{line}: {' '.join((word + rest).split())[:50]}: the sentence begins with {word}"
 
 
-def phrases(name, text):
-    for found in PHRASE.finditer(text):
-        line = 1 + text.count("\n", 0, found.start())
-        yield f"{name}:{line}: {found.group()}: the word is {list(PHRASES.values())[int(found.lastgroup[1:])]}"
+def phrases(name, text, first=1, pattern=PHRASE, terms=tuple(PHRASES.values())):
+    """Other words than the field's. first: the line of the text's beginning."""
+    for found in pattern.finditer(text):
+        line = first + text.count("\n", 0, found.start())
+        yield f"{name}:{line}: {found.group()}: the word is {terms[int(found.lastgroup[1:])]}"
+
+
+def comments(text):
+    """Pairs of a line and the comment that begins there, without its slashes: alone on its lines, or behind code."""
+    block, first = [], 0
+    for number, line in enumerate([*text.splitlines(), ""], 1):
+        code, slashes, comment = line.partition("//")
+        if slashes and not code.strip():
+            first = first if block else number
+            block.append(comment.lstrip("/<").removeprefix(" "))
+            continue
+        if block:
+            yield first, "\n".join(block)
+            block = []
+        if slashes and code.count('"') % 2 == 0:
+            yield number, comment.lstrip("/< ")
 
 
 def docstrings(text):
@@ -86,13 +127,18 @@ def docstrings(text):
 
 
 def unclear(name, text):
-    """The sentences of a page, or of a script's docstrings."""
+    """The sentences of a page, of a script's docstrings, or of the comments of C++."""
     if name.endswith(".md") and name not in MADE:
         yield from fragments(name, prose(text))
         yield from phrases(name, re.sub(r"`[^`\n]*`", "", prose(text)))
     elif name.endswith(".py"):
         for line, docstring in docstrings(text):
             yield from fragments(name, docstring, line)
+    elif name.startswith(tuple(f"{folder}/" for folder in COMMENTED)) and name.endswith((".h", ".cpp")):
+        for line, comment in comments(text):
+            yield from fragments(name, comment, line)
+            yield from phrases(name, re.sub(r"`[^`\n]*`|\"[^\"\n]*\"", "", comment), line, COMMENT_PHRASE,
+                               tuple(COMMENT_PHRASES.values()))
 
 
 def sources():
@@ -124,12 +170,18 @@ UNCLEAR = {
     "a.md": ("Of polygons it has none.", "It ends. Whether it holds is tested.", "\n- What is refused: a ring.",
              "| field | What it is. |",
              "\n\nWhere two rings meet.\n\n", "The coordinates are whole numbers.", "The first one is told."),
+    "robust/a.h": ("/// Whether it holds.", "  // Of the plane.", "/// A part.\n/// What is left.",
+                   "x = 1;  ///< Where it is.", 'f("a");  // Of it', "/// It is told.", "// nobody asks",
+                   "x;  // beside it", "/// A whole number."),
     "a.py": ('"""Whether it holds."""', 'def f():\n    """Of the plane."""', 'def f():\n    """A part. What is left."""'),
 }
 CLEAR = {
     "a.md": ("What is an orientation?", "Where rings meet, they touch.", "## What it promises",
              "`Of course`, it says what it is.",
              "```\nOf code nothing is said.\n```"),
+    "robust/a.h": ("/// True if it holds.", "f(\"// Of it\");", "/// Where rings meet, they touch.",
+                   "/// `beside` and beside.h.", "int told;", "/// What is it?", "x; // as seen from outside"),
+    "geometry/a.h": ("/// Whether it holds.",),
     "a.py": ('"""Returns whether it holds."""', "# Whether", "x = 'Of strings'"),
     "CHANGELOG.md": ("Of whole numbers.",),
 }

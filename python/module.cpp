@@ -37,9 +37,9 @@ namespace py = pybind11;
   raise_refusal(field, error.rule);
 }
 
-/// What Python hands over, one operand after the other: arrays, each with the number of its axes that are not of
-/// rows. The caller has checked shapes and alignment, and names fields; what is checked here keeps a wrong caller
-/// from reading what is not his.
+/// The operands that Python passes, one after the other: arrays, each with its number of axes other than rows. The
+/// caller has checked shapes and alignment, and names the fields; the checks here keep a wrong caller from reading out
+/// of bounds.
 class Operands {
  public:
   Operands(const py::sequence& arrays, std::size_t count) {
@@ -62,7 +62,7 @@ class Operands {
       return {static_cast<const double*>(vertices.ptr), static_cast<std::size_t>(vertices.shape[0]),
               static_cast<const std::uint32_t*>(faces.ptr), static_cast<std::size_t>(faces.shape[0])};
     } else {
-      // Such a struct consists of columns and nothing else.
+      // A shape consists of columns and nothing else.
       static_assert(sizeof(Shape) % sizeof(touchstone_column) == 0 && std::is_trivially_copyable_v<Shape>);
       if (columns_.size() - column_ < sizeof(Shape) / sizeof(touchstone_column))
         throw std::invalid_argument("fewer columns than operands have");
@@ -78,9 +78,10 @@ class Operands {
   }
 
  private:
-  static constexpr py::ssize_t matrix_axes = -1;  ///< of one polygon or mesh for all rows
+  static constexpr py::ssize_t matrix_axes = -1;  ///< of one polygon or mesh shared by all rows
 
-  /// The columns of an array: its rows are along the first axis where there is one more, else shared by all.
+  /// Adds the columns of an array: its first axis holds the rows if there is one more axis, otherwise all rows share
+  /// it.
   void add_columns(const py::buffer_info& array, py::ssize_t axes, std::size_t count) {
     bool right = array.format == "d" && (array.ndim == axes || array.ndim == axes + 1) &&
                  reinterpret_cast<std::uintptr_t>(array.ptr) % alignof(double) == 0;
@@ -155,7 +156,7 @@ void decide(const std::string& name, const py::sequence& arrays, const py::buffe
   decisions.at(name)(arrays, static_cast<std::size_t>(answers.shape[0]), static_cast<std::uint8_t*>(answers.ptr));
 }
 
-/// A cut of polygons into triangles: `sizes` says how many of the `corners` each has.
+/// Cuts polygons into triangles; `sizes` gives the number of `corners` of each polygon.
 py::array_t<std::uint32_t> cut(const py::array_t<double>& vertices, const py::array_t<std::uint32_t>& corners,
                                const py::array_t<std::int64_t>& sizes) {
   const auto points = vertices.unchecked<2>();
@@ -187,7 +188,7 @@ py::array_t<std::uint32_t> cut(const py::array_t<double>& vertices, const py::ar
   return triangles;
 }
 
-/// The text that a function of touchstone.h makes.
+/// Returns the text that a function of touchstone.h produces.
 template <class Call>
 std::string text_of(const Call& call) {
   touchstone_error error{};

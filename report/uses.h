@@ -4,7 +4,7 @@
 namespace touchstone::catalogue {}
 namespace touchstone::audit {}
 
-/// The names of the modules below, in which report is written.
+/// The names of lower modules that report uses.
 namespace touchstone::report {
 using namespace catalogue;
 using namespace audit;

@@ -11,15 +11,14 @@
 
 namespace touchstone::robust {
 
-/// For hosts that have unmasked floating-point exceptions (feenableexcept): no exception of what is computed while this
-/// is in scope reaches the host as a signal, and afterwards its masks and sticky flags are what they were. Rounding
-/// mode and flushing to zero stay as they are.
+/// For hosts that have unmasked floating-point exceptions (feenableexcept): while this is in scope no exception of a
+/// computation reaches the host as a signal, and afterwards its masks and sticky flags are restored. Rounding mode and
+/// flushing to zero do not change.
 ///
-/// It is for the host to use, not part of every call: setting the control word twice takes five times as long as a
-/// predicate does that its filter decides (orientation of random points, g++ 12 -O3, an AMD EPYC: 2.0 ns, and 11.6 ns
-/// with a guard around each call). One guard may be around many calls. No compiler knows that arithmetic depends on the
-/// control word, and it may move what stands in the same function out of the scope; `with_exceptions_masked` does not
-/// let it.
+/// The host uses it; it is not part of every call: setting the control word twice takes five times as long as a
+/// predicate that its filter decides (orientation of random points, g++ 12 -O3, an AMD EPYC: 2.0 ns, and 11.6 ns with a
+/// guard around each call). One guard may enclose many calls. Compilers do not know that arithmetic depends on the
+/// control word, and may move code of the same function out of the scope; `with_exceptions_masked` prevents that.
 class MaskedExceptions {
  public:
 #if defined(__SSE2__)
@@ -41,13 +40,13 @@ class MaskedExceptions {
 #endif
 };
 
-/// What ask() returns, with exceptions masked while it is computed. What it computes from is captured by reference, as
-/// in with_exceptions_masked([&] { return orientation(p0, p1, p); }).
+/// Returns ask(), computed with exceptions masked. Its operands are captured by reference, as in
+/// with_exceptions_masked([&] { return orientation(p0, p1, p); }).
 template <class Ask>
 auto with_exceptions_masked(const Ask& ask) {
   const MaskedExceptions masked;
   const Ask* asked = &ask;
-  asm volatile("" : "+r"(asked) : : "memory");  // nothing is known of the arguments before this
+  asm volatile("" : "+r"(asked) : : "memory");  // the compiler knows nothing about the arguments before this
   auto answer = (*asked)();
   asm volatile("" : "+m"(answer) : : "memory");
   return answer;

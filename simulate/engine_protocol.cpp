@@ -59,7 +59,7 @@ std::size_t place_of(const Json& contact, const std::string& path, const char* f
   const std::string name = catalogue::member_path(path, field);
   if (!contact.contains(field)) throw InvalidInput(name, "missing");
   const std::size_t place = catalogue::read_index(contact[field], name);
-  if (place >= size) throw InvalidInput(name, expected("a whole number below " + std::to_string(size), contact[field]));
+  if (place >= size) throw InvalidInput(name, expected("an integer below " + std::to_string(size), contact[field]));
   return place;
 }
 
@@ -96,7 +96,7 @@ bool is_planar(const Scene& scene) {
   const bool flat = std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const SceneBody& body) {
     return body.start.position.z == 0 && body.start.velocity.z == 0;
   });
-  // A wall across the plane turns nothing out of it, and one along the plane is never approached.
+  // A wall perpendicular to the plane moves nothing out of it, and one parallel to the plane is never approached.
   return flat && scene.gravity.z == 0 && std::all_of(scene.walls.begin(), scene.walls.end(), [](const Wall& wall) {
            const auto& [x, y, z] = wall.plane.normal;
            return z == 0 || (x == 0 && y == 0);

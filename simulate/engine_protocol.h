@@ -3,10 +3,10 @@
 
 #include "simulate/world/step.h"
 
-/// What is said to an engine that makes the steps of a scene, and what it answers (docs/simulate.md).
+/// The messages to an engine that makes the steps of a scene, and its answers (docs/simulate.md).
 namespace touchstone::simulate {
 
-/// What a scene may need and an engine may lack.
+/// Features that a scene may need and an engine may lack.
 inline const std::vector<const char*> engine_features{"particles", "spheres", "boxes",   "walls",
                                                       "fixed",     "stick",   "penalty", "space"};
 
@@ -14,12 +14,12 @@ inline const std::vector<const char*> engine_features{"particles", "spheres", "b
 struct EngineHello {
   std::string engine;  ///< its name and version
   bool binary32 = false;
-  std::vector<std::string> cannot;      ///< of the features
-  std::vector<std::string> thresholds;  ///< documented, and not switched off: what they do is no error
-  std::string unsupported;              ///< why it cannot run this scene, in its own words; empty if it can
+  std::vector<std::string> cannot;      ///< missing features
+  std::vector<std::string> thresholds;  ///< documented, and not switched off: their effects are not errors
+  std::string unsupported;              ///< the reason why it cannot run this scene, in its own words; empty if it can
 };
 
-/// What it answered for one step.
+/// The answer for one step.
 struct EngineStep {
   State<double> state;
   std::vector<Impact> impacts;
@@ -34,10 +34,11 @@ std::string engine_question(std::uint64_t step);
 EngineHello read_engine_hello(const std::string& line);
 EngineStep read_engine_step(const std::string& line, const Scene& scene, std::uint64_t step);
 
-/// What the scene needs and the engine lacks, with commas, or what it says itself; empty if nothing.
+/// The features that the scene needs and the engine lacks, separated by commas, or the engine's own reason; empty if
+/// none.
 std::string lacking(const EngineHello& hello, const Scene& scene);
 
-/// Whether all that moves stays in the plane z = 0.
+/// True if everything that moves stays in the plane z = 0.
 bool is_planar(const Scene& scene);
 
 }  // namespace touchstone::simulate

@@ -22,7 +22,7 @@ bool Fields::has(const char* name) {
 
 const Json& Fields::at(const char* name) {
   if (has(name)) return json_[name];
-  // Where the name is misspelled, it is told of the field that is there, and not that this one is missing.
+  // A misspelled name is reported for the field that is present, and the intended one is not reported as missing.
   const std::vector<const char*> meant{name};
   for (const auto& [key, value] : json_.items())
     if (!catalogue::did_you_mean(key, meant).empty())
@@ -55,7 +55,7 @@ std::uint32_t Fields::count_or(const char* name, std::uint32_t least, std::uint3
   if (!has(name)) return usual;
   const std::uint32_t count = catalogue::read_index(at(name), path_of(name));
   if (count < least)
-    throw InvalidInput(path_of(name), expected("a whole number from " + std::to_string(least) + " up", at(name)));
+    throw InvalidInput(path_of(name), expected("an integer from " + std::to_string(least) + " up", at(name)));
   return count;
 }
 

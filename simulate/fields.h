@@ -13,7 +13,7 @@ namespace touchstone::simulate {
 
 using catalogue::Json;
 
-/// The fields of one object. Each reader names a field that may be there; `end` refuses all others. Throws
+/// The fields of one object. Each reader names a field that may be present; `end` refuses all others. Throws
 /// InvalidInput with the path of the field.
 class Fields {
  public:
@@ -31,16 +31,16 @@ class Fields {
   double not_negative_or(const char* name, double usual);
   /// From 0 to 1.
   double ratio(const char* name);
-  /// A whole number from `least` up.
+  /// An integer of at least `least`.
   std::uint32_t count_or(const char* name, std::uint32_t least, std::uint32_t usual);
   bool flag_or(const char* name, bool usual);
   std::string text_or(const char* name, const std::string& usual);
   Vector3d vector(const char* name);
   Vector3d vector_or(const char* name, const Vector3d& usual);
-  /// The place of the word in the list.
+  /// The index of the word in the list.
   std::size_t word(const char* name, const std::vector<const char*>& words);
   std::size_t word_or(const char* name, const std::vector<const char*>& words, std::size_t usual);
-  /// Each element of a list, with its path; nothing where it is missing.
+  /// Each element of a list, with its path; nothing if it is missing.
   void each(const char* name, const std::function<void(const Json&, const std::string& path)>& visit);
 
   void end() const;

@@ -6,7 +6,7 @@
 namespace touchstone::simulate {
 namespace {
 
-/// The enumerator of an answer, which decides what a step does.
+/// The enumerator of an answer, which decides the course of a step.
 std::string word_of(const Json& answer) {
   if (answer.is_string()) return answer.get<std::string>();
   if (answer.contains("option_2")) return word_of(answer["option_2"]);
@@ -19,7 +19,7 @@ bool same_question(const Asked& a, const Asked& b) {
   return a.touch == b.touch && std::string(a.operation) == b.operation;
 }
 
-/// The answer as the catalogue prints it.
+/// The answer in the catalogue's form.
 Asked named(Asked asked) {
   if (!asked.answer.is_string()) return asked;
   Json answer = Json::object();

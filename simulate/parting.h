@@ -7,18 +7,18 @@
 
 namespace touchstone::simulate {
 
-/// Where two runs answered different contacts for the first time, and what decided it.
+/// The first difference between the contacts of two runs, and the question that decided it.
 struct Parting {
   std::uint64_t step;
   std::string first, second;  ///< names of the runs
   Touch touch;
-  /// The same question to both, by the numbers of each: the first whose answers are different words. Where all words
-  /// are alike, and only the order of two times is not, the last question about a time before that.
+  /// The same question to both, with the numbers of each: the first whose answers are different enumerators. If all
+  /// enumerators agree, and only the order of two times differs, the last question about a time before that.
   Asked by_first, by_second;
 };
 
-/// Of the step from these states, with which the contacts of two runs came apart; empty where they asked the same and
-/// were answered the same.
+/// The difference in the step from these states, with which the contacts of two runs diverged; nullopt if questions and
+/// answers were the same.
 std::optional<Parting> parting(std::uint64_t step, const Run& first, const State<double>& before_first,
                                const Run& second, const State<double>& before_second);
 

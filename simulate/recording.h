@@ -5,7 +5,7 @@
 
 namespace touchstone::simulate {
 
-/// What a page shows of every step, as nearest doubles.
+/// The data of every step that a page shows, as nearest doubles.
 class Recording {
  public:
   struct OfRun {
@@ -14,20 +14,20 @@ class Recording {
     std::vector<std::vector<Impact>> impacts;
     std::vector<double> energy, law, scheme, decision, rounding;  ///< drift since the start
     std::vector<std::array<double, 3>> momentum;
-    bool engine = false;  ///< of an engine rounding holds all that is its own
-    std::string ended;    ///< why it has fewer steps than the others
+    bool engine = false;  ///< for an engine, rounding holds everything that is its own
+    std::string ended;    ///< the reason why it has fewer steps than the others
   };
 
   explicit Recording(const Simulation& simulation);
-  /// Where the simulation stands.
+  /// Adds the current state of the simulation.
   void add(const Simulation& simulation);
-  /// A step that was read back.
+  /// Adds a step that was read back.
   void add(const Frame& frame);
 
   const Scene& scene() const { return scene_; }
   const std::vector<OfRun>& runs() const { return runs_; }
   std::size_t frames() const { return runs_[0].states.size(); }
-  /// Steps and partings, as lines of a trajectory have them.
+  /// Steps and partings, in the form of a trajectory's lines.
   const std::vector<std::pair<std::uint64_t, Json>>& partings() const { return partings_; }
 
  private:

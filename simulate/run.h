@@ -31,19 +31,19 @@ class Run {
 
   /// Makes a step. Throws StepError.
   void advance();
-  /// Why it makes no more steps; empty while it does. Only runs of engines end before the others.
+  /// The reason why it makes no more steps; empty while it does. Only runs of engines end before the others.
   const std::string& ended() const { return ended_; }
   void end(std::string why) { ended_ = std::move(why); }
-  /// The questions of the step from that state, in their order; none of an engine, which is not asked for them.
+  /// The questions of the step from that state, in their order; none for an engine, which is not asked for them.
   virtual Log log_from(const State<double>& state) const = 0;
   virtual const EngineRun* engine() const { return nullptr; }
-  /// Goes on from a snapshot of this scene, whose state alone is looked at.
+  /// Continues from a snapshot of this scene, of which only the state is used.
   void restore(const Snapshot& then, const Drift& drift);
 
  protected:
   Run(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene) {}
-  /// The start of the scene, with each number rounded to the arithmetic. Where another run of the scene starts from the
-  /// same bits, what it has of them is taken.
+  /// Sets the start of the scene, with each number rounded to the arithmetic. If another run of the scene starts from
+  /// the same bits, shares its data.
   void begin(const State<double>& state, const Run* other = nullptr);
 
  private:
@@ -62,7 +62,7 @@ class Run {
 
 inline constexpr const char* all_runs[]{"float", "double", "robust"};
 
-/// Of these names; the scene has to outlive it. `other`: a run of the same scene that has made no step.
+/// The run of one of these names; the scene has to outlive it. `other`: a run of the same scene that has made no step.
 std::unique_ptr<Run> run_of(const std::string& name, const Scene& scene, const Run* other = nullptr);
 
 }  // namespace touchstone::simulate

@@ -117,7 +117,7 @@ void require_one_name_each(const std::vector<std::string>& names, const char* li
                          expected("a name that no other has", names[i]));
 }
 
-/// What no field can say alone.
+/// Rules that concern more than one field.
 void require_possible(const Scene& scene) {
   const auto named = [](const auto& list) {
     std::vector<std::string> names;
@@ -146,7 +146,7 @@ void require_possible(const Scene& scene) {
   if (const auto wrong = overlap_at_start(scene)) throw InvalidInput(wrong->field, wrong->rule);
 }
 
-/// Puts numbers in place of what was typed.
+/// Replaces the typed text of numbers by numbers.
 void become_numbers(Json& json) {
   if (catalogue::is_typed_number(json)) json = catalogue::written(catalogue::read_double(json, ""));
   else if (json.is_structured())

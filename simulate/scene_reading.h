@@ -5,8 +5,8 @@
 
 namespace touchstone::simulate {
 
-/// Strict: throws InvalidInput, which names the place in the file, the rule and what was found instead; a field or a
-/// word that is misspelled is told which was meant. docs/simulate.md describes the fields.
+/// Strict: throws InvalidInput, which names the position in the file, the rule and the value found; for a misspelled
+/// field or enumerator, also the one that was probably meant. docs/simulate.md describes the fields.
 Scene read_scene(const Json& json);
 
 }  // namespace touchstone::simulate

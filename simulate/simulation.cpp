@@ -32,7 +32,7 @@ Simulation::Simulation(const Scene& scene, const std::vector<std::string>& runs)
 void Simulation::add(std::unique_ptr<EngineRun> run) {
   runs_.push_back(std::move(run));
   for (auto& row : parted_) row.push_back(true);
-  parted_.emplace_back(runs_.size(), true);  // partings are of questions, which an engine is not asked
+  parted_.emplace_back(runs_.size(), true);  // partings concern questions, which an engine is not asked
   departures_.emplace_back();
 }
 

@@ -10,26 +10,26 @@
 
 namespace touchstone::simulate {
 
-/// For people: for each run the energy, its drift in parts and the last hash; how high bodies bounce; then where runs
-/// came apart, with a line
-/// that asks the question of each. Of an engine: its thresholds, where it first differs from robust, and why it ended.
+/// A summary for people: for each run the energy, its drift in parts and the last hash; how high bodies bounce; then
+/// where runs diverged, with a command that asks the question of each. For an engine: its thresholds, its first
+/// difference from robust, and the reason why it ended.
 class Summary {
  public:
   explicit Summary(const Simulation& simulation);
-  /// After each step; what was resumed is no step.
+  /// Call after each step; resumed steps do not count.
   void count();
   void print(std::ostream& out) const;
 
  private:
-  /// How high a body rises after a contact with a wall, and how many times as high as after the one before, where that
-  /// was with the same wall and nothing lay between.
+  /// The height to which a body rises after a contact with a wall, and its ratio to the previous one, if that was with
+  /// the same wall and nothing lay between.
   struct Bounce {
     double rise;
     std::optional<double> ratio;
   };
   struct OfRun {
     std::size_t contacts = 0;
-    std::map<std::size_t, std::pair<std::size_t, double>> last;                  ///< of a body: wall and rise
+    std::map<std::size_t, std::pair<std::size_t, double>> last;                  ///< for a body: wall and rise
     std::map<std::pair<std::size_t, std::size_t>, std::vector<Bounce>> bounces;  ///< by body and wall
   };
   void count(OfRun& run, const Impact& impact);

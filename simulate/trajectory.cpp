@@ -55,13 +55,13 @@ Json in_json(const Snapshot& now, bool of_engine) {
   return json;
 }
 
-/// As RFC 4180 writes a field with any characters: quoted, a quote within it twice.
+/// Quotes a field with any characters as in RFC 4180: a quote within it is doubled.
 std::string csv_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string(2, c) : std::string(1, c);
   return quoted + '"';
 }
-/// As it is where that is all the same.
+/// Unquoted if that makes no difference.
 std::string csv_field(const std::string& text) {
   return text.find_first_of(",\"\r\n") == std::string::npos ? text : csv_quoted(text);
 }

@@ -7,21 +7,22 @@
 
 #include "simulate/simulation.h"
 
-/// Files of trajectories, written step by step. Each line is complete, so that a run which was stopped goes on from its
-/// last whole line.
+/// Files of trajectories, written step by step. Each line is complete, so that an interrupted run continues from its
+/// last complete line.
 namespace touchstone::simulate {
 
 Json header_of(const Simulation& simulation);
-/// JSON lines: a header with the scene, then a line a step with every run's numbers, contacts, energy, momentum, drift
-/// of that step (all exact) and hashes, and what parted two runs there. docs/simulate.md describes the fields.
+/// JSON lines: a header with the scene, then one line per step with every run's numbers, contacts, energy, momentum,
+/// drift of that step (all exact) and hashes, and the cause of any divergence of two runs. docs/simulate.md describes
+/// the fields.
 void write_header(const Simulation& simulation, std::ostream& out);
 void write_step(const Simulation& simulation, std::ostream& out);
 
-/// Comma-separated: a line a step, run and body.
+/// Comma-separated: one line for each step, run and body.
 void write_csv_header(std::ostream& out);
 void write_csv_step(const Simulation& simulation, std::ostream& out);
 
-/// What is kept of one step that was read back.
+/// The data kept of one step that was read back.
 struct Frame {
   std::uint64_t step;
   std::vector<Snapshot> runs;
@@ -29,12 +30,12 @@ struct Frame {
   std::vector<Json> partings;
 };
 
-/// Reads a trajectory in JSON lines up to its last whole line, calls visit for each step, and sets the simulation to
-/// the last one. Returns the length of what was read. Throws InvalidInput where the file holds another scene or other
-/// runs, misses a step, or a hash or a sum is not that of its numbers: the field names line and place.
+/// Reads a trajectory in JSON lines up to its last complete line, calls visit for each step, and sets the simulation to
+/// the last one. Returns the length read. Throws InvalidInput if the file holds another scene or other runs, misses a
+/// step, or a hash or a sum is not that of its numbers: the field names line and position.
 std::uint64_t read_trajectory(std::istream& in, Simulation& simulation, const std::function<void(const Frame&)>& visit);
 
-/// Of a parting: runs, contact, and for each run the question and its answer.
+/// A divergence: runs, contact, and for each run the question and its answer.
 Json in_json(const Scene& scene, const Parting& parting);
 
 }  // namespace touchstone::simulate

@@ -10,7 +10,7 @@ namespace {
 
 using catalogue::expected;
 
-/// What was written, read again, and where it stands in a complaint.
+/// A value that was read back, and its position for complaints.
 struct Place {
   const Json& json;
   std::string path;
@@ -29,7 +29,7 @@ struct Place {
   }
   std::size_t index(std::size_t size) const {
     if (!json.is_number_unsigned() || json.get<std::size_t>() >= size)
-      throw InvalidInput(path, expected("a whole number below " + std::to_string(size), json));
+      throw InvalidInput(path, expected("an integer below " + std::to_string(size), json));
     return json.get<std::size_t>();
   }
   mpq_class rational() const {
@@ -55,7 +55,7 @@ Impact impact_of(const Place& place, const Scene& scene) {
   return {touch, place.at("time").number(), place.at("point").three<Point3d>(), place.at("normal").three<Vector3d>()};
 }
 
-/// Checks the hashes, and that the drift is the change of energy: nothing at the start.
+/// Checks the hashes, and that the drift is the change of energy, which is 0 at the start.
 Snapshot snapshot_of(const Place& place, const Scene& scene, const Snapshot* before) {
   Snapshot then;
   const Place bodies = place.at("bodies"), contacts = place.at("contacts"), drift = place.at("drift");
@@ -81,7 +81,7 @@ Snapshot snapshot_of(const Place& place, const Scene& scene, const Snapshot* bef
   return then;
 }
 
-/// Which runs have answered different contacts.
+/// Notes which runs have answered different contacts.
 void note_partings(const Frame& frame, std::vector<std::pair<std::size_t, std::size_t>>& parted) {
   for (std::size_t i = 0; i < frame.runs.size(); ++i)
     for (std::size_t j = i + 1; j < frame.runs.size(); ++j)

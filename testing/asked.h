@@ -23,11 +23,11 @@
 ///   if (found) std::cerr << shown(*found) << '\n';   // already shrunk
 namespace touchstone::tests {
 
-/// The operations, each a type named like it: operations::orientation. docs/operations.md lists their arguments.
+/// The operations, each a type of the same name: operations::orientation. docs/operations.md lists their arguments.
 namespace operations = ::touchstone::catalogue::signatures;
 
-/// The arguments of an operation: a tuple; where its question has alternatives (in the plane, in space), a variant of
-/// tuples, or, with `Ts` given, the tuple of the one alternative that has these arguments.
+/// The arguments of an operation: a tuple. If its question has alternatives (in the plane, in space), a variant of
+/// tuples, or with `Ts` given the tuple of the one alternative that has these arguments.
 template <class Op, class... Ts>
 struct ArgumentsOf {
   using type = std::tuple<Ts...>;
@@ -37,8 +37,8 @@ struct ArgumentsOf<Op> {
   using type = typename Op::Question;
 };
 
-/// A question of an operation: its arguments, to be taken apart by a structured binding, by std::apply or, where they
-/// are a variant, by std::visit; and where they come from.
+/// A question of an operation and its origin: its arguments, for a structured binding, std::apply or, if they are a
+/// variant, std::visit.
 template <class Op, class... Ts>
 struct Asked : ArgumentsOf<Op, Ts...>::type {
   using Arguments = typename ArgumentsOf<Op, Ts...>::type;
@@ -48,7 +48,7 @@ struct Asked : ArgumentsOf<Op, Ts...>::type {
   std::string family() const { return drawn.operation->families()[drawn.family]; }
 };
 
-/// Operation and family, the question in decimal and in hexadecimal, and the command that asks it.
+/// Prints operation and family, the question in decimal and in hexadecimal, and the command that asks it.
 template <class Op, class... Ts>
 std::string shown(const Asked<Op, Ts...>& asked) {
   return shown(asked.drawn);
@@ -59,7 +59,7 @@ const Operation& operation_of() {
   return *catalogue::find_operation(Op::name);
 }
 
-/// Empty where the question is of another alternative.
+/// Returns nullopt if the question is of another alternative.
 template <class Op, class... Ts>
 std::optional<Asked<Op, Ts...>> typed(Drawn drawn) {
   auto question = catalogue::unpacked<typename Op::Question>(drawn.question);
@@ -73,7 +73,8 @@ std::optional<Asked<Op, Ts...>> typed(Drawn drawn) {
   }
 }
 
-/// The families of those names; of none: all. Throws InvalidInput where the operation has no such family.
+/// Returns the families of these names, or all if the list is empty. Throws InvalidInput if the operation has no such
+/// family.
 inline std::vector<std::size_t> families_named(const Operation& operation, const std::vector<std::string>& names) {
   const std::vector<std::string>& all = operation.families();
   std::vector<std::size_t> found;
@@ -87,20 +88,20 @@ inline std::vector<std::size_t> families_named(const Operation& operation, const
   return found;
 }
 
-/// Which sizes of numbers a question may have.
+/// Sizes of the numbers that a question may have.
 enum class Sizes {
-  any,       ///< from one end of the range of doubles to the other
-  ordinary,  ///< every number is 0 or between 2^-100 and 2^100 in size
+  any,       ///< the full range of doubles
+  ordinary,  ///< every number is 0 or of magnitude 2^-100 to 2^100
 };
 
-/// Within the contract, and of these sizes.
+/// Returns whether the question is within the contract and of these sizes.
 inline bool is_wanted(const Drawn& drawn, Sizes sizes) {
   const bool right_size = sizes == Sizes::any || audit::range_of(drawn.question) == audit::Range::ordinary;
   return right_size && is_valid(drawn);
 }
 
-/// A question of these families that is within the contract, the same for the same seed. Throws std::runtime_error
-/// where a thousand in a row are not.
+/// Draws a question of these families that is within the contract; the same seed draws the same question. Throws
+/// std::runtime_error after a thousand invalid draws in a row.
 template <class Op, class... Ts>
 Asked<Op, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed, Sizes sizes = Sizes::any) {
   constexpr std::uint64_t most_refused = 1000;
@@ -116,7 +117,7 @@ Asked<Op, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t s
 }
 
 struct Options {
-  std::vector<std::string> families{};  ///< none: all
+  std::vector<std::string> families{};  ///< empty: all
   std::uint64_t cases = 1000, seed = 1;
   Sizes sizes = Sizes::any;
 };
@@ -131,7 +132,7 @@ decltype(auto) called_with(const Call& call, const Arguments& arguments) {
   }
 }
 
-/// Whether a function takes the arguments of every alternative.
+/// True if a function takes the arguments of every alternative.
 template <class Law, class Arguments>
 inline constexpr bool takes = false;
 template <class Law, class... Ts>
@@ -139,9 +140,9 @@ inline constexpr bool takes<Law, std::tuple<Ts...>> = std::is_invocable_v<const 
 template <class Law, class... Ts>
 inline constexpr bool takes<Law, std::variant<Ts...>> = (takes<Law, Ts> && ...);
 
-/// The simplest question found for which a law - a function of the arguments, or else of Asked - does not return true,
-/// or throws. Draws `cases` questions, stops at the first that fails, and shrinks it within its family. The same
-/// options find the same.
+/// Returns the simplest question found for which a law - a function of the arguments, or else of Asked - does not
+/// return true, or throws. Draws up to `cases` questions, stops at the first that fails, and shrinks it within its
+/// family. The same options find the same question.
 template <class Op, class... Ts, class Law>
 std::optional<Asked<Op, Ts...>> counterexample(const Law& law, const Options& options = {}) {
   const auto fails = [&](const Asked<Op, Ts...>& question) {
@@ -170,7 +171,7 @@ std::optional<Asked<Op, Ts...>> counterexample(const Law& law, const Options& op
 
 }  // namespace touchstone::tests
 
-/// So that `const auto [a, b] = question` works.
+/// Lets `const auto [a, b] = question` work.
 template <class Op, class... Ts>
 struct std::tuple_size<touchstone::tests::Asked<Op, Ts...>>
     : std::tuple_size<typename touchstone::tests::ArgumentsOf<Op, Ts...>::type> {};

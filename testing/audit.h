@@ -6,21 +6,21 @@
 #include "audit/engines/serve.h"
 #include "testing/asked.h"
 
-/// An audit of an engine inside a test, without a second process: a crash of the engine is a crash of the test.
+/// An audit of an engine inside a test, without a second process: a crash of the engine crashes the test.
 ///
 ///   MyEngine engine;                                       // as for TOUCHSTONE_ENGINE_MAIN, see docs/engines.md
 ///   CHECK(findings(tests::audit(engine, {.operations = {"segment_segment"}, .cases = 5000})) == "");
 namespace touchstone::tests {
 
 struct AuditOptions {
-  std::vector<std::string> operations{};  ///< by name; none: all that the engine has
-  std::vector<std::string> families{};    ///< none: all
-  std::uint64_t cases = 2000;             ///< per operation, dealt out over its families in turn
+  std::vector<std::string> operations{};  ///< by name; empty: all that the engine has
+  std::vector<std::string> families{};    ///< empty: all
+  std::uint64_t cases = 2000;             ///< per operation, spread over its families in turn
   std::uint64_t seed = 1;
-  Sizes sizes = Sizes::any;  ///< ordinary: the others are drawn and left out
+  Sizes sizes = Sizes::any;  ///< ordinary: questions of other sizes are drawn and skipped
 };
 
-/// A C++ engine asked in this process.
+/// A C++ engine that is asked in this process.
 template <class E>
 class InProcess final : public audit::Engine {
  public:
@@ -28,7 +28,7 @@ class InProcess final : public audit::Engine {
   const catalogue::Declaration& declaration() const override { return served_.hello.declaration; }
   bool supports(const std::string& operation) const override { return served_.operations.count(operation) != 0; }
 
-  /// Of the operations that it has.
+  /// The operations that the engine has.
   std::vector<std::string> names() const { return {served_.hello.operations.begin(), served_.hello.operations.end()}; }
 
   void ask_each(const Operation& operation, const std::vector<catalogue::Question>& questions,
@@ -42,7 +42,7 @@ class InProcess final : public audit::Engine {
     try {
       const auto said = answerer(question);
       if (!said) return {audit::Reply::Kind::unsupported, nullptr, ""};
-      // Read back as if it had come through a pipe: the judge takes numbers as they were written.
+      // Parsed as if it had come through a pipe: the judge takes numbers as they were written.
       return {audit::Reply::Kind::answered, catalogue::parse_line(catalogue::one_line(*said)), ""};
     } catch (const std::exception& thrown) {
       return {audit::Reply::Kind::failed, nullptr, thrown.what()};
@@ -54,9 +54,9 @@ class InProcess final : public audit::Engine {
   audit::Served served_;
 };
 
-/// What the oracle says of the engine's answers, counted by operation, family and verdict, with the smallest failing
-/// input of each. The same options give the same tally. Throws InvalidInput where there is no operation or family of a
-/// name, or the engine does not have the operation.
+/// The oracle's verdicts on the engine's answers, counted by operation, family and verdict, with the smallest failing
+/// input of each. The same options give the same tally. Throws InvalidInput if an operation or a family does not exist,
+/// or if the engine does not have the operation.
 template <class E>
 audit::Tally audit(E& engine, const AuditOptions& options = {}) {
   const InProcess<E> asked(engine);
@@ -87,7 +87,8 @@ audit::Tally audit(E& engine, const AuditOptions& options = {}) {
   return audit::run_audit(all, stop, [](const std::string&, std::uint64_t) {});
 }
 
-/// "rounding in 12 of 300 cases: the truth is on, it says left" and the best example, with the command that repeats it.
+/// Describes failures, as in "rounding in 12 of 300 cases: the truth is on, it says left", with the best example and
+/// the command that repeats it.
 inline std::string in_words(const Operation& operation, const audit::Cell& cell, const audit::Way& way,
                             const audit::WayCount& count) {
   std::string text = std::string(name_of(way.verdict)) + " in " + std::to_string(audit::both(count.cases)) + " of " +
@@ -100,8 +101,8 @@ inline std::string in_words(const Operation& operation, const audit::Cell& cell,
          "' | touchstone ask " + operation.name() + " -\n";
 }
 
-/// Empty where an audit found nothing; else a paragraph for each operation, family and way of failing: how often, an
-/// example, what the engine said, and the command that asks for the truth.
+/// Returns "" if an audit found nothing; otherwise a paragraph for each operation, family and kind of failure: how
+/// often it failed, an example, the engine's answer, and the command that asks for the truth.
 inline std::string findings(const audit::Tally& tally) {
   std::string text;
   for (const audit::OperationTally& operation : tally.operations) {

@@ -13,7 +13,7 @@
 #include "testing/asked.h"
 #include "testing/words.h"
 
-/// Catch2, version 2 or 3: laws of an operation that are shrunk where they fail, generators, and shapes and answers
+/// Catch2, version 2 or 3: laws of an operation that shrink their counterexamples, generators, and shapes and answers
 /// that print themselves in CHECK. RapidCheck is not needed.
 ///
 ///   #include <touchstone/robust/lines/segment_segment.h>
@@ -28,8 +28,8 @@
 ///   }
 namespace touchstone::tests {
 
-/// Fails the test with the simplest question found for which the law does not return true, or throws. The whole of it,
-/// with the line that asks for the truth, goes to standard error: Catch2 would break it at 80 columns.
+/// Fails the test with the simplest question found for which the law does not return true, or throws. The full report,
+/// with the command that asks for the truth, goes to standard error: Catch2 would break it at 80 columns.
 template <class Row, class... Ts, class Law>
 void always(const Law& law, const Options& options = {}) {
   const auto found = counterexample<Row, Ts...>(law, options);
@@ -41,7 +41,7 @@ void always(const Law& law, const Options& options = {}) {
   FAIL(shown(*found));
 }
 
-/// Endless; `cases` of the options is not looked at.
+/// Endless; ignores `cases` of the options.
 template <class Row, class... Ts>
 class Generator final : public Catch::Generators::IGenerator<Asked<Row, Ts...>> {
  public:
@@ -64,7 +64,7 @@ class Generator final : public Catch::Generators::IGenerator<Asked<Row, Ts...>> 
   Asked<Row, Ts...> now_;
 };
 
-/// For GENERATE: the same questions as `always` asks with the same options. They are not shrunk.
+/// For GENERATE: the same questions as `always` asks with the same options. They do not shrink.
 template <class Row, class... Ts>
 Catch::Generators::GeneratorWrapper<Asked<Row, Ts...>> drawn(const Options& options = {}) {
 #ifdef CATCH_ALL_HPP_INCLUDED

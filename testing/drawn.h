@@ -9,13 +9,14 @@
 
 #include "catalogue/operation/operation.h"
 
-/// Questions of the catalogue and the draws that give them, whatever test framework draws them.
+/// Questions of the catalogue with the draws that produce them, for any test framework.
 namespace touchstone::tests {
 
 using catalogue::DrawStream;
 using catalogue::Operation;
 
-/// A question and the draws that give it. Shrinking works on the draws, so that what shrinks stays in its family.
+/// A question and the draws that produce it. Shrinking works on the draws, so that a shrunk question stays in its
+/// family.
 struct Drawn {
   const Operation* operation = nullptr;
   std::size_t family = 0;
@@ -29,14 +30,14 @@ inline Drawn replayed(const Operation& operation, std::size_t family, std::vecto
   return {&operation, family, std::move(bytes), std::move(question)};
 }
 
-/// The draws of a seed written down.
+/// Records the draws of a seed.
 inline Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed) {
   DrawStream draws = DrawStream::seeded(seed, true);
   catalogue::Question question = operation.draw(draws, family);
   return {&operation, family, draws.recorded(), std::move(question)};
 }
 
-/// Whether the question is within the operation's contract: families also draw what `robust` refuses.
+/// Returns whether the question is within the operation's contract: families also draw what `robust` refuses.
 inline bool is_valid(const Drawn& drawn) {
   try {
     drawn.operation->row().robust(drawn.question, 0);
@@ -46,7 +47,7 @@ inline bool is_valid(const Drawn& drawn) {
   }
 }
 
-/// Operation and family, the question in decimal and in hexadecimal, and the command that asks it.
+/// Prints operation and family, the question in decimal and in hexadecimal, and the command that asks it.
 inline std::string shown(const Drawn& drawn) {
   const std::string name = drawn.operation->name();
   const std::string exact = catalogue::one_line(drawn.operation->print_hexadecimal(drawn.question));
@@ -55,7 +56,7 @@ inline std::string shown(const Drawn& drawn) {
          "' | touchstone ask " + name + " -";
 }
 
-/// Simpler draw streams than this one: shorter ones first, then those of smaller bytes.
+/// Returns simpler draw streams: shorter ones first, then those with smaller bytes.
 inline std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& bytes) {
   std::vector<std::vector<std::uint8_t>> found;
   for (std::size_t length = bytes.size(); length > 0; length /= 2) {

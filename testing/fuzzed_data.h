@@ -21,11 +21,11 @@ namespace touchstone::tests {
 
 class FuzzedData {
  public:
-  /// The bytes are not copied.
+  /// Does not copy the bytes.
   FuzzedData(const std::uint8_t* bytes, std::size_t size) : draws_(DrawStream::replayed({bytes, size})) {}
 
-  /// The next question; empty where it is outside the operation's contract, or of another alternative. The bytes of a
-  /// single question are those that TOUCHSTONE_ENGINE_FUZZ reads for it.
+  /// Returns the next question; nullopt if it is outside the operation's contract or of another alternative.
+  /// TOUCHSTONE_ENGINE_FUZZ reads the same bytes as a single question.
   template <class Row, class... Ts>
   std::optional<Asked<Row, Ts...>> question() {
     const Operation& operation = operation_of<Row>();
@@ -35,14 +35,14 @@ class FuzzedData {
     return typed<Row, Ts...>(std::move(drawn));
   }
 
-  /// 0 <= result < n, n >= 1: for whatever else the test draws.
+  /// 0 <= result < n, n >= 1. For anything else that the test draws.
   std::uint64_t below(std::uint64_t n) { return draws_.below(n); }
 
  private:
   DrawStream draws_;
 };
 
-/// Prints the question, with the line that asks for the truth, and aborts, which libFuzzer keeps as a crash.
+/// Prints the question and the command that asks for the truth, and aborts; libFuzzer keeps the input as a crash.
 template <class Row, class... Ts>
 [[noreturn]] void fail(const Asked<Row, Ts...>& asked, const std::string& remark = "") {
   std::fprintf(stderr, "%s%s%s\n", remark.c_str(), remark.empty() ? "" : "\n", shown(asked).c_str());

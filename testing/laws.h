@@ -4,7 +4,7 @@
 #include "catalogue/operation/probes/symmetries.h"
 #include "testing/asked.h"
 
-/// The exact symmetries of an operation, asked of somebody's function: no truth is needed.
+/// Checks a function against the exact symmetries of an operation, without any truth.
 ///
 ///   const auto question = *questions<operations::orientation>();
 ///   RC_ASSERT(broken_law(question, my::orientation) == "");
@@ -12,9 +12,9 @@ namespace touchstone::tests {
 
 using catalogue::Compared;
 
-/// The law that a function of the operation's arguments breaks for a question ("arguments exchanged", "times a power of
-/// two", "a symmetry of the axes", "an integer similarity", "an integer map"); "" where it breaks none. The function
-/// returns the whole answer, the word that decides, or a bool.
+/// Returns the law that a function of the operation's arguments breaks for a question ("arguments exchanged", "times a
+/// power of two", "a symmetry of the axes", "an integer similarity", "an integer map"); "" if it breaks none. The
+/// function returns the full answer, the enumerator that decides, or a bool.
 template <class Row, class... Ts, class Mine>
 std::string broken_law(const Asked<Row, Ts...>& asked, const Mine& mine, Compared compared = Compared::decisions) {
   using Arguments = typename Asked<Row, Ts...>::Arguments;
@@ -26,7 +26,7 @@ std::string broken_law(const Asked<Row, Ts...>& asked, const Mine& mine, Compare
   using Answer = std::decay_t<decltype(answer(asked.drawn.question))>;
   const Operation& operation = *asked.drawn.operation;
   const auto packed_answer = [&](const catalogue::Question& question) {
-    operation.row().robust(question, 0);  // throws InvalidInput where an image is outside the contract
+    operation.row().robust(question, 0);  // throws InvalidInput if an image is outside the contract
     return catalogue::packed(answer(question));
   };
   return catalogue::broken_law(operation, asked.drawn.question, packed_answer, catalogue::shape_of<Answer>(), compared);

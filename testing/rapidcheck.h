@@ -24,7 +24,7 @@ void showValue(const Asked<Row, Ts...>& asked, std::ostream& os) {
   os << shown(asked);
 }
 
-/// A question and, as its shrinks, those of simpler draws, valid or not.
+/// A question, with the questions of simpler draws as its shrinks, valid or not.
 inline rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
   return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& parent) {
     std::vector<Drawn> smaller;
@@ -34,7 +34,7 @@ inline rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
   });
 }
 
-/// The same of one operation's valid questions of these sizes.
+/// The same for valid questions of one operation and of these sizes.
 template <class Row, class... Ts>
 rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked, Sizes sizes) {
   return rc::shrinkable::shrinkRecur(std::move(asked), [sizes](const Asked<Row, Ts...>& parent) {
@@ -48,11 +48,10 @@ rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked, Sizes size
   });
 }
 
-/// Questions of an operation: questions<operations::orientation>(), of some families
-/// questions<operations::orientation>({"collinear"}), without the ends of the range
-/// questions<operations::orientation>({}, Sizes::ordinary), and of one alternative alone
-/// questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws InvalidInput where the operation has no such
-/// family.
+/// Generates questions of an operation: questions<operations::orientation>(), of some families
+/// questions<operations::orientation>({"collinear"}), without extreme magnitudes questions<operations::orientation>({},
+/// Sizes::ordinary), and of one alternative alone questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws
+/// InvalidInput if the operation has no such family.
 template <class Row, class... Ts>
 rc::Gen<Asked<Row, Ts...>> questions(const std::vector<std::string>& families = {}, Sizes sizes = Sizes::any) {
   return [chosen = families_named(operation_of<Row>(), families), sizes](const rc::Random& random, int) {
@@ -64,7 +63,7 @@ rc::Gen<Asked<Row, Ts...>> questions(const std::vector<std::string>& families = 
 
 namespace touchstone {
 
-/// Shapes and answers as JSON, enumerators as their words.
+/// Prints shapes and answers as JSON, enumerators by name.
 template <audit::Printed T>
 void showValue(const T& value, std::ostream& os) {
   os << audit::printed(value);

@@ -5,16 +5,16 @@
 
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/shape/described_bodies.h"
-#include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/shape/described_rays.h"
+#include "catalogue/shape/described_simultaneous.h"
 
 namespace touchstone::audit {
 
-/// What test frameworks print by our codec: shapes, answers, enumerators.
+/// The types that test frameworks print by our codec: shapes, answers, enumerators.
 template <class T>
 concept Printed = Composite<T> ||(Enumeration<T>&& requires { Words<T>::words; });
 
-/// JSON, with decimals that read back to the same double; an enumerator as its word.
+/// Prints JSON, with decimals that read back to the same double; an enumerator prints as its name.
 template <Printed T>
 std::string printed(const T& value) {
   if constexpr (Enumeration<T>) return Words<T>::words[static_cast<std::size_t>(value)];

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::uint64_t asked_at_once = 256;
 
-/// A question that both engines can take, and where it is from.
+/// A question that both engines accept, and its origin.
 struct Asking {
   Question question;
   std::string family;
   std::uint64_t index;
 };
 
-/// A recorded call that the engine is yet to be asked.
+/// A recorded call about which the engine has not been asked yet.
 struct Waiting {
   Asking asking;
   Reply recorded;
@@ -38,7 +38,7 @@ bool answered_by_both(const Operation& operation, const Question& question, cons
          takes_alternative(operation, question, engines.second->declaration());
 }
 
-/// Whether a question breaks the contract.
+/// True if a question breaks the contract.
 bool refused(const Operation& operation, const Question& question) {
   try {
     operation.row().robust(question, 0);
@@ -48,7 +48,7 @@ bool refused(const Operation& operation, const Question& question) {
   }
 }
 
-/// Counts one question, of which both replies are there. Throws InvalidInput where the oracle refuses it.
+/// Counts one question with both replies. Throws InvalidInput if the oracle refuses it.
 void compare(PartedOperation& sum, const Operation& operation, const Asking& asking, const Reply& first,
              const Declaration& declared_first, const Reply& second, const Declaration& declared_second) {
   if (!first.asked || !second.asked) {
@@ -65,7 +65,7 @@ void compare(PartedOperation& sum, const Operation& operation, const Asking& ask
            judged(first, *examination, declared_first), judged(second, *examination, declared_second)});
 }
 
-/// The same two verdicts on different answers.
+/// Accepts questions with the same two verdicts on different answers.
 class StillApart final : public Interest {
  public:
   StillApart(const Operation& operation, std::vector<EnginePair>& engines, Parting& parting)
@@ -184,7 +184,7 @@ void PartedOperation::merge(PartedOperation other) {
 bool same_reply(const Operation& operation, const Reply& a, const Reply& b) {
   if (a.kind != b.kind) return false;
   if (a.kind != Reply::Kind::answered || one_line(a.answer) == one_line(b.answer)) return true;
-  // Fields may stand in another order, and numbers be written otherwise.
+  // Fields may be in a different order, and numbers written differently.
   const auto as_read = [&](const Json& answer) {
     return one_line(answer_json(operation, recorded_answer(operation, answer)));
   };

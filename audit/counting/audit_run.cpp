@@ -14,7 +14,7 @@ namespace touchstone::audit {
 namespace {
 
 constexpr std::uint64_t batch_size = 1024;
-/// Where time is limited: what is left to do when it is over is to judge one such batch.
+/// Used under a time limit: when it expires, at most one such batch remains to be judged.
 constexpr std::uint64_t limited_batch_size = 64;
 
 /// One job: a share of the batches of one operation.
@@ -43,7 +43,7 @@ class Worker {
       });
     }
     for (std::size_t i = 0; i < pending.size(); ++i) {
-      if (engine_ == nullptr && limit_.over()) break;  // what an engine has answered is judged
+      if (engine_ == nullptr && limit_.over()) break;  // an engine's answers are judged in any case
       Pending& p = pending[i];
       const Asked asked{operation_, p.question, p.examination->outcome(), p.index, options_.limits};
       if (engine_ == nullptr) {
@@ -61,7 +61,7 @@ class Worker {
       }
       const Judgement& judgement = p.examination->judge_robust();
       count(robust_[p.family], asked, judgement, is_shown(judgement) ? p.examination->robust() : Json());
-      p.examination.reset();  // with all that it has computed
+      p.examination.reset();  // and all its computed values
     }
   }
 
@@ -123,7 +123,7 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
   throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
 }
 
-/// The first of the cases that belong to the shard after `shard`.
+/// The index of the first case that belongs to the shard after `shard`.
 std::uint64_t bound(const AuditOptions& options, const Operation& operation, std::uint64_t shard) {
   const std::uint64_t cases = cases_of(operation, options.cases, options.by_cost);
   return static_cast<std::uint64_t>(static_cast<unsigned __int128>(cases) * shard / options.shards);
@@ -185,7 +185,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
         try {
           workers[w].run_batch(first, std::min(first + batch, last_case));
         } catch (...) {
-          next = last_case;  // nobody needs the answers that the others would get
+          next = last_case;  // the answers that the others would get are not needed
           throw;
         }
         progress(operation->name(), first - first_case);

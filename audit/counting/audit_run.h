@@ -13,29 +13,30 @@ namespace touchstone::audit {
 struct AuditOptions {
   std::vector<const Operation*> operations;
   std::vector<std::string> families;  ///< empty: all
-  std::uint64_t cases = 20000;        ///< per operation, dealt out over its families in turn
-  bool by_cost = false;  ///< fewer of operations that cost much (audit/counting/cases_of.h); of one shard alone
+  std::uint64_t cases = 20000;        ///< per operation, spread over its families in turn
+  bool by_cost = false;               ///< fewer for expensive operations (audit/counting/cases_of.h); within one shard
   std::uint64_t seed = 1;
-  Limits limits;               ///< of ordinary numbers
-  bool ordinary_only = false;  ///< extreme questions are drawn and left out
-  /// Per operation, looked at before each answer, also while findings are made smaller; 0: no limit. With a limit the
+  Limits limits;               ///< limits of ordinary numbers
+  bool ordinary_only = false;  ///< extreme questions are drawn and skipped
+  /// Time limit per operation, checked before each answer and while findings are shrunk; 0: no limit. With a limit the
   /// number of cases depends on the machine.
   double seconds = 0;
   std::function<double()> clock = TimeLimit::seconds_of_machine;
   int jobs = 1;
-  std::uint64_t shard = 1, shards = 1;  ///< of each operation's cases only these: the I-th of N shares
-  /// An audit with these options that was stopped, from `after_operation`: its operations are not asked again.
+  std::uint64_t shard = 1, shards = 1;  ///< asks only the I-th of N shares of each operation's cases
+  /// The tally so far of an interrupted audit with these options, from `after_operation`: its operations are not asked
+  /// again.
   std::optional<Tally> counted{};
-  std::function<void(const Tally&)> after_operation{};  ///< hears what is counted so far
-  /// Hears how many findings of an operation have been made smaller, and of how many; from any thread.
+  std::function<void(const Tally&)> after_operation{};  ///< called with the tally so far
+  /// Called with the number of an operation's findings that have been shrunk, and their total; from any thread.
   std::function<void(const Operation&, std::size_t, std::size_t)> smaller{};
-  /// A fresh engine; called once a job. Empty: our reference in double.
+  /// Makes a fresh engine; called once per job. Empty: our reference in double.
   std::function<std::unique_ptr<Engine>()> engine;
 };
 
-/// Asks the engine and robust the same questions, of the operations that the engine declares; judges both by the oracle
-/// and shrinks what it found. The same options give the same tally whatever `jobs` is. `stop` ends the run early with
-/// what there is; `progress` hears (operation, cases done).
+/// Asks the engine and robust the same questions, for the operations that the engine declares; judges both by the
+/// oracle and shrinks the findings. The same options give the same tally whatever `jobs` is. `stop` ends the run early
+/// and returns the tally so far; `progress` is called with (operation, cases done).
 Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&, std::uint64_t)>& progress);
 

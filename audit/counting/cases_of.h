@@ -9,8 +9,8 @@
 
 namespace touchstone::audit {
 
-/// How many cases of an operation are asked where so many are to be asked of each: `by_cost`, of one that costs more
-/// than ten of the cheapest so many fewer as it costs more, but 100 at least.
+/// The number of cases of an operation, out of those requested for each: with `by_cost`, an operation that costs more
+/// than ten times the cheapest gets fewer in proportion, but at least 100.
 inline std::uint64_t cases_of(const Operation& operation, std::uint64_t cases, bool by_cost) {
   const auto cost = static_cast<std::uint64_t>(operation.metadata().cost);
   if (!by_cost || cost <= 10) return cases;

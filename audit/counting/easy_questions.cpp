@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t wanted = 5;
 
-/// Multiples of 1/8 below 1,024: products of a few of them are exact in float as well.
+/// True for multiples of 1/8 below 1,024: products of a few of them are exact in float, too.
 bool is_short(double number) { return std::fabs(number) < 1024 && number * 8 == std::trunc(number * 8); }
 
 bool is_easy(const Examination& examination, bool binary32) {
@@ -24,15 +24,15 @@ bool is_easy(const Examination& examination, bool binary32) {
   return examination.judge_reference(binary32).verdict == Verdict::agree && !examination.inconclusive(binary32);
 }
 
-/// Where questions are looked for, in this order, until there are enough.
+/// The sources of questions, used in this order until there are enough.
 struct Source {
   std::uint64_t draws;  ///< of each family
-  bool generic;         ///< the family "random" alone, its numbers made short: nothing is in line with anything
+  bool generic;         ///< only the family "random", with its numbers shortened: nothing is aligned
   bool only_short;
 };
 constexpr Source sources[] = {{400, true, true}, {60, false, true}, {60, false, false}};
 
-/// Questions by what is true of them, and which alternative they are (in the plane, in space).
+/// Questions by their truth and their alternative (in the plane, in space).
 class Examples {
  public:
   Examples(const Operation& operation, const Declaration& declaration)
@@ -57,7 +57,7 @@ class Examples {
     }
   }
 
-  /// In turn of every truth and alternative.
+  /// Takes questions from every truth and alternative in turn.
   std::vector<EasyQuestion> chosen() {
     std::vector<EasyQuestion> all;
     for (std::size_t i = 0; i < wanted; ++i) {

@@ -9,9 +9,9 @@
 
 namespace touchstone::audit {
 
-/// At most five questions of an operation that every implementation answers rightly whose fields and words are the
-/// right ones: short numbers, nothing that only touches, and the textbook formula in double (or float) is right;
-/// meshes look outwards, as most engines expect. Of as many different truths as were found. The same every time.
+/// At most five questions of an operation that every implementation answers rightly if it maps fields and enumerators
+/// correctly: short numbers, nothing that only touches, and the textbook formula in double (or float) is right; meshes
+/// face outwards, as most engines expect. They cover as many different truths as were found. The same every time.
 struct EasyQuestion {
   Question question;
   std::unique_ptr<Examination> examination;

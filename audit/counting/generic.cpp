@@ -29,7 +29,7 @@ bool is_vector(const Shape& shape) {
   return shape.kind == Shape::Kind::record && shape.meaning == Meaning::direction && shape.fixed &&
          shape.numbers == shape.parts.size();
 }
-/// By two corners.
+/// True for a shape given by two corners.
 bool is_box(const Shape& shape) { return shape.parts.size() == 2 && std::strcmp(shape.parts[0].name, "min") == 0; }
 
 void collect(const Shape& shape, Cursor<double>& from, Points& points) {
@@ -62,7 +62,7 @@ void collect(const Shape& shape, Cursor<double>& from, Points& points) {
   }
 }
 
-/// Where a value begins and ends.
+/// The range of a value.
 struct Extent {
   Cursor<double> from, to;
   std::size_t numbers() const { return static_cast<std::size_t>(to.number - from.number); }
@@ -72,7 +72,7 @@ bool same(const Extent& a, const Extent& b) {
          std::equal(a.from.word, a.to.word, b.from.word, b.to.word);
 }
 
-/// Counts what degenerates a value, part by part.
+/// Counts the degenerate features of a value, part by part.
 class Features {
  public:
   std::size_t count = 0;
@@ -160,7 +160,7 @@ struct OnAxis {
   }
 };
 
-/// On one line in space if their shadows are on each of two planes of coordinates, and on the third.
+/// Points are collinear in space if their projections on two coordinate planes are, and on the third.
 bool on_one_line(const std::array<double, 3>& a, const std::array<double, 3>& b, const std::array<double, 3>& c) {
   const auto in_shadow = [&](std::size_t u, std::size_t v) {
     return robust::orientation({a[u], a[v]}, {b[u], b[v]}, {c[u], c[v]}) == Side::on;

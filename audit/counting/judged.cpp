@@ -55,7 +55,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   WayCount& counted = cell.ways[way];
   ++counted.cases[r];
   if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
-  // A decision that rounding may have taken, or none at all, says nothing about the convention.
+  // A decision that rounding may have made, or that is missing, reveals nothing about the convention.
   const bool meant =
       judgement.clear && (verdict != Verdict::rounding || judgement.number) && verdict != Verdict::invalid;
   if (meant && judgement.touch_reading > 0) ++cell.touches_closed;

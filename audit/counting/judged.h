@@ -7,41 +7,40 @@
 /// One case of an audit: drawn, judged and counted.
 namespace touchstone::audit {
 
-/// The verdict on what an engine replied to a question.
+/// The verdict on an engine's reply to a question.
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
 
-/// What is kept of a reply.
+/// The part of a reply that is kept.
 struct JudgedReply {
-  Judgement judgement;  ///< where the engine was not asked, its remark says why
-  Json answer;          ///< as kept; null where the judgement is no finding's
+  Judgement judgement;  ///< if the engine was not asked, its remark says why
+  Json answer;          ///< as kept; null if the verdict is not a finding
   bool asked = true;
 };
 JudgedReply judged_and_kept(const Reply& reply, const Examination& examination, const Declaration& declaration);
 
-/// Whether a case with this judgement may be an example of its way of answering.
+/// True if a case with this judgement may be an example of its outcome.
 bool is_shown(const Judgement& judgement);
 
-/// A case as it is counted.
+/// A case in the form in which it is counted.
 struct Asked {
   const Operation& operation;
   const Question& question;
   std::string truth;        ///< Examination::outcome(), or "refused"
-  std::uint64_t index = 0;  ///< within its operation and family
+  std::uint64_t index = 0;  ///< its number within its operation and family
   Limits limits = {};
   std::string vector{};  ///< as in Finding
 };
 
-/// Counts a judged case into a cell, and keeps it, with its answer as kept, if it is the best example of its way of
-/// answering.
+/// Counts a judged case into a cell, and keeps it, with its answer as kept, if it is the best example of its outcome.
 void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer = nullptr);
 
-/// How a judged case was answered.
+/// The outcome of a judged case.
 Way way_of(const Judgement& judgement, const std::string& truth);
 
-/// Our reference in double, as if it were somebody's engine.
+/// The declaration of our reference in double, as if it were a foreign engine.
 const Declaration& reference_declaration();
 
-/// The draws that give case `index` of a family.
+/// The draws of case `index` of a family.
 DrawStream case_draws(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
                       bool record = false);
 

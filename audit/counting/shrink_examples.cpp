@@ -17,15 +17,15 @@
 namespace touchstone::audit {
 namespace {
 
-/// What an engine may say while one finding is made smaller. Bytes, because the same run shall find the same whatever
-/// the machine's speed; 300 answers of usual length are a tenth of it.
+/// A limit on the engine's output while one finding is shrunk. In bytes, because the same run must find the same
+/// whatever the machine's speed; 300 answers of usual length are a tenth of it.
 constexpr std::size_t most_read_to_shrink = 1 << 20;
 constexpr std::size_t most_families = 4;
-/// Of Metadata::cost. Half a second an operation where 2,000 cases of it are asked; the dearest get a little at any
-/// rate.
+/// In units of Metadata::cost. Half a second per operation if 2,000 cases of it are asked; the most expensive ones get
+/// a little in any case.
 constexpr std::uint64_t effort_of_a_case = 5, least_solves = 100;
 
-/// How much there is to compute of a question, as far as its length says.
+/// The amount of computation for a question, judging by its length.
 std::uint64_t numbers_in(const Question& question) { return 1 + question.numbers.size() + question.words.size(); }
 
 /// One example, and the draw streams around it.
@@ -37,8 +37,8 @@ class Shrinker {
   const Finding& example() const { return example_; }
   bool ended() const { return ended_; }
 
-  /// Goes on from what it has until nothing smaller is found, or until it has spent so much; returns how much it spent.
-  /// `smaller`: otherwise the question stays as drawn, and is examined.
+  /// Continues from the current state until nothing smaller is found, or the effort is spent; returns the effort spent.
+  /// `smaller`: if false, the question stays as drawn, and is only examined.
   std::uint64_t shrink(std::uint64_t effort, std::uint64_t usual_length, bool smaller) {
     ended_ = true;
     if (shrinking_.limit.over()) return 0;
@@ -78,7 +78,7 @@ class Shrinker {
     return true;
   }
 
-  /// The question of these draws, where it is answered in the same way.
+  /// The question of these draws, if it has the same outcome.
   std::optional<Finding> look(const std::vector<std::uint8_t>& bytes) {
     const Operation& operation = shrinking_.operation;
     Engine* const engine = shrinking_.engine;
@@ -118,14 +118,15 @@ class Shrinker {
   const Way& way_;
   Finding& example_;
   std::vector<std::uint8_t> draws_{};
-  std::set<std::vector<std::uint8_t>> refused_{};  ///< not asked again when it goes on
+  std::set<std::vector<std::uint8_t>> refused_{};  ///< not asked again when shrinking continues
   int most_solves_ = 0;
   std::uint64_t effort_ = 0, spent_ = 0, usual_length_ = 1;
   std::size_t read_ = 0;
   bool begun_ = false, ended_ = false;
 };
 
-/// Examples in the order in which they are made smaller: that of each way which is shown, then of its next families.
+/// Examples in the order in which they are shrunk: first the one of each outcome that is shown, then those of its next
+/// families.
 struct Waves {
   std::vector<Shrinker> shown, others, rest;
 };
@@ -138,7 +139,7 @@ Waves waves_of(const Shrinking& shrinking, const std::vector<std::size_t>& famil
   }
   Waves waves;
   for (auto& [way, examples] : by_way) {
-    // Indices, as a shrinker refers to its example and stays where it is.
+    // Sorts indices, because a shrinker refers to its example and must not move.
     std::vector<std::size_t> order(examples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&, &all = examples](std::size_t a, std::size_t b) {
@@ -170,13 +171,13 @@ void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>&
   const auto cost = static_cast<std::uint64_t>(shrinking.operation.metadata().cost);
   std::uint64_t left = shrinking.effort;
   std::atomic<std::size_t> done{0};
-  // One engine is asked one question after the other.
+  // A single engine is asked one question after the other.
   const int jobs = shrinking.engine != nullptr ? 1 : shrinking.jobs;
   for (auto* wave : {&waves.shown, &waves.others, &waves.rest}) {
     const bool smaller = wave != &waves.rest;
     std::vector<Shrinker*> open;
     for (std::size_t i = 0; i < wave->size() && (i + 1) * cost <= left; ++i) open.push_back(&(*wave)[i]);
-    // What one did not need goes to those that had too little. The shares are the same whatever the machine does.
+    // Unused shares go to examples that had too little. The shares are the same on every machine.
     for (bool first = true; !open.empty() && left >= open.size() * cost; first = false) {
       const std::uint64_t share = left / open.size();
       std::vector<std::uint64_t> spent(open.size());

@@ -13,9 +13,8 @@
 namespace touchstone::audit {
 namespace {
 
-/// How much there is to read in a list of numbers: the digits that they take when written out without exponents, so
-/// that
-/// 0.1 is shorter than 5e-324 although both have one significant digit; then the powers of ten.
+/// The length of a list of numbers for a reader: the digits of the numbers written out without exponents, so that 0.1
+/// is shorter than 5e-324 although both have one significant digit; then the powers of ten.
 struct Length {
   std::uint64_t digits = 0, exponents = 0;
 };
@@ -72,7 +71,7 @@ std::vector<std::string> names_of_operations() {
   return operations;
 }
 
-/// Each once, in the catalogue's order.
+/// Removes duplicates and sorts in the catalogue's order.
 void put_in_order(std::vector<std::string>& names) {
   const std::vector<std::string> operations = names_of_operations();
   std::sort(names.begin(), names.end(),
@@ -80,7 +79,7 @@ void put_in_order(std::vector<std::string>& names) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
 }
 
-/// The catalogue's order, whatever was merged first; operations and families that it does not know come last, by name.
+/// Sorts in the catalogue's order, whatever was merged first; unknown operations and families come last, by name.
 void put_in_order(std::vector<OperationTally>& tallies) {
   const std::vector<std::string> operations = names_of_operations();
   std::sort(tallies.begin(), tallies.end(), [&](const OperationTally& a, const OperationTally& b) {
@@ -127,7 +126,7 @@ void require_disjoint(const Tally& a, const Tally& b) {
   }
   for (const std::uint64_t shard : a.grid.done) {
     if (std::binary_search(b.grid.done.begin(), b.grid.done.end(), shard)) {
-      throw InvalidInput("grid.done", "every shard once (" + std::to_string(shard) + " is there twice)");
+      throw InvalidInput("grid.done", "duplicate shard " + std::to_string(shard));
     }
   }
 }
@@ -334,7 +333,7 @@ void Tally::merge(const Tally& other) {
   seed = std::min(seed, other.seed);
   for (const std::string& log : other.logs)
     if (std::find(logs.begin(), logs.end(), log) == logs.end()) logs.push_back(log);
-  if (grid.size == 0 && grid.shards == 1) cases += other.cases;  // every shard names the whole
+  if (grid.size == 0 && grid.shards == 1) cases += other.cases;  // every shard names the full number
   interrupted = interrupted || other.interrupted;
 }
 

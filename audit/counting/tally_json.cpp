@@ -14,7 +14,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// Null where robust and oracle refuse the question.
+/// Null if robust and oracle refuse the question.
 Json truth_json(const Operation& operation, const Finding& finding) {
   try {
     return finding.examination(operation).truth();
@@ -23,7 +23,7 @@ Json truth_json(const Operation& operation, const Finding& finding) {
   }
 }
 
-/// Whose tallies they are.
+/// The engine whose tallies they are.
 struct Whose {
   const Tally& tally;
   bool robust;
@@ -206,7 +206,7 @@ void read_way(const Operation& operation, Cell& cell, const Place& place) {
       throw InvalidInput(place.at("out_of_range").path, "no more than cases");
   }
   if (place.value.contains("example")) counted.example = read_finding(operation, way, place.at("example"));
-  if (!cell.ways.emplace(way, counted).second) throw InvalidInput(place.path, "every way once");
+  if (!cell.ways.emplace(way, counted).second) throw InvalidInput(place.path, "duplicate outcome");
 }
 
 std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& place) {
@@ -214,7 +214,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   place.at("ways").each([&](const Place& way) { read_way(operation, cell, way); });
   place.at("counts").each_member([&](const std::string& key, const Place& n) {
     const auto verdict = static_cast<Verdict>(Place{key, n.path}.one_of(verdict_words()));
-    if (n.count() != cell.count(verdict)) throw InvalidInput(n.path, "sum of the ways");
+    if (n.count() != cell.count(verdict)) throw InvalidInput(n.path, "sum of the outcomes");
   });
   cell.touches_closed = place.at("touches").at("closed").count();
   cell.touches_open = place.at("touches").at("open").count();

@@ -24,22 +24,22 @@
 ///                                "range":"ordinary", "features":0, "repeat":"echo ... | touchstone ask ..."}}}]}],
 ///    "robust":[...the same...]}
 ///
-/// `ways` counts everything (audit/counting/tally.h: Way, WayCount); what else is counted by verdict or truth are its
-/// sums, and `smallest` is the best of its examples for each verdict. `truth` is exact and null where the question is
-/// refused; `cause` is the verdict, or of `rounding` its kind. Where the verdict is about a number, `number` is
-/// {"exact":0, "answered":-1.92}, the exact one as the nearest of the engine's type. `touch`: how a touch was answered,
-/// 1 as closed sets, -1 as open sets, else 0. `vector` is the id where a test vector was asked (vectors check
-/// --engine); then `index` is its line, and seed and cases are 0. Where they are not 0 a family also has `surplus`,
-/// `apart`, `left_out`, `other_nearest`, `other_alternative`, and, with the reason `given_up`, `not_asked`
-/// (audit/counting/tally.h: Cell). What an engine declares beyond the rest stands in `engine` as in its greeting;
-/// `max_surplus` is the limit that --max-surplus set. Of recorded calls `logs` names the files, seed and cases are 0,
-/// `family` is the place of the call, `index` its number in the log, and each family has `recorded`:
-/// {"nearness":{"tie":3,"1":0,...}, "in_double":0, "in_float":2, "as_open_sets":3} (audit/counting/recorded.h).
+/// `ways` counts everything (audit/counting/tally.h: Way, WayCount); the other counts by verdict or truth are its sums,
+/// and `smallest` is the best of its examples for each verdict. `truth` is exact and null if the question is refused;
+/// `cause` is the verdict, or for `rounding` its kind. If the verdict is about a number, `number` is {"exact":0,
+/// "answered":-1.92}, the exact one as the nearest of the engine's type. `touch`: how a touch was answered, 1 as closed
+/// sets, -1 as open sets, otherwise 0. `vector` is the id if a test vector was asked (vectors check --engine); then
+/// `index` is its line, and seed and cases are 0. If they are not 0 a family also has `surplus`, `apart`, `left_out`,
+/// `other_nearest`, `other_alternative`, and, with the reason `given_up`, `not_asked` (audit/counting/tally.h: Cell).
+/// Other declarations of an engine are in `engine` as in its greeting; `max_surplus` is the limit of --max-surplus. For
+/// recorded calls `logs` names the files, seed and cases are 0, `family` is the call site, `index` its number in the
+/// log, and each family has `recorded`: {"nearness":{"tie":3,"1":0,...}, "in_double":0, "in_float":2, "as_open_sets":3}
+/// (audit/counting/recorded.h).
 namespace touchstone::audit {
 
 std::string tally_json(const Tally& tally);
 
-/// Throws InvalidInput naming field and rule where the text is no such file, or of another version.
+/// Throws InvalidInput naming field and rule if the text is not such a file, or of another version.
 Tally read_tally(const std::string& text);
 
 }  // namespace touchstone::audit

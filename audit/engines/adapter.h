@@ -20,8 +20,8 @@
 ///   };
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
 ///
-/// with one member function per operation that it has, of the operation's name and arguments (geometry/*.h).
-/// docs/operations.md lists all signatures, docs/engines.md says what may be returned. A member that has an operation's
+/// with one member function for each operation that it has, with the operation's name and arguments (geometry/*.h).
+/// docs/operations.md lists all signatures, docs/engines.md the possible return types. A member that has an operation's
 /// name and does not take its arguments does not compile.
 namespace touchstone {
 
@@ -36,7 +36,7 @@ concept AnswersTo = requires(Engine& engine, const Arguments&... arguments) {
   Operation::ask(engine, arguments...);
 };
 
-/// Whether the engine has a row's operation on shapes over Real.
+/// True if the engine has an operation on shapes over Real.
 template <class Engine, class Operation, class Tuple>
 inline constexpr bool answers = false;
 template <class Engine, class Operation, class... Ts>
@@ -46,21 +46,21 @@ inline constexpr bool answers<Engine, Operation, std::variant<Ts...>> = (answers
 template <class Engine, class Operation, class Real>
 inline constexpr bool has_operation = answers<Engine, Operation, rebound_t<typename Operation::Question, Real>>;
 
-/// A struct, so that the compiler complains once.
+/// A struct, so that the compiler reports the error once.
 template <class Engine>
 struct NotFinal {
   static_assert(!std::is_final_v<Engine>, "an engine's struct is not final: else its members cannot be told by name");
 };
 template <class Engine, class Operation>
 struct EngineAndNamesake : Engine, Operation::Namesake {};
-/// Whether the engine has a member of the operation's name, of whatever kind.
+/// True if the engine has a member of the operation's name, of any kind.
 template <class Engine, class Operation>
 constexpr bool names_operation() {
   if constexpr (std::is_final_v<Engine>) return sizeof(NotFinal<Engine>) == 0;
   else return Operation::template is_ambiguous<EngineAndNamesake<Engine, Operation>>;
 }
 
-/// Does not compile where the engine has a member of the operation's name that does not take its arguments.
+/// Does not compile if the engine has a member of the operation's name that does not take its arguments.
 template <class Operation, class Engine>
 constexpr void require_signature() {
   constexpr bool has = has_operation<Engine, Operation, double> || has_operation<Engine, Operation, float>;
@@ -96,7 +96,7 @@ struct NumberOf<Engine> {
 template <class Engine>
 using number_of = typename NumberOf<Engine>::type;
 
-/// The number type over which the shapes of an operation are handed to the engine: its own where it takes that.
+/// The number type of the shapes that the engine gets for an operation: its own if it takes that.
 template <class Engine, class Operation>
 using handed_number = std::conditional_t<has_operation<Engine, Operation, number_of<Engine>>, number_of<Engine>,
                                          std::conditional_t<std::is_same_v<number_of<Engine>, double>, float, double>>;
@@ -134,7 +134,7 @@ MemberAnswer asked_of(Engine& engine, const std::variant<Ts...>& asked) {
   return visited([&](const auto& alternative) { return asked_of<Operation>(engine, alternative); }, asked);
 }
 
-/// What the engine says to one question of an operation.
+/// The engine's answer to one question of an operation.
 template <class Operation, class Engine>
 MemberAnswer ask_member(void* engine, const Question& question) {
   using Real = handed_number<Engine, Operation>;
@@ -154,10 +154,10 @@ template <class Engine, class... All>
 requires(!std::is_final_v<Engine>) inline constexpr bool names_any_of<Engine, SignatureList<All...>> =
     (names_operation<Engine, All>() || ...);
 
-/// The engine with its types forgotten. It has to outlive what is made of it.
+/// The engine with its types erased. The engine has to outlive the result.
 template <class Engine>
 EngineMembers members_of(Engine& engine) {
-  // Where there is one of the name, require_signature says what is wrong with it.
+  // If there is one of the name, require_signature reports what is wrong with it.
   using catalogue::AllSignatures;
   static_assert(has_any_of<Engine, AllSignatures> || names_any_of<Engine, AllSignatures>,
                 "the engine has no member function of the name and arguments of an operation (touchstone ops)");

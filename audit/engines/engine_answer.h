@@ -6,10 +6,10 @@
 
 #include "audit/engines/member.h"
 
-/// What a member function of an engine may return.
+/// The possible return values of an engine's member functions.
 namespace touchstone::audit {
 
-/// Whether a type is an enumeration with a word that says "they do not meet".
+/// True if a type is an enumeration with an enumerator for "they do not meet".
 template <class Word>
 inline constexpr bool can_be_false = false;
 template <Enumeration Word>
@@ -17,7 +17,7 @@ inline constexpr bool can_be_false<Word> = requires {
   Words<Word>::no;
 };
 
-/// Whether true and false are answers too: where an answer is such a word, or has one as a member.
+/// True if true and false are also answers: if the answer is such an enumerator, or has one as a member.
 template <class Answer>
 constexpr bool has_plain_reading() {
   if constexpr (Composite<Answer>) {
@@ -56,7 +56,7 @@ constexpr bool has_member_of_type() {
   return false;
 }
 
-/// Whether that word alone is an answer: whatever else the answer holds are numbers, which may be left out.
+/// True if that enumerator alone is an answer: the rest of the answer is numbers, which may be omitted.
 template <class Answer, class Word>
 constexpr bool is_the_only_word() {
   return spread(
@@ -68,8 +68,8 @@ constexpr bool is_the_only_word() {
       Described<Answer>::members);
 }
 
-/// Result: the operation's answer over double or float, its word alone, true or false where that is an answer, or a
-/// std::optional of one of these, which is empty where the engine does not support the question.
+/// Result: the operation's answer over double or float, its enumerator alone, true or false if that is an answer, or a
+/// std::optional of one of these, which is empty if the engine does not support the question.
 template <class Answer, class Result>
 MemberAnswer engine_answer(const Result& result) {
   using Kind = MemberAnswer::Kind;

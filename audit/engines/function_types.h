@@ -4,14 +4,14 @@
 #include <tuple>
 #include <variant>
 
-/// What the member functions of an engine look like, as types for the compiler's messages.
+/// The signatures of an engine's member functions, as types for the compiler's messages.
 namespace touchstone::audit {
 
 /// Function types: an operation's signature, one for each alternative of its questions.
 template <class... Functions>
 struct Signatures {};
 
-/// A question as its alternatives, also where there is only one.
+/// A question as its alternatives, even if there is only one.
 template <class Question>
 struct AlternativesOf {
   using type = std::variant<Question>;
@@ -30,7 +30,7 @@ struct FunctionOf<Answer, std::tuple<Ts...>> {
   using type = Answer(Ts...);
 };
 
-/// Where the alternatives have answers of different types, each has its own.
+/// If the alternatives have answers of different types, each has its own.
 template <class Answer, class Alternatives>
 struct SignaturesOf;
 template <class Answer, class... Ts>

@@ -14,22 +14,22 @@
 namespace touchstone::audit {
 namespace {
 
-/// Which verdicts stop the fuzzing: those named, with commas between them; without a name the findings. Throws
-/// InvalidInput where a name is that of no verdict, or agree: such a name would never stop anything.
+/// The verdicts that stop the fuzzing: those named, separated by commas; by default the findings. Throws InvalidInput
+/// if a name is not a verdict, or is agree: such a name would never stop anything.
 class StoppingVerdicts {
  public:
   explicit StoppingVerdicts(const char* names) {
     std::stringstream list(names == nullptr ? "" : names);
     for (std::string name; std::getline(list, name, ',');) {
       const auto found = std::find(verdict_names.begin() + 1, verdict_names.end(), name);
-      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts with commas, not " + name);
+      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts separated by commas, not " + name);
       named_.push_back(static_cast<Verdict>(found - verdict_names.begin()));
     }
   }
   bool contain(Verdict verdict) const {
     return named_.empty() ? is_finding(verdict) : std::find(named_.begin(), named_.end(), verdict) != named_.end();
   }
-  /// As the environment names them; the program ends where it names none that exist.
+  /// As named in the environment; the program ends if it names unknown ones.
   static StoppingVerdicts of_environment() {
     try {
       return StoppingVerdicts(std::getenv("TOUCHSTONE_FUZZ_ONLY"));
@@ -59,7 +59,7 @@ int fuzz_member(const EngineMembers& engine, const char* operation_name, const u
   try {
     examination = operation.examine(question);
   } catch (const InvalidInput&) {
-    return -1;  // outside the contract: not to be kept in the corpus
+    return -1;  // outside the contract: not for the corpus
   }
   Judgement judgement;
   Json answer;
@@ -67,7 +67,7 @@ int fuzz_member(const EngineMembers& engine, const char* operation_name, const u
     const auto said = member.answer(question);
     if (!said) return -1;
     answer = *said;
-    // Read back as if it had come through the pipe: the judge takes numbers as they were written.
+    // Parsed as if it had come through the pipe: the judge takes numbers as they were written.
     judgement = examination->judge_engine(parse_line(one_line(answer)), declaration);
   } catch (const std::exception& thrown) {
     judgement = {Verdict::invalid, 0, thrown.what()};

@@ -5,10 +5,10 @@
 
 namespace touchstone::audit {
 
-/// One libFuzzer input: its first byte chooses the family, the others are the draws that draw a question of it. Aborts
-/// with one line where the verdict on the engine's answer is among those that stop: the findings, or with
-/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid these alone. A crash of the engine is libFuzzer's to report. Returns -1 where
-/// the input is not worth keeping, 0 otherwise.
+/// One libFuzzer input: its first byte selects the family, the others are the draws of a question of it. Aborts with
+/// one line if the verdict on the engine's answer is one that stops: a finding, or with
+/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid one of these. libFuzzer reports a crash of the engine. Returns -1 if the
+/// input is not worth keeping, 0 otherwise.
 int fuzz_member(const EngineMembers& engine, const char* operation, const unsigned char* bytes, std::size_t size);
 
 template <class Engine, class Operation>

@@ -11,20 +11,20 @@
 
 namespace touchstone::audit {
 
-/// What is worth telling of how an engine behaved and is no answer to a question: names of its first line that nobody
-/// knows, how often it was started anew, and lines that are no answer. Engines of several jobs write into one.
-/// How often something happened may depend on the jobs, so it is reported on standard error and stands in no result.
+/// Remarks on the behaviour of an engine that are not answers: unknown names in its first line, the number of restarts,
+/// and lines that are not answers. The engines of several jobs write into one object. Such counts may depend on the
+/// jobs, so they go to standard error and into no result.
 class EngineNotes {
  public:
   void add_of_first_line(const std::string& remark);
   void add_restart(const std::string& defect);
   void add_stray_line(const std::string& line);
 
-  /// The remarks on the first line, each behind "; ": the end of a complaint.
+  /// The remarks on the first line, each after "; ": the end of a complaint.
   std::string of_first_line() const;
   std::uint64_t restarts() const;
   std::uint64_t stray_lines() const;
-  /// Everything, a line each; unless `all`, of the remarks on the first line the first, and how many there are.
+  /// Prints everything, one per line; unless `all`, only the first of the remarks on the first line, and their number.
   void tell(std::ostream& err, bool all = true) const;
 
  private:

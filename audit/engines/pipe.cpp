@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t outbox_filled = 1 << 16;
 constexpr std::chrono::milliseconds slice{100};      // how soon an interrupt is noticed
-constexpr std::chrono::milliseconds repetition{20};  // how long a second answer is waited for, once there was one
+constexpr std::chrono::milliseconds repetition{20};  // time to wait for a second answer, once one has been repeated
 
 Clock::time_point from_now(double seconds) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
@@ -46,7 +46,7 @@ void PipeEngine::ask_each(const Operation& operation, const std::vector<Question
 }
 
 /// Settles the suspects, each alone with the engine, until it is given up. An engine that has answered before may have
-/// died of that: only what a fresh one cannot answer is lost. A time-out is not tried a second time.
+/// died from that: only questions that a fresh one cannot answer are lost. A timeout is not retried.
 void PipeEngine::ask_alone(Round& round, Indices& suspects) {
   Indices alone, unanswered;
   while (!suspects.empty() && why_stop().empty()) {
@@ -153,8 +153,8 @@ std::optional<std::string> PipeEngine::take_line(const std::string& line, Round&
   return std::nullopt;
 }
 
-/// So that what an engine says twice is found twice whatever the load of the machine. Engines that do not repeat
-/// themselves never wait here.
+/// Ensures that repeated answers are found whatever the load of the machine. Engines that do not repeat themselves
+/// never wait here.
 void PipeEngine::hear_repetitions(Round& round) {
   const auto deadline = Clock::now() + repetition;
   while (repeats_itself_ && process_ && Clock::now() < deadline) {

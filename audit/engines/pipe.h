@@ -14,10 +14,10 @@
 
 namespace touchstone::audit {
 
-/// What a foreign process is allowed. The counts are per operation: beyond any of them the engine is given up for the
+/// The limits of a foreign process. The counts are per operation: beyond any of them the engine is given up for the
 /// rest of it, so that an engine that dies or hangs on every question cannot make a run endless.
 struct PipeLimits {
-  double timeout = 5;           ///< seconds without any answer while one is owed
+  double timeout = 5;           ///< seconds without any answer while one is due
   double start_timeout = 10;    ///< seconds for the first line
   std::size_t in_flight = 256;  ///< questions asked and not answered yet
   std::size_t line = 1 << 20;   ///< bytes of an answer
@@ -26,13 +26,13 @@ struct PipeLimits {
   int timeouts = 12;
 };
 
-/// An engine behind pipes (docs/engines.md). When it dies, hangs or answers nonsense, it is started anew and the
-/// questions that were in flight are asked again one at a time, so that exactly those are lost that it cannot answer
-/// alone. Lines that are not meant as answers are passed over.
+/// An engine behind pipes (docs/engines.md). If it dies, hangs or gives a malformed answer, it is restarted and the
+/// questions in flight are asked again one at a time, so that only those are lost that it cannot answer alone. Lines
+/// that are not meant as answers are skipped.
 class PipeEngine final : public Engine {
  public:
-  /// Throws EngineError where it does not start or its first line is not as it should be. Once *stop is true nothing
-  /// more is asked.
+  /// Throws EngineError if it does not start or its first line is malformed. Once *stop is true no further question is
+  /// asked.
   PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop = nullptr,
              EngineNotes* notes = nullptr);
 
@@ -41,11 +41,11 @@ class PipeEngine final : public Engine {
   void ask_each(const Operation& operation, const std::vector<Question>& questions, const Take& take) override;
   void ask_until(const std::function<bool()>& over) override { over_ = over; }
 
-  int restarts() const { return restarts_; }  ///< in the operation asked last
+  int restarts() const { return restarts_; }  ///< in the most recent operation
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// One call of ask_each. A question is known by its index in it.
+  /// One call of ask_each. Questions are identified by their indices in it.
   struct Round {
     const Metadata& metadata;
     const QuestionText text;
@@ -53,7 +53,7 @@ class PipeEngine final : public Engine {
     const Take& take;
     std::uint64_t first_id;
     std::vector<bool> settled;
-    std::vector<std::size_t> asked{};  ///< by id - first_id; a question that is asked again has a second id
+    std::vector<std::size_t> asked{};  ///< by id - first_id; a repeated question has a second id
     std::size_t owed = 0;
   };
   using Indices = std::deque<std::size_t>;
@@ -61,7 +61,7 @@ class PipeEngine final : public Engine {
   void start();
   bool start_again();
   std::string first_line();
-  /// Asks and settles everything in `to_ask`; or says what went wrong, and `unanswered` are those that were in flight.
+  /// Asks and settles everything in `to_ask`; or returns what went wrong, with those in flight in `unanswered`.
   std::optional<std::string> converse(Round& round, Indices& to_ask, std::size_t in_flight, Indices& unanswered);
   std::optional<std::string> exchange(Round& round, Indices& to_ask, std::size_t in_flight);
   void ask_alone(Round& round, Indices& suspects);
@@ -84,7 +84,7 @@ class PipeEngine final : public Engine {
   std::string inbox_, outbox_;
   std::uint64_t next_id_ = 1, first_id_of_process_ = 1;
   bool repeats_itself_ = false;
-  std::string operation_, last_defect_, last_stray_;  ///< last_stray_: of the process that runs
+  std::string operation_, last_defect_, last_stray_;  ///< last_stray_: of the running process
   int restarts_ = 0, restarts_in_a_row_ = 0, timeouts_ = 0;
 };
 

@@ -31,7 +31,7 @@ struct Pipe {
   int to_read = -1, to_write = -1;
   Pipe() {
     int ends[2];
-    // Closed on exec: another thread may start another engine at this moment.
+    // Closed on exec: another thread may be starting another engine at this moment.
     if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
     to_read = ends[0], to_write = ends[1];
   }
@@ -48,7 +48,7 @@ int taken(int& descriptor) {
   return result;
 }
 
-/// A write into a pipe that nobody reads is an error of this call, not the death of the whole program.
+/// Makes a write into a pipe without a reader an error of this call, not the death of the program.
 class NoBrokenPipeSignal {
  public:
   NoBrokenPipeSignal() {
@@ -79,7 +79,7 @@ std::string signal_text(int number) {
 
 std::string ending(const siginfo_t& info) {
   if (info.si_code != CLD_EXITED) return signal_text(info.si_status);
-  // What a shell says of a command that a signal ended.
+  // The exit status of a shell whose command was ended by a signal.
   if (info.si_status > 128 && info.si_status < 128 + 65) return signal_text(info.si_status - 128);
   return "exit code " + std::to_string(info.si_status);
 }
@@ -143,7 +143,7 @@ void Process::write(std::string_view& outbox) {
     if (count > 0) {
       outbox.remove_prefix(static_cast<std::size_t>(count));
     } else if (errno != EINTR) {
-      // Nobody reads any more: its output, which ends or does not, says the rest.
+      // The pipe has no reader: the state of its output decides.
       if (errno != EAGAIN) close(std::exchange(input_, -1));
       return;
     }
@@ -168,7 +168,7 @@ bool Process::read(std::string& inbox) {
 
 void Process::read_errors() {
   char piece[kept_errors];
-  // A flood of complaints must not keep us from the answers.
+  // A flood of error output must not keep us from the answers.
   for (int pieces = 0; errors_ >= 0 && pieces < 64; ++pieces) {
     const ssize_t count = ::read(errors_, piece, sizeof piece);
     if (count > 0) {
@@ -185,7 +185,7 @@ void Process::read_errors() {
 std::string Process::end() {
   siginfo_t info{};
   const auto deadline = Clock::now() + time_to_exit;
-  // WNOWAIT: the process must stay known until its group is killed, or the number may be somebody else's by then.
+  // WNOWAIT: the process must stay known until its group is killed, or its id may be reused by then.
   while (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0 &&
          Clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -11,31 +11,31 @@
 
 namespace touchstone::audit {
 
-/// Set in the environment of what a Process runs, so that an engine program knows that nobody reads its table.
+/// Set in the environment of a Process's command, so that an engine program knows that its table is not read.
 inline constexpr const char* started_as_engine = "TOUCHSTONE_STARTED_AS_ENGINE";
 
-/// A command run by the shell in a process group of its own. Its three streams are ours and nothing here blocks but
-/// `wait_for`; the whole group dies with this object.
+/// A command run by the shell in a process group of its own. Its three streams are piped, and nothing here blocks
+/// except `wait_for`; the entire group is killed with this object.
 class Process {
  public:
-  /// Throws std::system_error where the shell itself cannot be started.
+  /// Throws std::system_error if the shell itself cannot be started.
   explicit Process(const std::string& command);
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Sleeps until there is something to read, until its input takes more (only if `to_write`), or until `deadline`.
+  /// Sleeps until output is available, until its input accepts more (only if `to_write`), or until `deadline`.
   void wait_for(bool to_write, std::chrono::steady_clock::time_point deadline);
 
-  /// Writes what fits and removes it from `outbox`.
+  /// Writes as much as fits and removes it from `outbox`.
   void write(std::string_view& outbox);
-  /// It reads the end of its input.
+  /// Closes its input.
   void close_input();
-  /// Appends what is there. False once the output has ended.
+  /// Appends the available output. Returns false once the output has ended.
   bool read(std::string& inbox);
 
-  /// Waits a moment for a process whose output has ended to be gone; kills the group; says how the process ended and
-  /// the last line of its standard error: "signal 11 (Segmentation fault)", "exit code 1: ImportError: no module".
+  /// Waits briefly for a process whose output has ended to exit; kills the group; returns how the process ended and the
+  /// last line of its standard error: "signal 11 (Segmentation fault)", "exit code 1: ImportError: no module".
   std::string end();
 
  private:

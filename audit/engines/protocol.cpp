@@ -29,10 +29,10 @@ std::size_t word_index(const Json& value, const char* field, const std::array<co
                      expected(rule, value) + (text ? did_you_mean(value.get_ref<const std::string&>(), known) : ""));
 }
 
-/// Whether engines are asked an operation. Of a method, another formula for an operation, they need not know.
+/// True if engines are asked an operation. They need not know a method, another formula for an operation.
 bool is_asked(const Operation& operation) { return !operation.metadata().is_implementation(); }
 
-/// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
+/// Remarks on unknown names, which may be of a newer version, or misspelt; and on those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
   static const std::vector<const char*> fields{"engine", "ops",     "number",     "boundary", "tolerance",
                                                "pairs",  "nearest", "skew_boxes", "polygons", "alternatives"};
@@ -55,7 +55,7 @@ std::vector<std::string> remarks_on(const Json& hello) {
   return remarks;
 }
 
-/// {"ray_aabb":[1]}. Names that nobody knows are remarked on where the operations are listed.
+/// {"ray_aabb":[1]}. Unknown names get a remark where the operations are listed.
 void read_alternatives(const Json& json, Declaration& declaration) {
   if (!json.is_object()) throw InvalidInput("alternatives", expected("an object of lists", json));
   for (const auto& [name, answered] : json.items()) {
@@ -75,7 +75,7 @@ void read_alternatives(const Json& json, Declaration& declaration) {
 }
 
 std::uint64_t read_id(const Json& id) {
-  // A language with one number type, or one that reads every number as a double, writes 262.0.
+  // A language with a single number type, or one that reads every number as a double, writes 262.0.
   if (is_typed_number(id)) {
     const double value = read_double(id, "id");
     if (value >= 0 && value <= 0x1p53 && value == std::trunc(value)) return static_cast<std::uint64_t>(value);
@@ -204,7 +204,7 @@ bool meant_as_answer(std::string_view line) {
   if (line.empty() || line[0] != '{') return false;
   line.remove_prefix(1);
   skip_blanks();
-  // In single quotes as well: what Python prints of a dictionary.
+  // Also in single quotes, as Python prints a dictionary.
   constexpr std::array<std::string_view, 6> fields{R"("id")", R"("answer")", R"("error")",
                                                    "'id'",    "'answer'",    "'error'"};
   return line.empty() || std::any_of(fields.begin(), fields.end(),

@@ -7,7 +7,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// Stands for every number where the pattern is found; no field has it in its name.
+/// Represents every number while the pattern is built; no field has it in its name.
 constexpr double placeholder = 0x1.8p+200;
 
 void append_number(double number, std::string& text) {
@@ -28,7 +28,7 @@ void append_number(double number, std::string& text) {
 
 QuestionText::QuestionText(const Operation& operation) : operation_(operation) {
   Question marked = operation.zeros();
-  if (!marked.words.empty()) return;  // lists, enumerators: the codec alone reads them
+  if (!marked.words.empty()) return;  // lists, enumerators: only the codec reads them
   for (double& number : marked.numbers) number = placeholder;
   const std::string pattern = one_line(operation.print(marked));
   const std::string mark = decimal(placeholder);
@@ -60,7 +60,7 @@ bool QuestionText::read(std::string_view text, Question& question) const {
     if (i + 1 == around_.size()) return text.empty();
     double number = 0;
     const char first = text.empty() ? ' ' : text[text[0] == '-' && text.size() > 1 ? 1 : 0];
-    if (first < '0' || first > '9') return false;  // from_chars would take "inf"
+    if (first < '0' || first > '9') return false;  // from_chars would accept "inf"
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc()) return false;
     text.remove_prefix(static_cast<std::size_t>(stop - text.data()));

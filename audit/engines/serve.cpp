@@ -11,7 +11,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// Whole lines of standard input; `before_waiting` is called when the next line is not there yet.
+/// Complete lines of standard input; `before_waiting` is called when the next line is not available yet.
 class InputLines {
  public:
   template <class BeforeWaiting>
@@ -46,7 +46,7 @@ void write_all(int descriptor, std::string& outbox) {
   outbox.clear();
 }
 
-/// The question of a line that is not as the program writes them, by the codec.
+/// Parses a question by the codec if its line is not in the program's own form.
 Question read_slowly(const Served& engine, const std::string& line, std::string& id, const ServedOperation*& asked) {
   const Json question = parse_line(line);
   if (!question.is_object()) throw InvalidInput("line", "one JSON object");

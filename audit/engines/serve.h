@@ -12,7 +12,7 @@
 
 namespace touchstone::audit {
 
-/// The engine's side of the pipe: an answer in JSON, nothing where it does not support the question, an exception where
+/// The engine's side of the pipe: returns an answer in JSON, or nullopt if it does not support the question; throws if
 /// it fails.
 using Answerer = std::function<std::optional<Json>(const Question&)>;
 
@@ -25,16 +25,16 @@ struct ServedOperation {
 struct Served {
   Hello hello;
   std::map<std::string, ServedOperation, std::less<>> operations;
-  /// Of operations that it has, the alternatives of a question that it has not: "sphere_sphere(Sphere3<double> a,
+  /// The alternatives of a question that it lacks, for the operations that it has: "sphere_sphere(Sphere3<double> a,
   /// ...)".
   std::vector<std::string> left_out{};
 };
 
-/// The engine as it is served. Refers to the engine's object.
+/// The engine in the form that is served. It refers to the engine's object.
 Served served(const EngineMembers& engine);
 
-/// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to
-/// standard output meanwhile is sent to standard error.
+/// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Other output to standard
+/// output is redirected to standard error.
 int serve(const Served& engine);
 
 }  // namespace touchstone::audit

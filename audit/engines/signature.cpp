@@ -7,12 +7,12 @@
 namespace touchstone::audit {
 namespace {
 
-/// That alternative of a shape that is a choice; else the shape itself.
+/// The given alternative of a shape that is a choice; otherwise the shape itself.
 const Shape& alternative_of(const Shape& shape, std::size_t alternative) {
   return shape.kind == Shape::Kind::choice ? *shape.parts[alternative].shape : shape;
 }
 
-/// What an engine may return instead of the whole answer: "SegmentRelation", where all else are numbers; "bool".
+/// The shorter answers that an engine may return: "SegmentRelation", if the rest are numbers; "bool".
 std::vector<std::string> shorter_answers(const Shape& answer) {
   std::vector<std::string> found;
   for (const Shape::Part& word : answer.parts) {

@@ -7,10 +7,10 @@
 #include "audit/uses.h"
 #include "catalogue/operation/operation.h"
 
-/// What the member functions of an engine look like, as text for pages.
+/// The signatures of an engine's member functions, as text for pages.
 namespace touchstone::audit {
 
-/// A member function as it stands in an engine, and what else it may return.
+/// A member function as written in an engine, and its other possible return types.
 struct Signature {
   std::string text;  ///< "SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b)"
   std::vector<std::string> instead;
@@ -19,7 +19,7 @@ struct Signature {
 /// One for each alternative of the operation's questions.
 std::vector<Signature> signatures(const Operation& operation);
 
-/// "(Segment2<double> a, Segment2<double> b)", of one alternative.
+/// The arguments of one alternative: "(Segment2<double> a, Segment2<double> b)".
 std::string arguments_text(const Operation& operation, std::size_t alternative);
 
 }  // namespace touchstone::audit

@@ -5,7 +5,7 @@
 
 #include "audit/gate/gate.h"
 
-/// A baseline as a file, version 1, an entry a line so that a change is seen:
+/// A baseline as a file, version 1, one entry per line so that diffs show changes:
 ///
 ///   {"touchstone":1,"kind":"baseline","engine":"my engine 1.0","seed":1,"known":[
 ///   {"operation":"orientation","family":"collinear","cause":"algorithm","findings":12,"cases":400,"rate":0.03}
@@ -16,7 +16,7 @@ namespace touchstone::audit {
 
 std::string baseline_json(const Baseline& baseline);
 
-/// Throws InvalidInput naming field and rule where the text is no such file, or of another version.
+/// Throws InvalidInput naming field and rule if the text is not such a file, or of another version.
 Baseline read_baseline(const std::string& text);
 
 }  // namespace touchstone::audit

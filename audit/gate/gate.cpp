@@ -37,13 +37,13 @@ bool same_place(const Found& a, const Found& b) {
   return a.operation == b.operation && a.family == b.family && a.cause == b.cause;
 }
 
-/// Cases that an operation was asked, all families together.
+/// The number of cases of an operation, all families together.
 std::uint64_t cases_of(const OperationTally& operation) {
   const Cell total = operation.total();
   return total.cases() + total.not_asked;
 }
 
-/// The shell line that repeats an entry's example, where it has one.
+/// The shell command that repeats an entry's example, if it has one.
 std::string repeated(const Tally& tally, const Found& found) {
   const Finding* example = example_of(tally, found);
   if (example == nullptr) return "";

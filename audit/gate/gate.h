@@ -10,10 +10,11 @@
 
 #include "audit/counting/tally.h"
 
-/// Whether an audit passes in a test run: which findings fail it, and which are known and accepted.
+/// Decides whether an audit passes in a test run: which findings fail it, and which are known and accepted.
 namespace touchstone::audit {
 
-/// What a gate counts: the verdicts but `agree`, `rounding` in its two kinds, and what has no verdict.
+/// The causes that a gate counts: the verdicts except `agree`, `rounding` in its two kinds, and findings without a
+/// verdict.
 enum class Cause {
   cancellation,  ///< rounding
   out_of_range,  ///< rounding: overflow or underflow
@@ -24,7 +25,7 @@ enum class Cause {
   tolerance,
   unsupported,
   not_asked,                ///< the engine was given up before these questions
-  inconsistent_convention,  ///< touches treated inconsistently: one finding of an operation, of no family
+  inconsistent_convention,  ///< touches treated inconsistently: one finding of an operation, without a family
   surplus,                  ///< more listed than --max-surplus allows: likewise
 };
 inline constexpr std::size_t cause_count = 11;
@@ -34,13 +35,13 @@ inline constexpr std::array<const char*, cause_count> cause_names{
     "surplus"};
 inline const char* name_of(Cause cause) { return cause_names[static_cast<std::size_t>(cause)]; }
 
-/// What makes an audit without a gate exit with 1.
+/// The causes for which an audit without a gate exits with 1.
 std::set<Cause> usual_causes();
-/// "algorithm,invalid"; "rounding" is both its kinds, "none" none. Throws InvalidInput naming the causes that there
-/// are.
+/// Parses "algorithm,invalid"; "rounding" means both of its kinds, "none" none. Throws InvalidInput, which lists the
+/// possible causes.
 std::set<Cause> causes_named(const std::string& names);
 
-/// How often a cause was found in a family of an operation.
+/// The number of findings of a cause in a family of an operation.
 struct Found {
   std::string operation, family;
   Cause cause = Cause::algorithm;
@@ -49,23 +50,22 @@ struct Found {
 /// In the order of the tally, then of the causes; none with 0 findings.
 std::vector<Found> found_in(const Tally& tally, const std::set<Cause>& causes);
 
-/// What was found once and is accepted from then on.
+/// Findings that were accepted once and for all.
 struct Baseline {
-  std::string engine;  ///< for the reader; another version of it is held against the same baseline
+  std::string engine;  ///< for the reader; another version of it is compared with the same baseline
   std::uint64_t seed = 0;
   std::vector<Found> known;
 };
 Baseline baseline_of(const Tally& tally, const std::set<Cause>& causes);
 
-/// How many of these findings are known. The same questions (seed and number of cases) must not be answered wrongly
-/// more often than then. Of other questions as many may be as are expected at that rate, and three standard deviations
-/// more.
+/// The number of these findings that is known. For the same questions (seed and number of cases) at most as many as at
+/// that time. For other questions as many as expected at that rate, plus three standard deviations.
 std::uint64_t accepted(const Found& found, std::uint64_t seed, const Baseline& baseline);
 
 struct Gate {
   std::set<Cause> causes = usual_causes();
   std::optional<Baseline> baseline;
-  /// The share of an operation's cases that findings which are not known may have.
+  /// The allowed share of unknown findings among an operation's cases.
   double max_rate = 0;
 };
 
@@ -76,15 +76,15 @@ struct GateEntry {
 };
 
 struct GateResult {
-  std::vector<GateEntry> entries;  ///< of the gate's causes
-  std::uint64_t gone = 0;          ///< entries of the baseline that were asked and not found any more
-  std::uint64_t robust = 0;        ///< answers of robust that are wrong: then no gate passes
+  std::vector<GateEntry> entries;  ///< with the gate's causes
+  std::uint64_t gone = 0;          ///< entries of the baseline that were asked and no longer found
+  std::uint64_t robust = 0;        ///< wrong answers of robust: then no gate passes
   bool passed() const;
 };
 GateResult held_against(const Tally& tally, const Gate& gate);
 
-/// "gate: passed; 12 findings are known\n", or what fails it, an entry a line and the shell line that repeats its
-/// example.
+/// Returns "gate: passed; 12 findings are known
+/// ", or the entries that fail it, one per line, with the shell command that repeats the example.
 std::string gate_in_words(const Tally& tally, const GateResult& result);
 
 }  // namespace touchstone::audit

@@ -17,7 +17,7 @@ struct Suite {
   std::string text;
   std::uint64_t tests = 0, failures = 0, skipped = 0;
 
-  /// failing, accepted: the text about them, with newlines; may be empty.
+  /// failing, accepted: text with newlines; may be empty.
   void add(const std::string& operation, const std::string& name, const std::string& type, const std::string& message,
            const std::string& failing, const std::string& accepted) {
     ++tests;
@@ -46,7 +46,7 @@ struct Suite {
   }
 };
 
-/// What the gate says of one family, or of the operation as a whole (family "").
+/// Adds the gate's result for one family, or for the operation itself (family "").
 void add_family(const Tally& tally, const GateResult& result, const std::string& operation, const std::string& family,
                 const std::string& name, Suite& suite) {
   std::string type, message, failing, accepted;
@@ -100,7 +100,7 @@ Suite suite_of(const Tally& tally, const GateResult& result, const OperationTall
 std::string xml_text(const std::string& text) {
   std::string safe;
   std::size_t from = 0;
-  // Control characters and what is no UTF-8 become \xNN line by line; the line breaks between are kept.
+  // Control characters and bytes that are not UTF-8 become \xNN line by line; the line breaks between are kept.
   while (from <= text.size()) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
     if (from > 0) safe += '\n';

@@ -42,7 +42,7 @@ struct Line {
   std::uint64_t number;
 };
 
-/// That of a call site such as "game.cpp:120"; the first of `source` where it is another text.
+/// The line of a call site such as "game.cpp:120"; the first of `source` if it is another text.
 Line line_of(const std::string& site, const std::string& source) {
   const std::size_t colon = site.rfind(':');
   std::uint64_t number = 0;

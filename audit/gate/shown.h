@@ -5,19 +5,19 @@
 
 #include "audit/gate/gate.h"
 
-/// What the files for CI say of a finding, in words common to them.
+/// The text about a finding that the files for CI share.
 namespace touchstone::audit {
 
 const char* cause_in_words(Cause cause);
 
-/// "algorithm in 12 of 400 cases, known: 3"; of a finding of an operation and no family its cause and what that means.
+/// "algorithm in 12 of 400 cases, known: 3"; for a finding of an operation without a family its cause and its meaning.
 std::string in_words(const GateEntry& entry);
 
-/// The best example of an entry within its family; nullptr where there is none.
+/// The best example of an entry within its family; nullptr if there is none.
 const Finding* example_of(const Tally& tally, const Found& found);
 
-/// Several lines: the id where it is a test vector, input, the same in hexadecimal, truth, answer, its judgement,
-/// and the shell line that repeats it. Printable ASCII.
+/// Several lines: the id if it is a test vector, input, the same in hexadecimal, truth, answer, its judgement, and the
+/// shell command that repeats it. Printable ASCII.
 std::string described(const Tally& tally, const std::string& operation, const Finding& finding, bool of_robust = false);
 
 }  // namespace touchstone::audit

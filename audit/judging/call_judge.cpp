@@ -13,7 +13,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// Of so many calls that are vouched for one is examined.
+/// One of this many vouched-for calls is examined.
 constexpr std::uint64_t spot_check = 4096;
 
 const std::string yes_in_words = "true", no_in_words = "false";
@@ -25,7 +25,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
 }
 
-/// Whether an answer's words are enumerators, and words that say whether a number is there.
+/// True if an answer's words are enumerators, and flags that tell whether a number is present.
 bool of_enumerators(const Shape& shape) {
   switch (shape.kind) {
     case Shape::Kind::number:
@@ -55,7 +55,7 @@ CallJudge::Reader& CallJudge::reader_of(const Operation& operation) {
 
 const CallJudge::Outcome& CallJudge::outcome_of_words(const Operation& operation, std::deque<Outcome>& known,
                                                       const std::vector<Word>& words, bool partial) {
-  constexpr std::size_t most_kept = 64;  // answers with lists are hardly ever alike
+  constexpr std::size_t most_kept = 64;  // answers with lists are rarely alike
   for (const Outcome& outcome : known)
     if (outcome.words == words) return outcome;
   if (known.size() >= most_kept) known.pop_front();
@@ -119,7 +119,7 @@ void CallJudge::judge(const RecordedCall& call) {
     Reader& reader = reader_of(operation);
     const Outcome& of_robust = outcome_of_words(operation, reader.complete, robust.words, false);
     const Course course = course_of(call);
-    // Neither has rounding changed the formula's course, nor hidden a tie; the spread is a bound to first order.
+    // Rounding has neither changed the formula's course nor hidden a tie; the spread is a bound to first order.
     const bool sure = !course.in_doubt && course.nearest > 2;
     const std::string* const said = same_answer(call, robust, of_robust, reader);
     std::string truth = of_robust.name;

@@ -13,29 +13,29 @@
 
 namespace touchstone::audit {
 
-/// Judges recorded calls and counts them by operation and call site. What is counted does not depend on the order of
-/// the calls. For one thread at a time.
+/// Judges recorded calls and counts them by operation and call site. The counts do not depend on the order of the
+/// calls. Not thread-safe.
 ///
-/// A call is vouched for, and not examined, where the textbook formula under running error analysis is further from any
-/// other course than rounding can carry it, so that nothing touches, and the recorded answer is robust's: every number
-/// bit for bit, or the decision where it has no numbers. One of many such calls is examined all the same. All others
-/// are held against the oracle.
+/// A call is vouched for, and not examined, if the textbook formula under running error analysis is further from any
+/// other course than rounding can carry it, so that nothing touches, and if the recorded answer equals robust's: every
+/// number bit for bit, or the decision if it has no numbers. One of many such calls is examined all the same. All
+/// others are compared with the oracle.
 class CallJudge {
  public:
   CallJudge(Declaration declaration, const Limits& limits);
 
   void judge(const RecordedCall& call);
-  /// The call was not asked, because the engine had been given up.
+  /// Counts a call that was not asked because the engine had been given up.
   void leave(const RecordedCall& call, const std::string& why);
 
-  /// How many calls were of functions over float, and over double.
+  /// The numbers of calls of functions over float, and over double.
   std::uint64_t in_float() const { return in_float_; }
   std::uint64_t in_double() const { return in_double_; }
 
   struct Counted {
     Cell answers, robust;
   };
-  /// By operation and place in the sites of the log; what was counted is handed over.
+  /// The counts by operation and index among the sites of the log; moves them out.
   std::map<std::pair<const Operation*, std::size_t>, Counted> take();
 
  private:
@@ -45,10 +45,10 @@ class CallJudge {
     std::string name;
     std::optional<bool> yes;
   };
-  /// What one operation's answers are compared by.
+  /// The parts by which one operation's answers are compared.
   struct Reader {
     bool decides = false;   ///< an answer has an enumerator
-    bool by_words = false;  ///< whatever an answer decides are enumerators that stand in it once
+    bool by_words = false;  ///< everything that an answer decides is enumerators at fixed positions
     std::deque<Outcome> complete{}, partial{};
   };
   /// Right answers of one kind that were vouched for.
@@ -66,7 +66,7 @@ class CallJudge {
   Reader& reader_of(const Operation& operation);
   static const Outcome& outcome_of_words(const Operation& operation, std::deque<Outcome>& known,
                                          const std::vector<Word>& words, bool partial);
-  /// How the answer is called that is the same as robust's; nullptr where it is another or cannot be told quickly.
+  /// The name of the answer if it equals robust's; nullptr if it differs or cannot be decided quickly.
   const std::string* same_answer(const RecordedCall& call, const EncodedValue<double>& robust, const Outcome& truth,
                                  Reader& reader);
   void vouch(Site& site, const RecordedCall& call, const std::string& truth, const std::string& said);

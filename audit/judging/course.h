@@ -7,8 +7,8 @@
 
 namespace touchstone::audit {
 
-/// What the textbook formula does on a recorded call, in the number type of the recorded function, under running error
-/// analysis (catalogue/numbers/tracked.h).
+/// The course of the textbook formula on a recorded call, in the number type of the recorded function, under running
+/// error analysis (catalogue/numbers/tracked.h).
 struct Course {
   std::vector<Word> words;  ///< of its answer
   double nearest;           ///< Tracked::nearest_comparison

@@ -12,10 +12,10 @@
 namespace touchstone::audit {
 namespace {
 
-/// How many calls a job takes at a time.
+/// The number of calls that a job takes at a time.
 constexpr std::size_t calls_at_once = 256;
 
-/// What the log declares of the functions that were recorded, and what the caller knows better.
+/// The log's declaration of the recorded functions, with the caller's corrections.
 Declaration declared(const JudgeOptions& options, const LogHeader& header) {
   Declaration declaration = header.declaration;
   if (options.boundary) declaration.boundary = *options.boundary;
@@ -39,14 +39,14 @@ class SharedLog {
   SharedLog(const JudgeOptions& options, const std::string& file, std::uint64_t before)
       : options_(options), file_(file), log_(file), read_(before) {}
 
-  /// So many calls are read from now on, before `take` pauses.
+  /// Reads this many calls from now on, before `take` pauses.
   void begin_piece(std::uint64_t calls) { until_ = read_ + calls; }
   bool ended() const { return ended_; }
   const LogReader& reader() const { return log_; }
-  /// Of the functions that were recorded; known from the first call on.
+  /// The declaration of the recorded functions; known from the first call on.
   Declaration declaration() const { return declaration_.value_or(declared(options_, log_.header())); }
 
-  /// Into objects whose memory is used again; returns how many.
+  /// Fills objects whose memory is reused; returns their number.
   std::size_t take(std::vector<RecordedCall>& calls) {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::size_t taken = 0;
@@ -138,7 +138,7 @@ JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop
   std::uint64_t read = 0;
   for (const std::string& file : options.files) {
     SharedLog log(options, file, read);
-    // A header stands before the first call.
+    // A header precedes the first call.
     log.begin_piece(options.calls_of_a_piece);
     std::vector<RecordedCall> first(calls_at_once);
     std::size_t begun = log.take(first);

@@ -12,7 +12,7 @@
 
 namespace touchstone::audit {
 
-/// What was counted of the first `read` calls.
+/// The counts of the first `read` calls.
 struct JudgedSoFar {
   Tally tally;
   std::uint64_t read = 0;
@@ -21,25 +21,25 @@ struct JudgedSoFar {
 struct JudgeOptions {
   std::vector<std::string> files;                 ///< logs; "-" is standard input
   std::vector<const Operation*> operations;       ///< calls of others are skipped
-  std::optional<Declaration::Boundary> boundary;  ///< of the recorded functions; empty: as the log says
+  std::optional<Declaration::Boundary> boundary;  ///< of the recorded functions; empty: from the log
   std::optional<double> tolerance;                ///< likewise
-  Limits limits;                                  ///< of ordinary numbers
+  Limits limits;                                  ///< limits of ordinary numbers
   int jobs = 1;
-  std::uint64_t shard = 1, shards = 1;   ///< of the calls only those whose number is `shard` - 1 modulo `shards`
-  std::optional<JudgedSoFar> counted{};  ///< of a run that was stopped: these calls are not judged again
-  std::function<void(const JudgedSoFar&)> after_piece{};  ///< hears what is counted so far, after so many calls
+  std::uint64_t shard = 1, shards = 1;   ///< judges only calls whose number is `shard` - 1 modulo `shards`
+  std::optional<JudgedSoFar> counted{};  ///< from an interrupted run: these calls are not judged again
+  std::function<void(const JudgedSoFar&)> after_piece{};  ///< called with the counts so far, after this many calls
   std::uint64_t calls_of_a_piece = 1 << 20;
-  /// Hears how many calls have been read; from any thread.
+  /// Called with the number of calls read; from any thread.
   std::function<void(std::uint64_t)> progress{};
 };
 
-/// What judges have counted, as a tally.
+/// The counts of several judges, as a tally.
 class SumOfCalls {
  public:
   void go_on_from(const Tally& tally);
-  /// The places in `sites` are those of the calls.
+  /// The indices in `sites` are those of the calls.
   void add(CallJudge& judge, const std::vector<std::string>& sites);
-  /// Completes a tally of which the declaration is given.
+  /// Completes a tally whose declaration is given.
   void complete(Tally& tally);
 
  private:
@@ -52,9 +52,9 @@ struct JudgedLogs {
   std::vector<LogAccount> accounts;  ///< of each file that was read
 };
 
-/// Holds the answers of recorded calls against the truth, and counts how near they were to another. The memory that it
-/// takes does not grow with the length of the logs. The same files give the same tally whatever `jobs` is. Throws
-/// LogError where a file is no log, and InvalidInput where two logs are of different engines.
+/// Compares the answers of recorded calls with the truth, and counts how near they were to another. The memory use does
+/// not grow with the length of the logs. The same files give the same tally whatever `jobs` is. Throws LogError if a
+/// file is not a log, and InvalidInput if two logs are of different engines.
 JudgedLogs judge_logs(const JudgeOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace touchstone::audit

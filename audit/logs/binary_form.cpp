@@ -9,20 +9,20 @@
 namespace touchstone::audit {
 namespace {
 
-/// How many words and numbers a value has, where all calls of a declaration have as many.
+/// The counts of words and numbers of a value, if all calls of a declaration have the same.
 struct Size {
   std::size_t words = 0, numbers = 0;
 };
 
-/// What one identifier stands for: calls of one operation at one place with one kind of answer.
+/// The meaning of one identifier: calls of one operation at one place with one kind of answer.
 struct DeclaredSite {
-  const Operation* operation = nullptr;  ///< none: `refusal` says why its calls are not read
+  const Operation* operation = nullptr;  ///< nullptr: `refusal` says why its calls are not read
   std::optional<InvalidInput> refusal;
-  std::size_t answer = 0;  ///< in answer_names
+  std::size_t answer = 0;  ///< index in answer_names
   std::size_t site = 0;
   bool binary32 = false, stored_as_floats = false;
   std::optional<Size> question, answer_size;
-  bool that_fits = false;  ///< values do not say which alternative they are: the first that fits
+  bool that_fits = false;  ///< values do not tell which alternative they are: the first that fits
   bool checked = false;    ///< every question has the right numbers and no words
 };
 
@@ -77,7 +77,7 @@ class BinaryForm : public LogForm {
  private:
   std::string place(std::size_t left) const { return ": byte " + std::to_string(source_.position() - left); }
 
-  /// Reads what is no call, and stands before the calls of the next block. False at the end.
+  /// Reads everything before the calls of the next block. Returns false at the end.
   bool next_frame() {
     cut_ = false;
     if (stopped_ || source_.peek(1).empty()) return false;
@@ -175,7 +175,7 @@ class BinaryForm : public LogForm {
     const std::uint64_t words = declared ? declared->words : take_varint(at_);
     const std::uint64_t numbers = declared ? declared->numbers : take_varint(at_);
     const std::size_t bytes = floats ? 4 : 8;
-    // Each word has a byte at least: what is not there is not made room for.
+    // Each word takes at least a byte: no memory is allocated for missing data.
     if (words > at_.size() || numbers > at_.size() / bytes) throw IncompleteBytes("fewer bytes than the record says");
     value.words.resize(words);
     for (Word& word : value.words) word = static_cast<Word>(take_varint(at_));
@@ -183,7 +183,7 @@ class BinaryForm : public LogForm {
     take_numbers(at_, floats, value.numbers.data(), numbers);
   }
 
-  /// False where no operation takes the call, which is counted.
+  /// Returns false if no operation takes the call, which is counted.
   bool read_call(RecordedCall& call) {
     const std::uint64_t id = take_varint(at_);
     if (id >= declared_.size() || !declared_[id]) throw IncompleteBytes("damaged: a call that is not declared");
@@ -219,7 +219,7 @@ class BinaryForm : public LogForm {
            answer == static_cast<std::size_t>(RecordedAnswer::Kind::error);
   }
 
-  /// Its kind, once the bytes are read.
+  /// Determines its kind, once the bytes are read.
   static void finish(const DeclaredSite& site, RecordedAnswer& answer) {
     if (site.answer == word_alone) {
       answer = recorded_word(*site.operation, answer.value.words[0]);
@@ -242,7 +242,7 @@ class BinaryForm : public LogForm {
 
   static constexpr std::uint32_t most_declared = 1 << 20;
   std::vector<std::optional<DeclaredSite>> declared_;
-  std::string_view at_;  ///< what is left of a block of calls
+  std::string_view at_;  ///< the rest of a block of calls
   bool stopped_ = false;
   bool cut_ = false;  ///< the file ends in that block
 };

@@ -9,10 +9,10 @@
 namespace touchstone::audit {
 namespace {
 
-/// Bytes of calls that are written as one block.
+/// The size of a block of calls in bytes.
 constexpr std::size_t block_size = std::size_t{1} << 16;
 
-/// Whether a number is the same as a float. Of NaN, its sign and payload too.
+/// True if a number is the same as a float. For NaN, including its sign and payload.
 bool is_float(double number) {
   const double back = static_cast<float>(number);
   return std::bit_cast<std::uint64_t>(back) == std::bit_cast<std::uint64_t>(number);
@@ -72,7 +72,7 @@ class BinaryWriter : public LogWriter {
     }
   }
 
-  /// A declaration is written before the block in which it is used first.
+  /// A declaration is written before the block that first uses it.
   std::size_t identifier(const RecordedCall& call, const std::string& site, bool floats) {
     const Key key{call.operation, site, call.answer.kind, call.binary32, floats};
     const auto [found, is_new] = identifiers_.try_emplace(key, identifiers_.size());

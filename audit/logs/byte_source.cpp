@@ -36,7 +36,7 @@ ByteSource::~ByteSource() {
   if (descriptor_ > STDIN_FILENO) close(descriptor_);
 }
 
-/// Appends what the file has next; false at its end.
+/// Appends the next bytes of the file; returns false at its end.
 bool ByteSource::read_file(std::string& bytes) {
   const std::size_t before = bytes.size();
   bytes.resize(before + piece);

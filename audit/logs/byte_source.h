@@ -12,33 +12,33 @@
 
 namespace touchstone::audit {
 
-/// The bytes of a file, or of standard input for "-", of which no more are held than somebody looks at. What gzip or
-/// zstd compressed is decompressed by these programs.
+/// The bytes of a file, or of standard input for "-", holding no more of them than requested. Files compressed by gzip
+/// or zstd are decompressed by these programs.
 class ByteSource {
  public:
-  /// Throws LogError naming the file where it cannot be read, or the program is missing that decompresses it.
+  /// Throws LogError with the file's name if it cannot be read, or if the program that decompresses it is missing.
   explicit ByteSource(const std::string& file);
   ~ByteSource();
   ByteSource(const ByteSource&) = delete;
   ByteSource& operator=(const ByteSource&) = delete;
 
-  /// The next bytes, at least `size` unless the source ends before; they stay until the next call.
+  /// The next bytes, at least `size` unless the source ends before; valid until the next call.
   std::string_view peek(std::size_t size);
   void skip(std::size_t size) { begin_ += size, position_ += size; }
-  /// The next line without its end, and whether it had one; it is skipped. Empty where the source has ended. Throws
-  /// LogError where a line is longer than most_bytes.
+  /// The next line without its end, and whether it had one; nullopt at the end of the source. Throws LogError if
+  /// a line is longer than most_bytes.
   struct Line {
     std::string_view text;
     bool ended;
   };
   std::optional<Line> line();
 
-  /// How many bytes were skipped.
+  /// The number of bytes read.
   std::uint64_t position() const { return position_; }
-  /// Why the compressed bytes ended before they should; empty where they did not.
+  /// The reason why the compressed bytes ended early; empty if they did not.
   const std::string& broken() const { return broken_; }
 
-  /// Of a line, or of a frame of the binary form.
+  /// For a line, or a frame of the binary form.
   static constexpr std::size_t most_bytes = std::size_t{1} << 28;
 
  private:
@@ -49,7 +49,7 @@ class ByteSource {
 
   std::string file_;
   int descriptor_ = -1;
-  std::string compressed_;  ///< bytes on their way into the process
+  std::string compressed_;  ///< bytes not yet passed to the process
   std::string_view outbox_;
   std::string program_;
   std::unique_ptr<Process> process_;

@@ -11,7 +11,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// What is kept of each operation to read its lines without a document: most answers of a program are the same few.
+/// The data kept for each operation to read its lines without a document: most answers of a program are the same few.
 struct KnownOperation {
   explicit KnownOperation(const Operation& operation) : operation(operation), text(operation) {}
   const Operation& operation;
@@ -20,7 +20,7 @@ struct KnownOperation {
 };
 constexpr std::size_t most_answers = 1000, longest_answer = 100;
 
-/// The parts of a line that is as JsonWriter writes it: the same fields in the same order, no spaces.
+/// The parts of a line in the form of JsonWriter: the same fields in the same order, no spaces.
 struct LineParts {
   std::string_view operation, input, answer, number, site;
 };
@@ -130,7 +130,7 @@ class JsonForm : public LogForm {
     if (owned.size() <= longest_answer && known.answers.size() < most_answers) known.answers.emplace(owned, answer);
   }
 
-  /// False where the line is a header or an end mark.
+  /// Returns false if the line is a header or an end mark.
   bool read(const Json& json, RecordedCall& call) {
     if (!json.is_object()) throw InvalidInput("line", expected("one JSON object", json));
     if (json.contains("touchstone_log")) {

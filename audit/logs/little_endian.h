@@ -12,7 +12,7 @@
 /// their lowest byte first, on every machine.
 namespace touchstone::audit {
 
-/// Bytes that end before what they are to hold.
+/// Thrown if bytes end before their content.
 struct IncompleteBytes : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -53,7 +53,7 @@ void append_little_endian(Bits bits, std::string& bytes) {
   for (std::size_t i = 0; i < sizeof bits; ++i) bytes += static_cast<char>(bits >> (8 * i));
 }
 
-/// The bytes must be there.
+/// Requires that the bytes are present.
 inline void take_numbers(std::string_view& bytes, bool floats, double* numbers, std::size_t count) {
   const std::size_t size = floats ? 4 : 8;
   if (bytes.size() < size * count) throw IncompleteBytes("fewer bytes than the record says");

@@ -8,10 +8,10 @@
 namespace touchstone::audit {
 namespace {
 
-/// A log may be wrong in every line, each in another way.
+/// A log may be wrong in every line, each time differently.
 constexpr std::size_t most_reasons = 1000, most_remarks = 100, most_sites = 65536;
 
-/// The rule without what was found instead.
+/// The rule without the part that says what was found instead.
 std::string reason_of(const InvalidInput& refused) {
   const std::string& rule = refused.rule();
   return rule.substr(0, rule.find(", got "));

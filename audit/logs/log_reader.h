@@ -9,17 +9,17 @@
 
 namespace touchstone::audit {
 
-/// Reads a log of either form from a file, or from standard input for "-", compressed by gzip or zstd or not. Of the
-/// log it holds a piece at a time. JSON lines without a header are a log of version 1.
+/// Reads a log of either form from a file, or from standard input for "-", plain or compressed by gzip or zstd. It
+/// holds one piece of the log at a time. JSON lines without a header are a log of version 1.
 ///
-/// The constructor and `next` throw LogError where the file cannot be read, and where the log is of another version.
-/// Whatever else is wrong costs what cannot be read, and stands in the account.
+/// The constructor and `next` throw LogError if the file cannot be read, and if the log is of another version. Any
+/// other defect only loses the affected part, and is reported in the account.
 class LogReader {
  public:
   explicit LogReader(const std::string& file);
   ~LogReader();
 
-  /// The next call, into an object whose memory is used again; false at the end.
+  /// Reads the next call, into an object whose memory is reused; returns false at the end.
   bool next(RecordedCall& call);
 
   const LogAccount& account() const { return account_; }

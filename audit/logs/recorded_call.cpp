@@ -10,7 +10,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// Copies a partial reading without the words that say whether a number is there. False: one is not.
+/// Copies a partial reading without the flags that tell whether a number is present. Returns false if one is missing.
 bool completed(const Shape& shape, Cursor<double>& at, bool partial, EncodedValue<double>& whole) {
   const auto all_parts = [&](bool partial_too) {
     return std::all_of(shape.parts.begin(), shape.parts.end(),
@@ -38,7 +38,7 @@ bool completed(const Shape& shape, Cursor<double>& at, bool partial, EncodedValu
   }
 }
 
-/// The JSON of a partial reading; null where nothing is there.
+/// The JSON of a partial reading; null if it is empty.
 Json json_of_partial(const Shape& shape, Cursor<double>& at) {
   switch (shape.kind) {
     case Shape::Kind::number: return *at.word++ != 0 ? written(*at.number++) : Json(nullptr);
@@ -73,7 +73,7 @@ Json json_of_partial(const Shape& shape, Cursor<double>& at) {
   return any || shape.parts.empty() ? record : Json(nullptr);
 }
 
-/// Where reading stands in words and numbers that may not be enough.
+/// The reading position in words and numbers that may be too few.
 struct Supply {
   const Word *word, *end;
   std::size_t numbers;
@@ -118,7 +118,7 @@ bool fits(const Shape& shape, const std::vector<Word>& words, std::size_t number
   return take(shape, from, partial) && from.word == from.end && from.numbers == 0;
 }
 
-/// Appends that nothing of a shape is there, where it can be left out.
+/// Appends a missing value of a shape, if it can be omitted.
 void leave_out(const Shape& shape, std::vector<Word>& words) {
   if (shape.kind != Shape::Kind::record) return words.push_back(0);
   for (const Shape::Part& part : shape.parts) leave_out(*part.shape, words);

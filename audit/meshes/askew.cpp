@@ -17,7 +17,7 @@ namespace {
 using Corners = std::vector<Index>;
 using Axis = double Point3d::*;
 
-/// The projection of a face: the other two coordinates, and whether it turns to the left as they see it.
+/// The projection of a face: the other two coordinates, and whether it turns to the left in them.
 struct Projection {
   Axis along, u, v;
   int sign;
@@ -32,7 +32,7 @@ Projection projection_of(const std::vector<Point3d>& vertices, const Corners& co
   return {&P::x, &P::y, &P::z, n.x < 0 ? -1 : 1};
 }
 
-/// The corners of a face as a ring in the plane, for clipped ears.
+/// The corners of a face as a ring in the plane, for ear clipping.
 struct Ring {
   std::vector<Point2d> points;
   int sign;

@@ -16,7 +16,7 @@ namespace {
 
 using meshes::Corners;
 
-/// What the mesh is, as far as indices and positions tell it.
+/// Describes the mesh, as far as indices and positions determine it.
 void describe(const meshes::Examined& examined, Diagnosis& diagnosis) {
   const meshes::Surface& surface = examined.surface;
   const MeshFile& mesh = examined.mesh;
@@ -40,7 +40,7 @@ void describe(const meshes::Examined& examined, Diagnosis& diagnosis) {
   }
 }
 
-/// The mesh with its vertices merged, faces being those that are left.
+/// The mesh with its vertices merged and the remaining faces.
 meshes::Examined examined(const MeshFile& file, const Preparation& how, Diagnosis& diagnosis) {
   MeshFile mesh = file;
   std::vector<std::size_t> face_in_file(file.faces.size());
@@ -59,7 +59,7 @@ meshes::Examined examined(const MeshFile& file, const Preparation& how, Diagnosi
   return {file, std::move(mesh), std::move(face_in_file), std::move(surface)};
 }
 
-/// Faces that are not planar may cross themselves as they are cut.
+/// Faces that are not planar may cross themselves after they are cut.
 std::optional<PreparedMesh> prepared_or_found(const meshes::Examined& mesh, const Preparation& how,
                                               Diagnosis& diagnosis) {
   try {

@@ -18,7 +18,7 @@ using Places = std::vector<std::size_t>;
 
 constexpr std::size_t most_listed = 3;
 
-/// Of faces alone.
+/// A defect of faces alone.
 FoundDefect found_faces(const Examined& examined, MeshDefect defect, const Places& faces, const std::string& what,
                         const std::string& mend) {
   FoundDefect found{defect, faces.size(), {}, what, faces_listed(examined.file, faces), mend};
@@ -29,7 +29,7 @@ FoundDefect found_faces(const Examined& examined, MeshDefect defect, const Place
 FoundDefect askew_faces(const Examined& examined, const Places& faces, double thickest) {
   const std::string verb =
       faces.size() == 1 ? " is not planar: its corners lie up to " : " are not planar: corners lie up to ";
-  // Rounded to two digits it is not less.
+  // Rounded to two digits it is still sufficient.
   const std::string enough = fmt::format("{:.2g}", 1.1 * thickest);
   return found_faces(examined, MeshDefect::askew_face, faces,
                      counted(faces.size(), "face") + verb + fmt::format("{:.2g}", thickest) + " apart across it",
@@ -58,7 +58,7 @@ bool same_corners(const Examined& examined, const PreparedMesh& cut, const Index
   return one == other;
 }
 
-/// Where an edge is open, faces may meet for the same reason.
+/// If an edge is open, faces may meet for the same reason.
 std::string mend_of_meeting(const Examined& examined, bool merging_closes) {
   if (merging_closes) return "merge first, as at the open edges; whether faces meet is decided again after that";
   return std::string("cut the faces where they cross") +
@@ -132,11 +132,11 @@ std::vector<FoundDefect> defects_of_shape(const Examined& examined, const Prepar
     if (!flat.empty())
       found.push_back(found_faces(examined, MeshDefect::flat_face, flat, are_flat(flat.size()),
                                   "collapse an edge of each; whether faces meet elsewhere is decided after that"));
-    else  // of a face that was cut
+    else  // from a face that was cut
       found.push_back(found_faces(examined, MeshDefect::flat_face, {face(*complexity.flat_face)},
                                   "a triangle of the cut has no area", "another --cut"));
   }
-  // Faces of the same corners are told as such.
+  // Faces with the same corners are reported as such.
   if (complexity.meeting_faces && !same_corners(examined, cut, *complexity.meeting_faces)) {
     const std::size_t one = face(complexity.meeting_faces->i), other = face(complexity.meeting_faces->j);
     found.push_back({MeshDefect::meeting_faces,

@@ -41,7 +41,7 @@ std::string after_merging(std::size_t open) {
   return open == 0 ? "no edge is open" : open == 1 ? "1 edge is open" : fmt::format("{} edges are open", open);
 }
 
-/// The T-junction that is told, and how many rims are such.
+/// The T-junction that is reported, and the number of rims that have one.
 struct TJunctions {
   std::optional<TJunction> first;
   std::size_t count = 0;
@@ -58,7 +58,7 @@ TJunctions t_junctions(const Examined& examined, const std::vector<Rim>& rims) {
   return found;
 }
 
-/// "in 3 rims", and of how many the rest is told.
+/// "in 3 rims", and the number of which the rest is reported.
 std::string in_rims(std::size_t rims, std::size_t junctions) {
   std::string text = "in " + counted(rims, "rim");
   if (junctions == 0) return text;
@@ -76,7 +76,7 @@ std::string in_words(const Examined& examined, const TJunction& junction) {
          face_in_words(file, examined.face_in_file[junction.edge.face]);
 }
 
-/// What merging would do to open edges; empty where it would do nothing.
+/// The effect of merging on open edges; empty if there is none.
 std::string merging_mends(const Examined& examined) {
   const std::vector<Point3d>& vertices = examined.mesh.vertices;
   const auto closes = merging_that_closes(vertices, examined.mesh.faces, examined.surface.open.size());
@@ -167,7 +167,7 @@ std::vector<FoundDefect> defects_of_surface(const Examined& examined) {
                                 repeated.same.empty()
                                     ? "delete inner faces, or split the vertices there and move the sheets apart"
                                     : drop_repeated));
-  // What is pinched at a crowded edge is told with it.
+  // A pinched vertex at a crowded edge is reported with it.
   if (!surface.pinched.empty() && surface.crowded.empty()) found.push_back(pinched_vertices(examined, surface.pinched));
   return found;
 }

@@ -16,7 +16,7 @@ namespace {
 
 std::size_t whole(const std::string& digits) { return std::strtoull(digits.c_str(), nullptr, 10); }
 
-/// A rule whose vertices and edges are those of the file.
+/// A rule with the vertices and edges of the file.
 std::string rule_in_file(const MeshFile& file, const PreparedMesh& mesh, const std::string& rule) {
   static const std::regex named("edge (?:from vertex )?(\\d+) (?:->|to vertex) (\\d+)|(\\d+) -> (\\d+)|vertex (\\d+)");
   std::string result;
@@ -42,7 +42,7 @@ std::string what_is_left(const std::string& option, std::size_t open) {
   return "; with " + option + " " + counted(open, "edge") + (open == 1 ? " stays open" : " stay open");
 }
 
-/// "14 pairs of vertices have equal positions", or how many have how many.
+/// "14 pairs of vertices have equal positions", or the counts of larger groups.
 std::string equal_positions(const Merging& merging) {
   std::map<Index, std::size_t> groups;
   for (Index v = 0; v < merging.into.size(); ++v)

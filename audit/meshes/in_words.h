@@ -9,16 +9,16 @@
 
 namespace touchstone::audit {
 
-/// What a mesh is, a line each: its size, how its faces are connected, which part lies in which, notes.
+/// A description of a mesh, one item per line: its size, how its faces are connected, which part contains which, notes.
 std::vector<std::string> description_of(const MeshFile& file, const Diagnosis& diagnosis);
 
 /// "It bounds a solid." or "It bounds no solid; the worst first:"
 std::string verdict_of(const Diagnosis& diagnosis);
 
-/// "4 open edges, in 1 rim; 1 face is there twice", without places; "it bounds a solid" where there is nothing.
+/// "4 open edges, in 1 rim; 1 face is there twice", without positions; "it bounds a solid" if there are no defects.
 std::string defects_in_short(const Diagnosis& diagnosis);
 
-/// All of it; places of faces and vertices are those of the file's lists, from 0, with the lines on which they stand.
+/// The full diagnosis; faces and vertices are indices in the file's lists, from 0, with their lines.
 Json json_of(const MeshFile& file, const Diagnosis& diagnosis);
 
 }  // namespace touchstone::audit

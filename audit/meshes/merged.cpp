@@ -17,7 +17,7 @@ std::vector<Index> places(std::size_t count) {
   return all;
 }
 
-/// Of each vertex the first one in its position.
+/// For each vertex the first one at its position.
 std::vector<Index> first_in_position(const std::vector<Point3d>& vertices) {
   const auto key = [&](Index v) { return std::tie(vertices[v].x, vertices[v].y, vertices[v].z); };
   std::vector<Index> sorted = places(vertices.size()), first(vertices.size());
@@ -38,7 +38,7 @@ Point3d least_corner(const std::vector<Point3d>& vertices) {
   return least;
 }
 
-/// A vertex in the cell of a grid that holds it.
+/// A vertex in the cell of a grid that contains it.
 struct Held {
   std::array<std::int64_t, 3> cell;
   Index vertex;

@@ -22,7 +22,7 @@ namespace {
 using Corners = std::vector<Index>;
 constexpr std::size_t most_named = 3;
 
-/// What a face breaks, worst to mend first.
+/// The rules that a face may break, worst to repair first.
 enum class Defect { repeated_corner, repeated_position, no_ring, askew, crossing_projection };
 
 std::string far(double height) {
@@ -30,7 +30,7 @@ std::string far(double height) {
                                              : "are off by what double arithmetic cannot tell";
 }
 
-/// Makes the mesh face by face, and gathers what is wrong so that one line can tell how many faces are.
+/// Makes the mesh face by face, and collects its defects so that one line can report the number of faces.
 class Preparing {
  public:
   Preparing(const MeshFile& file, const Preparation& how, std::string field)
@@ -55,7 +55,7 @@ class Preparing {
     return file_.faces;
   }
 
-  /// Faces that have gone have no corners.
+  /// Removed faces have no corners.
   std::vector<Corners> merged() {
     const Merging merging = merging_of(file_.vertices, *how_.merge);
     std::vector<Index> place(file_.vertices.size());
@@ -144,7 +144,7 @@ class Preparing {
     }
   }
 
-  /// Whether two corners that follow each other are one, or stand in one position; notes it.
+  /// True if two consecutive corners are the same, or at the same position; notes it.
   bool in_a_row(const Corners& corners, std::size_t face) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Index one = corners[k], next = corners[(k + 1) % corners.size()];
@@ -225,7 +225,7 @@ class Preparing {
   First first_{};
   std::map<Defect, Found> defects_;
   std::pair<std::size_t, std::size_t> row_;             ///< vertices of the first refused face
-  std::pair<std::size_t, double> projected_{}, cut_{};  ///< how many faces, and the largest thickness
+  std::pair<std::size_t, double> projected_{}, cut_{};  ///< the number of faces, and the largest thickness
 };
 
 }  // namespace

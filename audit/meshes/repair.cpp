@@ -49,7 +49,7 @@ void drop_merged(MeshFile& mesh, const std::vector<Index>& into) {
     for (Index& v : corners) v = place[v];
 }
 
-/// Cuts faces that are not planar. Nothing is cut where another face is no polygon.
+/// Triangulates faces that are not planar. Does nothing if another face is not a polygon.
 void cut(MeshFile& mesh, Places& face_in_file, const Preparation& how) {
   if (how.cut == Preparation::Cut::exact && !how.planar) return;
   try {
@@ -61,7 +61,7 @@ void cut(MeshFile& mesh, Places& face_in_file, const Preparation& how) {
   }
 }
 
-/// Those that come twice.
+/// The duplicates.
 Places repeated(const Places& ascending) {
   Places twice;
   for (std::size_t i = 1; i < ascending.size(); ++i)
@@ -70,12 +70,12 @@ Places repeated(const Places& ascending) {
   return twice;
 }
 
-/// Of vertices that are one only those of one closed part, or those of no closed part.
+/// Merges only vertices within one closed part, or within the parts that are not closed.
 Merging within_parts(const MeshFile& file, const Merging& merging) {
   const meshes::Surface surface(file.faces, file.vertices.size());
   std::vector<bool> open(surface.components);
   for (const meshes::EdgeOfFile& edge : surface.open) open[surface.component[edge.face]] = true;
-  std::vector<std::size_t> closed_part(file.vertices.size());  // from 1; 0: of none
+  std::vector<std::size_t> closed_part(file.vertices.size());  // from 1; 0: none
   for (std::size_t i = 0; i < file.faces.size(); ++i) {
     if (open[surface.component[i]]) continue;
     for (const Index v : file.faces[i]) closed_part[v] = surface.component[i] + 1;
@@ -93,7 +93,7 @@ Repaired repaired_with(const Merging& merging, const MeshFile& file, const Prepa
                        const TellStep& tell) {
   Repaired result;
   const auto change = [&](Places faces, const char* what) {
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());  // several triangles of one that was cut
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());  // several triangles of one face that was cut
     if (!faces.empty())
       result.changes.push_back(
           fmt::format("{} {}: {}", counted(faces.size(), "face"), what, meshes::faces_listed(file, faces)));

@@ -8,7 +8,7 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// The rotation that is first in the order of lists.
+/// The lexicographically first rotation.
 Corners first_rotation(const Corners& corners) {
   const Index least = *std::min_element(corners.begin(), corners.end());
   std::optional<Corners> best;
@@ -40,7 +40,7 @@ RepeatedFaces repeated_faces(const std::vector<Corners>& faces) {
             [](const Ring& r, const Ring& s) { return std::tie(r.corners, r.face) < std::tie(s.corners, s.face); });
   RepeatedFaces found;
   const Ring* first = nullptr;
-  std::vector<const Ring*> firsts;  // in one position, one of each direction
+  std::vector<const Ring*> firsts;  // the first at a position, one of each direction
   for (const Ring& ring : rings) {
     if (first == nullptr || first->corners != ring.corners) {
       first = &ring, firsts = {first};

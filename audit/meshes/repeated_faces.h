@@ -8,8 +8,8 @@
 
 namespace touchstone::audit::meshes {
 
-/// Faces that name the corners of an earlier one, each with that one: in the same order, or in the opposite one. Where
-/// a face begins does not matter. In ascending order.
+/// Faces with the same corners as an earlier one, each with that one: in the same order, or in the opposite one. The
+/// corner at which a face begins does not matter. In ascending order.
 struct RepeatedFaces {
   std::vector<std::pair<std::size_t, std::size_t>> same, opposed;
 };

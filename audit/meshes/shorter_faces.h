@@ -7,18 +7,18 @@
 
 namespace touchstone::audit::meshes {
 
-/// Faces in which no vertex follows itself.
+/// Faces without consecutive repetitions of a vertex.
 struct ShorterFaces {
   std::vector<Corners> faces;             ///< of at least three corners
-  std::vector<std::size_t> face_in_file;  ///< of each, the place of the face that it was
+  std::vector<std::size_t> face_in_file;  ///< for each, the index of the original face
   std::vector<std::size_t> shortened,
-      dropped;  ///< places of those that lost corners, and that have fewer than three left
+      dropped;  ///< indices of those that lost corners, and of those that have fewer than three left
 };
 
-/// Each vertex v is replaced by into[v], and of a corner that is named several times in a row one is left.
+/// Each vertex v is replaced by into[v], and a corner that is repeated consecutively is reduced to one.
 ShorterFaces shorter_faces(const std::vector<Corners>& faces, const std::vector<Index>& into);
 
-/// Whether a corner is named twice in a row.
+/// True if a corner is repeated consecutively.
 bool repeats_corner(const Corners& corners);
 
 }  // namespace touchstone::audit::meshes

@@ -9,7 +9,7 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// Sets of numbers that were joined, each number being with or against its set's root.
+/// Disjoint sets of numbers, each number with or against its set's root.
 class Joined {
  public:
   explicit Joined(std::size_t count) : up_(count), against_(count), torn_(count) {
@@ -17,7 +17,7 @@ class Joined {
   }
   std::size_t root(std::size_t i) {
     std::size_t top = i;
-    bool against = false;  // i to top
+    bool against = false;  // i relative to top
     while (up_[top] != top) against = against != against_[top], top = up_[top];
     while (up_[i] != top && i != top) {
       const std::size_t next = up_[i];
@@ -28,7 +28,7 @@ class Joined {
     return top;
   }
   bool against(std::size_t i) { return root(i) != i && against_[i]; }
-  /// A set is torn if two of its numbers are to be both with and against one another.
+  /// A set is torn if two of its numbers must be both with and against one another.
   bool torn(std::size_t i) { return torn_[root(i)]; }
   void join(std::size_t i, std::size_t j, bool against = false) {
     const std::size_t p = root(i), q = root(j);
@@ -47,7 +47,7 @@ class Joined {
   std::vector<bool> against_, torn_;
 };
 
-/// A side of a face: a corner to the next, all corners of all faces being numbered one after another.
+/// A side of a face: a corner and the next; the corners of all faces are numbered consecutively.
 struct Side {
   Index low, high;
   std::size_t corner, next, face;
@@ -73,7 +73,7 @@ std::vector<Side> sides_of(const std::vector<Corners>& faces) {
   return sides;
 }
 
-/// Numbers in the order of the first faces. Returns how many there are.
+/// Numbers the sets in the order of their first faces. Returns their number.
 std::size_t number(Joined& sets, const std::vector<std::size_t>& member_of_face, std::vector<std::size_t>& numbers,
                    std::size_t size) {
   std::vector<std::optional<std::size_t>> known(size);
@@ -93,7 +93,7 @@ Surface::Surface(const std::vector<Corners>& faces, std::size_t vertices_of_file
   for (const Corners& corners : faces) corner_count += corners.size();
   const std::vector<Side> sides = sides_of(faces);
   Joined parts(vertices_of_file), fans(corner_count), sheets(faces.size());
-  std::vector<std::size_t> rims;  // faces that have an edge of one face alone
+  std::vector<std::size_t> rims;  // faces that have an edge of only one face
   std::vector<std::pair<std::size_t, std::size_t>> crowds;
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
     const Side& one = sides[first];

@@ -11,7 +11,7 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// The triangles of a sheet over vertices of its own, turned as its first face.
+/// The triangles of a sheet over vertices of its own, oriented like its first face.
 class PartOfMesh {
  public:
   explicit PartOfMesh(const Meshd& mesh) : mesh_(mesh), place_(mesh.vertices.size()), sheet_(mesh.vertices.size()) {}
@@ -54,12 +54,12 @@ bool holds(const Aabb3d& outer, const Aabb3d& inner) {
       [&](double Point3d::*axis) { return outer.min.*axis <= inner.min.*axis && inner.max.*axis <= outer.max.*axis; });
 }
 
-/// What is known of where a closed sheet lies.
+/// The location of a closed sheet, as far as it is known.
 enum class Nested { outside, inside, unknown };
 
 struct Sheets {
   std::vector<std::vector<std::size_t>> faces;
-  std::vector<VolumeSign> volume;  ///< if all its faces ran as its first does; none where it encloses nothing for sure
+  std::vector<VolumeSign> volume;  ///< with all its faces oriented like its first; none if it surely encloses nothing
   std::vector<Nested> nested;
 };
 
@@ -97,7 +97,7 @@ Sheets sheets_of(const Surface& surface, const Meshd* mesh, const std::vector<st
   return sheets;
 }
 
-/// Of each component the one around it and the others that it holds: the one that lies in none.
+/// For each component the one around it and its siblings: the one that is in no other.
 std::vector<std::size_t> outermost(std::size_t components, const std::vector<IndexPair>& nesting) {
   std::vector<bool> held(components);
   for (const IndexPair& pair : nesting) held[pair.j] = true;
@@ -108,8 +108,8 @@ std::vector<std::size_t> outermost(std::size_t components, const std::vector<Ind
   return result;
 }
 
-/// Cavities that look outwards while the sheet around them and all else in it look the wrong way as well: the inverse
-/// of a hollow solid.
+/// Cavities that look outwards while the sheet around them and everything else in it also have the wrong orientation:
+/// the inverse of a hollow solid.
 void turn_inverses(const Surface& surface, const Sheets& sheets, const std::vector<IndexPair>& nesting,
                    Turning& turning) {
   const std::vector<std::size_t> around = outermost(surface.components, nesting);

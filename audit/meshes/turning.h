@@ -8,22 +8,22 @@
 
 namespace touchstone::audit::meshes {
 
-/// Which faces have to run the other way.
+/// The faces that have to be reversed.
 struct Turning {
   std::vector<std::size_t> turned;         ///< so that they agree with their neighbours
-  std::vector<std::size_t> outwards;       ///< so that sheets that agree look outwards, or inwards in an inverse
+  std::vector<std::size_t> outwards;       ///< so that consistent sheets look outwards, or inwards in an inverse
   std::vector<std::size_t> inside_out;     ///< the first face of each sheet of `outwards`
   std::vector<std::size_t> filled_cavity;  ///< the first face of each sheet inside another that looks outwards as well
 };
 
-/// Sheets that are closed and not one-sided come to look outwards, those in an odd number of others inwards; of other
-/// sheets the lesser number of faces is turned. A sheet that agrees and lies in another, both looking outwards, may be
-/// meant: it is told and stays as it is. Where all sheets of a nest look the wrong way, all are turned: it is the
-/// inverse of a hollow solid.
+/// Closed sheets that are not one-sided are made to look outwards, those in an odd number of others inwards; in other
+/// sheets the smaller set of faces is reversed. A consistent sheet inside another, both looking outwards, may be
+/// intended: it is reported and not changed. If all sheets of a nest have the wrong orientation, all are reversed: it
+/// is the inverse of a hollow solid.
 ///
-/// mesh: the surface cut into triangles, or null where it cannot be cut; nothing but agreement counts then. face_of: of
-/// each face that `mesh` names, the face of the surface. nesting: that of its components, or null where it is not
-/// known; a sheet that agrees and whose box lies in another's then stays as it is, for it may be a cavity.
+/// mesh: the triangulated surface, or null if it cannot be triangulated; then only consistency counts. face_of: for
+/// each face of `mesh`, the face of the surface. nesting: that of its components, or null if it is unknown; a
+/// consistent sheet whose box lies in another's is then not changed, since it may be a cavity.
 Turning turning_of(const Surface& surface, const Meshd* mesh, const std::vector<std::size_t>& face_of,
                    const std::vector<IndexPair>* nesting);
 

@@ -31,7 +31,7 @@ std::string obj(const MeshFile& mesh) {
   return text;
 }
 
-/// As OFF and PLY have them, without a header.
+/// The lists of OFF and PLY, without a header.
 std::string lists(const MeshFile& mesh) {
   std::string text;
   for (const Point3d& p : mesh.vertices) text += position(p) + '\n';
@@ -80,7 +80,7 @@ std::string stl(const MeshFile& mesh, const std::string& name) {
   bytes.resize(80, ' ');
   append(bytes, static_cast<std::uint32_t>(triangles.size()));
   for (const Face& f : triangles) {
-    bytes.append(12, '\0');  // the normal is left to the corners
+    bytes.append(12, '\0');  // the normal is implied by the corners
     for (const Index v : {f.a, f.b, f.c})
       for (const float x : positions[v]) append(bytes, std::bit_cast<std::uint32_t>(x));
     append(bytes, 0, 2);

@@ -31,7 +31,7 @@ bool drop_from_list(Search& search, std::size_t list) {
   return better;
 }
 
-/// What is optional and there, left out.
+/// Removes optional values that are present.
 bool drop_optional_values(Search& search) {
   bool better = false;
   for (bool dropped = true; dropped; better = better || dropped) {

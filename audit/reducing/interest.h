@@ -14,15 +14,15 @@ enum class Look {
   refused,  ///< outside the contract of the operation
 };
 
-/// What a question must go on to show while it is reduced.
+/// The property that a question must keep while it is reduced.
 class Interest {
  public:
   virtual ~Interest() = default;
-  /// Whether it does. Calls of different jobs, which count from 0, may come at one time.
+  /// Returns whether it has it. Calls of different jobs, counted from 0, may be concurrent.
   virtual Look look(std::size_t job, const Question& question) = 0;
-  /// The question as it can be asked: its numbers rounded to floats where the engine takes floats.
+  /// The question in askable form: its numbers rounded to floats if the engine takes floats.
   virtual Question fitted(const Question& question) const { return question; }
-  /// From now on this question, which holds, is reduced. No look goes on meanwhile.
+  /// From now on this question, which has the property, is reduced. No look is running meanwhile.
   virtual void go_on_with(const Question& question) { static_cast<void>(question); }
 };
 

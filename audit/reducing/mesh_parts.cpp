@@ -23,7 +23,7 @@ std::vector<bool> named_vertices(const FacesOfMesh& mesh) {
   return named;
 }
 
-/// Without the vertices for which `named_before` is true and that no face names any more.
+/// Removes the vertices for which `named_before` is true and that no face uses any more.
 FacesOfMesh without_unnamed(FacesOfMesh mesh, const std::vector<bool>& named_before) {
   std::vector<bool> dropped = named_before;
   const std::vector<bool> named = named_vertices(mesh);
@@ -31,7 +31,7 @@ FacesOfMesh without_unnamed(FacesOfMesh mesh, const std::vector<bool>& named_bef
   return without_vertices(std::move(mesh), dropped);
 }
 
-/// Moves the lower 21 bits apart, two zeros between each.
+/// Spreads the lower 21 bits, with two zeros after each.
 std::uint64_t spread_bits(std::uint64_t bits) {
   std::uint64_t spread = 0;
   for (int i = 0; i < 21; ++i) spread |= (bits >> i & 1) << (3 * i);
@@ -115,7 +115,7 @@ FacesOfMesh merged(const FacesOfMesh& mesh, const std::vector<Index>& to) {
     if (corners != face) changed.push_back(result.faces.size());
     result.faces.push_back(std::move(corners));
   }
-  // Of equal faces, whichever way they turn, an even number separates nothing.
+  // An even number of equal faces, whatever their orientation, separates nothing.
   std::map<Corners, std::size_t> alone;
   std::vector<bool> kept(result.faces.size(), true);
   for (const std::size_t i : changed) {

@@ -67,7 +67,7 @@ class Finder {
   Position at_{};
 };
 
-/// Copies a question, leaving out elements that refer to what is dropped.
+/// Copies a question, leaving out elements that refer to dropped ones.
 class Copy {
  public:
   Copy(const Question& from, std::size_t length_word, Word first, Word last)
@@ -126,7 +126,7 @@ class Copy {
   Word first_, last_;
   Position at_{};
   Question to_{};
-  bool refers_ = false;  ///< the element that is copied refers to what is dropped
+  bool refers_ = false;  ///< the element being copied refers to a dropped one
 };
 
 template <class T>

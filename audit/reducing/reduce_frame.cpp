@@ -11,14 +11,14 @@
 namespace touchstone::audit::reducing {
 namespace {
 
-constexpr std::size_t most_places = 16;     // to which a question is moved
+constexpr std::size_t most_places = 16;     // that are tried as origins
 constexpr std::size_t most_to_order = 64;   // elements of a list
 constexpr std::size_t most_numbers = 4096;  // of a question that is scaled
 constexpr int most_scales = 64;
 
 using Offset = std::array<double, 3>;
 
-/// The first places of a question, whole and along one axis alone.
+/// The first points of a question, complete and along a single axis.
 std::vector<Offset> offsets_of(const Question& question, const QuestionParts& parts) {
   std::vector<Offset> whole;
   std::array<std::set<double>, 3> along;
@@ -58,7 +58,7 @@ bool move_to_origin(Search& search) {
   return better;
 }
 
-/// Every length times 2^exponent.
+/// Multiplies every length by 2^exponent.
 Question scaled(const Operation& operation, const Question& question, const QuestionParts& parts, int exponent) {
   Question result = question;
   if (operation.row().scale != nullptr) {
@@ -89,7 +89,7 @@ std::vector<int> exponents_of_scales(const Question& question) {
   return exponents;
 }
 
-/// Every coordinate along an axis times 2^exponent.
+/// Multiplies every coordinate along an axis by 2^exponent.
 Question scaled_along(const Question& question, const QuestionParts& parts, std::size_t axis, int exponent) {
   Question result = question;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
@@ -100,7 +100,7 @@ Question scaled_along(const Question& question, const QuestionParts& parts, std:
   return result;
 }
 
-/// All lengths, or the coordinates along one axis alone.
+/// Scales all lengths, or the coordinates along a single axis.
 bool scale_to_one(Search& search, std::optional<std::size_t> axis) {
   const QuestionParts parts = parts_of(*search.operation().row().question, search.best());
   if (parts.numbers.size() > most_numbers) return false;
@@ -116,7 +116,7 @@ bool scale_to_one(Search& search, std::optional<std::size_t> axis) {
   return search.first(candidates.size(), [&](std::size_t i) { return candidates[i]; }).has_value();
 }
 
-/// The elements of a list in another order: `order` names them by their places.
+/// The elements of a list in another order: `order` lists their indices.
 Question in_order(const Question& question, const ListPlace& list, const std::vector<std::size_t>& order) {
   Question elements;
   for (const std::size_t i : order) {
@@ -134,7 +134,7 @@ bool order_list(Search& search, std::size_t number) {
   const ListPlace& list = parts.lists[number];
   const std::size_t length = list.size();
   if (length < 2 || length > most_to_order) return false;
-  // Sorted; then begun with each element, forwards and backwards.
+  // Tries the sorted order, then rotations to each element, forwards and backwards.
   const auto ordered = [&](std::size_t at) -> std::optional<Question> {
     std::vector<std::size_t> order(length);
     for (std::size_t i = 0; i < length; ++i)

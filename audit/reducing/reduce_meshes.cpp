@@ -15,7 +15,7 @@ class MeshOfBest {
  public:
   MeshOfBest(Search& search, std::size_t number) : search_(search), number_(number) { read(); }
 
-  /// To be called when the best question may be another.
+  /// Call when the best question may have changed.
   void read() {
     const QuestionParts parts = parts_of(*search_.operation().row().question, search_.best());
     place_ = parts.meshes[number_];
@@ -43,7 +43,7 @@ class MeshOfBest {
   bool has_polygons_ = false;
 };
 
-/// The polygons as the triangles that they are cut into.
+/// Replaces polygons by their triangles.
 bool forget_polygons(Search& search, MeshOfBest& mesh) {
   if (!mesh.has_polygons()) return false;
   const auto triangles = [&](std::size_t) {
@@ -84,7 +84,7 @@ bool drop_faces(Search& search, MeshOfBest& mesh) {
   return drop_runs(search, {count, without_some, 1, true});
 }
 
-/// Runs of vertices that are near each other become one; then single vertices one of their neighbours.
+/// Merges runs of vertices that are near each other; then single vertices with one of their neighbours.
 bool merge_vertices(Search& search, MeshOfBest& mesh) {
   std::vector<Index> order;
   const auto count = [&] {
@@ -128,7 +128,7 @@ bool merge_along_edges(Search& search, MeshOfBest& mesh) {
   return better;
 }
 
-/// Vertices that no face names.
+/// Drops vertices that no face uses.
 bool drop_vertices_alone(Search& search, MeshOfBest& mesh) {
   std::vector<Index> alone;
   const auto count = [&] {
@@ -150,7 +150,7 @@ bool drop_vertices_alone(Search& search, MeshOfBest& mesh) {
   return drop_runs(search, {count, without_some});
 }
 
-/// Of operations that take convex meshes alone, and where nothing else about the mesh matters.
+/// For operations that take only convex meshes, and if nothing else about the mesh matters.
 bool take_hulls(Search& search, MeshOfBest& mesh) {
   mesh.read();
   const auto hull = mesh.with(hull_of(mesh.faces().vertices));

@@ -11,7 +11,7 @@ Reduced reduced(const Operation& operation, const Question& question, Interest& 
   std::uint64_t rounds = 0;
   for (bool better = true; better && !search.over(); ++rounds) {
     better = false;
-    // What costs by the number of elements waits until there are few.
+    // Passes whose cost depends on the number of elements wait until there are few.
     for (bool dropped = true; dropped && !search.over();) {
       dropped = reducing::reduce_meshes(search);
       dropped = reducing::drop_elements(search) || dropped;

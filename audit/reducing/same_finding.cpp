@@ -43,7 +43,7 @@ class Formula final : public Respondent {
     Reply reply;
     const EncodedValue<double> answer =
         declaration_.binary32 ? row.reference_in_float(question) : row.reference(question);
-    // As if it had come through a pipe: numbers are read as they are written.
+    // As if it had come through a pipe: numbers are parsed as they are written.
     reply.answer = parse_line(one_line(operation.answer_json(answer)));
     return reply;
   }
@@ -64,7 +64,7 @@ std::vector<std::string> parts_of_outcome(const std::string& outcome) {
   return parts;
 }
 
-/// Where an answer has as many enumerators as the truth, those that differ: "disjoint, not touching; ".
+/// If an answer has as many enumerators as the truth, those that differ: "disjoint, not touching; ".
 std::string difference(const std::string& truth, const std::string& answer) {
   const std::vector<std::string> right = parts_of_outcome(truth), said = parts_of_outcome(answer);
   if (right.size() != said.size()) return answer + ", not " + truth;
@@ -156,7 +156,7 @@ std::string SameFinding::begin(const Question& question) {
   const std::string& name = respondent_.declaration().engine;
   if (reply.kind == Reply::Kind::unsupported) return name + " does not answer it";
   if (reply.kind == Reply::Kind::failed) {
-    if (!options_.allow_invalid) operation_.row().robust(question, 0);  // refuses what is outside the contract
+    if (!options_.allow_invalid) operation_.row().robust(question, 0);  // refuses questions outside the contract
     target_ = failure(reply);
     return "";
   }

@@ -13,7 +13,7 @@
 
 namespace touchstone::audit {
 
-/// Whose answers are judged while a question is reduced.
+/// The implementation whose answers are judged while a question is reduced.
 class Respondent {
  public:
   virtual ~Respondent() = default;
@@ -27,23 +27,23 @@ std::unique_ptr<Respondent> respondent(std::vector<std::unique_ptr<Engine>> engi
 std::unique_ptr<Respondent> formula_as_respondent(bool binary32);
 
 struct SameFindingOptions {
-  bool any_answer = false;     ///< the same cause will do, whatever is true and answered
-  bool allow_invalid = false;  ///< of a crash: questions outside the contract are asked, too
+  bool any_answer = false;     ///< the same cause suffices, whatever the truth and the answer
+  bool allow_invalid = false;  ///< for crashes: questions outside the contract are asked, too
 };
 
-/// Questions on which somebody is wrong as on the first: with the same cause (`cancellation`, `out_of_range`,
+/// Questions on which the respondent is wrong as on the first: with the same cause (`cancellation`, `out_of_range`,
 /// `algorithm` ...), and the enumerators of the answer that differ from the truth's are the same, as are the truth's
-/// there; where it gave no answer, with the same exit code, signal or complaint.
+/// there; if it gave no answer, with the same exit code, signal or complaint.
 ///
-/// The exact truth is only found of questions on which an answer differs from robust's. Where that, or the cause, is
-/// too dear (steps_too_many), answers must differ from robust's in the same words; the cause is then that of the first
-/// question that is small enough.
+/// The exact truth is only computed for questions on which an answer differs from robust's. If that, or the cause, is
+/// too expensive (steps_too_many), answers must differ from robust's in the same enumerators; the cause is then that of
+/// the first question that is small enough.
 class SameFinding final : public Interest {
  public:
   SameFinding(const Operation& operation, Respondent& respondent, const SameFindingOptions& options);
 
-  /// Finds what is wrong on this question, to be called before all else. Returns why there is nothing to reduce, empty
-  /// where there is. Throws InvalidInput where the question is outside the contract.
+  /// Determines the defect on this question; must be called first. Returns the reason why there is nothing to reduce,
+  /// or "". Throws InvalidInput if the question is outside the contract.
   std::string begin(const Question& question);
 
   Look look(std::size_t job, const Question& question) override;
@@ -58,7 +58,7 @@ class SameFinding final : public Interest {
   };
   bool matches(const Target& found) const;
   static Target failure(const Reply& reply);
-  /// What is wrong with an answer in words; nothing where robust's has the same.
+  /// The defect of an answer in words; nullopt if it has the same as robust's.
   std::optional<Target> against_robust(const Json& answer, const EncodedValue<double>& robust) const;
   std::optional<Target> examined(const Question& question, const Reply& reply) const;
 
@@ -68,12 +68,12 @@ class SameFinding final : public Interest {
   Target target_;
 };
 
-/// Whether the exact truth of a question and the cause of a wrong answer take too many steps to be found again and
-/// again. In steps, so that it is the same on every machine.
+/// True if the exact truth of a question and the cause of a wrong answer take too many steps to be computed repeatedly.
+/// In steps, so that it is the same on every machine.
 bool steps_too_many(const Operation& operation, const Question& question);
 
-/// How an engine failed: its exit code or signal, or its complaint without what is particular to the question, its
-/// numbers.
+/// The way in which an engine failed: its exit code or signal, or its complaint without the numbers that are particular
+/// to the question.
 std::string reason_of(const std::string& remark);
 
 }  // namespace touchstone::audit

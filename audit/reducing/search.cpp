@@ -14,7 +14,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// FNV-1a over the bits of a question. Two that share it by chance cost one candidate.
+/// FNV-1a over the bits of a question. Two with the same hash by chance cost one candidate.
 std::uint64_t hash_of(const Question& question) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&hash](std::uint64_t bits) {
@@ -79,7 +79,7 @@ std::optional<std::size_t> Search::first(std::size_t count, const Make& make) {
   for (std::size_t begin = 0; begin < count && !over(); begin += jobs) {
     std::vector<Looked> batch(std::min(jobs, count - begin));
     in_parallel(options_.jobs, batch.size(), [&](std::size_t i) { batch[i] = reviewed(i, make(begin + i)); });
-    if (over()) break;  // an engine that was stopped has said nothing
+    if (over()) break;  // an interrupted engine has said nothing
     for (std::size_t i = 0; i < batch.size(); ++i) {
       if (!batch[i].question || failed_.count(batch[i].hash) > 0) continue;
       ++candidates_, ++looked_;

@@ -13,50 +13,50 @@
 
 namespace touchstone::audit {
 
-/// Whether the numbers and words of a question take fewer characters than those of another, then `smaller`
+/// True if the numbers and words of a question take fewer characters than those of another, then by `smaller`
 /// (audit/counting/tally.h).
 bool briefer(const Question& a, const Question& b);
 
-/// Whether a question is shorter than another: of ordinary size where the other is not, then fewer elements in its
+/// True if a question is shorter than another: of ordinary magnitude if the other is not, then fewer elements in its
 /// lists, then briefer. A total order without infinite descent.
 bool shorter(const Operation& operation, const Question& a, const Question& b);
 
-/// How a search is run.
+/// The options of a search.
 struct SearchOptions {
   int jobs = 1;
   TimeLimit limit{};
   const std::atomic<bool>* stop = nullptr;          ///< ends the search once it is true
-  std::function<void(const Question&)> progress{};  ///< hears each question that is shorter
-  /// A question may get degenerate features (audit/counting/generic.h) that the first one has not. A reader takes them
+  std::function<void(const Question&)> progress{};  ///< called with each shorter question
+  /// A question may get degenerate features (audit/counting/generic.h) that the first one lacks. A reader takes them
   /// for the cause.
   bool allow_degenerate = false;
 };
 
-/// The shortest question so far that holds, and the search for shorter ones. What it finds depends neither on the jobs
-/// nor on how fast they are, unless it is ended early.
+/// The shortest question so far with the property, and the search for shorter ones. The result depends neither on the
+/// jobs nor on their speed, unless it is ended early.
 class Search {
  public:
-  /// Of a question that holds.
+  /// Starts from a question with the property.
   Search(const Operation& operation, Question question, Interest& interest, const SearchOptions& options);
 
   const Operation& operation() const { return operation_; }
   const Question& best() const { return best_; }
-  std::uint64_t candidates() const { return candidates_; }  ///< that were looked at, each once
+  std::uint64_t candidates() const { return candidates_; }  ///< examined, each once
   bool over() const;
 
-  /// Makes the candidate of that number, or none.
+  /// Makes the candidate of that number, or nullopt.
   using Make = std::function<std::optional<Question>(std::size_t)>;
-  /// Looks for the first of so many candidates that is shorter than the best and holds; it is the best from then on.
-  /// Several jobs look at several candidates, of which the first in order counts.
+  /// Finds the first of `count` candidates that is shorter than the best and has the property; it becomes the best.
+  /// Several jobs examine several candidates, of which the first in order counts.
   std::optional<std::size_t> first(std::size_t count, const Make& make);
-  /// Whether a candidate of the last call that was looked at was within the contract.
+  /// True if a candidate examined in the last call was within the contract.
   bool any_within() const { return looked_ > refused_; }
-  /// Whether a question holds, be it shorter or not.
+  /// True if a question has the property, whether shorter or not.
   bool holds(const Question& question);
 
  private:
   struct Looked {
-    std::optional<Question> question{};  ///< nothing: not shorter, or looked at before
+    std::optional<Question> question{};  ///< nullopt: not shorter, or examined before
     std::uint64_t hash = 0;
     Look look = Look::fails;
   };

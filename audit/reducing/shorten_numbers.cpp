@@ -12,7 +12,7 @@ namespace touchstone::audit::reducing {
 namespace {
 
 constexpr int most_digits = 16, most_bits = 52;
-constexpr std::size_t most_others = 32;  // other numbers of a question that a number is made equal to
+constexpr std::size_t most_others = 32;  // other numbers of a question that a number is set to
 
 double to_digits(double number, int digits) {
   char text[40];
@@ -28,7 +28,7 @@ double to_bits(double number, int bits) {
 
 bool shorter_number(double a, double b) { return briefer({{a}, {}}, {{b}, {}}); }
 
-/// What a number may become, the shortest first.
+/// The candidates for a number, the shortest first.
 std::vector<double> shorter_than(double number, const std::vector<double>& others) {
   std::vector<double> values{std::fabs(number)};
   for (int digit = -9; digit <= 9; ++digit) values.push_back(digit);
@@ -37,7 +37,7 @@ std::vector<double> shorter_than(double number, const std::vector<double>& other
       values.push_back(whole);
     for (int digits = 1; digits <= most_digits; ++digits) values.push_back(to_digits(number, digits));
     for (int bits = 1; bits <= most_bits; ++bits) values.push_back(to_bits(number, bits));
-    // Of an extreme size it would take a thousand rounds to come down by halves.
+    // From an extreme magnitude it would take a thousand rounds to come down by halves.
     int exponent = 0;
     const double mantissa = std::frexp(number, &exponent);
     for (const int share : {2, 4, 8, 16, 32}) values.push_back(std::ldexp(mantissa, exponent - exponent / share));
@@ -50,7 +50,7 @@ std::vector<double> shorter_than(double number, const std::vector<double>& other
   return values;
 }
 
-/// Every number at first <= i < last rounded in one of these ways, the coarsest first.
+/// Every number at first <= i < last rounded by one of these methods, the coarsest first.
 constexpr int ways_to_round = 20;
 std::optional<Question> rounded(const Question& question, std::size_t first, std::size_t last, int way) {
   Question result = question;
@@ -82,7 +82,7 @@ bool shorten_together(Search& search) {
   return better;
 }
 
-/// Numbers that occur more than once, wherever they do.
+/// Numbers that occur more than once, at all their occurrences.
 bool shorten_equal_ones(Search& search) {
   bool better = false;
   std::map<double, std::size_t> occurrences;

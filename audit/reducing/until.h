@@ -8,9 +8,9 @@
 
 namespace touchstone::audit {
 
-/// Questions on which a command of the user's ends with exit code 0. The shell runs it anew for each; it reads the
-/// question in JSON, a line, from its standard input, and what it writes is not looked at. After `timeout` seconds it
-/// is ended, and counts as another exit code. Questions outside the contract are not asked unless that is allowed.
+/// Questions on which a user's command ends with exit code 0. The shell runs it anew for each; it reads the question as
+/// one line of JSON from its standard input, and its output is ignored. After `timeout` seconds it is killed, which
+/// counts as another exit code. Questions outside the contract are not asked unless that is allowed.
 class Until final : public Interest {
  public:
   Until(const Operation& operation, std::string command, double timeout, bool allow_invalid)

@@ -10,16 +10,16 @@
 /// Test vectors as questions to an engine.
 namespace touchstone::audit {
 
-/// The vectors of one file that an engine may be asked: those of operations that it has, but refused inputs.
+/// The vectors of one file that an engine may be asked: those of operations that it has, except refused inputs.
 class VectorQuestions {
  public:
-  /// `folder` is that of the file: vectors name meshes in it.
+  /// `folder` contains the file: vectors name meshes in it.
   VectorQuestions(const Engine& engine, std::string folder) : engine_(engine), folder_(std::move(folder)) {}
 
-  /// A line of the file; what is no vector is passed over (vector_complaint says why).
+  /// Adds a line of the file; a line that is not a vector is skipped (vector_complaint says why).
   void add(std::uint64_t number, const std::string& line);
 
-  /// What an engine answered to one vector, as the oracle judges it.
+  /// An engine's answer to one vector, as the oracle judges it.
   struct Answered {
     std::uint64_t number;
     std::string id, family;

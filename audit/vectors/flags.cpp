@@ -21,7 +21,7 @@ bool has_closed_ring(const Operation& operation, const Question& question) {
   for (const Shape::Part& part : operation.question_shape().parts) {
     const double* first = at.number;
     const bool plane = part.shape->name == "Polygon2<double>", space = part.shape->name == "Polygon3<double>";
-    if (operation.question_shape().kind != Shape::Kind::record) return false;  // no polygon is among alternatives
+    if (operation.question_shape().kind != Shape::Kind::record) return false;  // alternatives contain no polygon
     walk_encoded(*part.shape, at, pass);
     const std::ptrdiff_t axes = plane ? 2 : 3;
     if ((plane || space) && at.number - first > axes && std::equal(first, first + axes, at.number - axes)) return true;

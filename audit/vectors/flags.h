@@ -10,7 +10,8 @@
 
 namespace touchstone::audit {
 
-/// A flag of a test vector, explained once: what kind of input it marks and what follows for who fails it.
+/// A flag of a test vector, explained once: the kind of input that it marks and the consequence for an engine that
+/// fails it.
 struct Flag {
   const char* name;
   const char* meaning;
@@ -36,7 +37,7 @@ inline constexpr std::array<Flag, 8> vector_flags{{
      "An implementation may do what it documents."},
 }};
 
-/// As flags tell it: a number that rounding spoils, however much, is `inexact`.
+/// In terms of flags: a number that rounding spoils, however much, is `inexact`.
 Verdict verdict_on_decision(const Judgement& judgement);
 
 std::vector<std::string> flags_of(const Operation& operation, const Question& question, const Examination& examination);

@@ -21,7 +21,7 @@ struct Smaller {
 };
 using Questions = std::set<Question, Smaller>;
 
-/// Whether the formula is as near to another course as its own rounding, as far as that is known to first order.
+/// True if the formula is as near to another course as its own rounding, to first order.
 bool is_near(const RecordedCall& call) {
   const Course course = course_of(call);
   return course.in_doubt || course.nearest < 1;
@@ -32,7 +32,7 @@ bool is_wrong(const RecordedCall& call, const Examination& examination, Declarat
   return is_finding(judged(reply_of(call), examination, declaration).verdict);
 }
 
-/// A question that stays of one kind.
+/// Accepts questions that stay of one kind.
 class SameKind final : public Interest {
  public:
   SameKind(const Operation& operation, std::string kind) : operation_(operation), kind_(std::move(kind)) {}

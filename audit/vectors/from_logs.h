@@ -10,9 +10,9 @@
 
 namespace touchstone::audit {
 
-/// The hardest questions of recorded calls, by operation: those whose answer is wrong, and those on which the textbook
-/// formula is as near to another course as its own rounding. Each is made smaller while the truth, whether shapes only
-/// touch, and the formula's verdict stay what they are; then none comes twice. Of each such kind a few, the smallest
+/// The hardest questions of recorded calls, by operation: those with a wrong answer, and those on which the textbook
+/// formula is as near to another course as its own rounding. Each is shrunk while the truth, whether shapes only touch,
+/// and the formula's verdict stay the same; duplicates are dropped. A few of each such kind are kept, the smallest
 /// first. The same logs give the same questions whatever `jobs` is.
 std::map<const Operation*, std::vector<Question>> hardest_of_logs(const std::vector<std::string>& files,
                                                                   const std::vector<const Operation*>& operations,

@@ -8,7 +8,7 @@
 
 namespace touchstone::audit {
 
-/// What makes two vectors alike: the outcome and what the textbook formula makes of it.
+/// The key by which two vectors are alike: the outcome and the textbook formula's verdict.
 std::string likeness(const Examination& examination);
 
 }  // namespace touchstone::audit

@@ -39,7 +39,7 @@ Json entry_of(const fs::path& path) {
   return entry;
 }
 
-/// The files that a manifest lists, by their names relative to the folder, in the order of these.
+/// The files that a manifest lists, sorted by their names relative to the folder.
 std::map<std::string, fs::path> listed_files(const std::string& folder) {
   std::map<std::string, fs::path> files;
   for (const char* part : {"", "schemas", "meshes"}) {

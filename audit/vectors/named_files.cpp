@@ -11,7 +11,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// A vertex or a face a line, for whoever looks at it or compares two of them.
+/// Puts one vertex or face on each line, for viewing and diffing.
 std::string in_lines(std::string text) {
   for (std::size_t at = 0; (at = text.find("],", at)) != std::string::npos;) text.insert(at += 2, "\n");
   return text + "\n";

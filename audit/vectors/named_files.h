@@ -8,7 +8,7 @@
 #include "catalogue/codec/json.h"
 
 /// Meshes that vectors name (catalogue/families/meshes/named_meshes.h): each is a file of JSON next to the vectors, and
-/// a line's input has the file's name where the mesh would stand.
+/// a line's input has the file's name in place of the mesh.
 namespace touchstone::audit {
 
 struct NamedFile {
@@ -17,11 +17,11 @@ struct NamedFile {
 };
 const std::vector<NamedFile>& named_files();
 
-/// The input with the name of every mesh that has one.
+/// The input with meshes replaced by their names, if they have one.
 Json with_names(Json input);
 
-/// The input, as parse_line reads it, with what the files of that folder hold. Throws certify::Refusal or InvalidInput
-/// with field and rule.
+/// The input, as parse_line reads it, with the content of the files of that folder. Throws certify::Refusal or
+/// InvalidInput with field and rule.
 Json without_names(Json input, const std::string& folder);
 
 }  // namespace touchstone::audit

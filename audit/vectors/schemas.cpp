@@ -10,7 +10,7 @@ namespace touchstone::audit {
 namespace {
 
 constexpr const char* draft = "https://json-schema.org/draft/2020-12/schema";
-// As oracle/certificates/check_surd.h has them.
+// The same forms as in oracle/certificates/check_surd.h.
 constexpr const char* rational = "-?(0|[1-9][0-9]*)(/[1-9][0-9]*)?";
 constexpr const char* root =
     "([+-]?(0|[1-9][0-9]*)(/[1-9][0-9]*)?(?=[+-]))?[+-]?([1-9][0-9]*(/[1-9][0-9]*)?\\*)?sqrt\\([1-9][0-9]*\\)";
@@ -27,7 +27,7 @@ Json closed_object(const Json& properties, const std::vector<std::string>& requi
   return schema;
 }
 
-/// Values of a shape, their numbers as that definition has them; in inputs a mesh may be the name of a file.
+/// The values of a shape, with numbers in the given definition; in inputs a mesh may be the name of a file.
 Json schema_of(const Shape& shape, const std::string& number, bool input) {
   Json schema = Json::object();
   switch (shape.kind) {

@@ -25,12 +25,12 @@ constexpr std::size_t most_of_a_family = 24, most_alike = 6;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 
-/// A question of an operation, examined when first asked for.
+/// A question of an operation, examined on first use.
 struct Examined {
   const Operation& operation;
   Question question;
   Once<std::unique_ptr<const Examination>> once{};
-  /// Throws InvalidInput where the oracle refuses.
+  /// Throws InvalidInput if the oracle refuses.
   const Examination& operator*() const {
     return *once.value([&] { return operation.examine(question); });
   }
@@ -75,14 +75,14 @@ std::string likeness(const Examined& examined) {
   }
 }
 
-/// Equal, in whatever order the fields of objects come.
+/// True if equal, whatever the order of the fields of objects.
 bool same(const Json& a, const Json& b) { return nlohmann::json(a) == nlohmann::json(b); }
 
 std::string in_words(std::size_t environment) {
   return environment == 0 ? "" : " (" + environment_name(environment) + ")";
 }
 
-/// Of each number one in which it is not finite; then those that break another rule too once more, without that.
+/// For each number a question in which it is not finite; then those that break another rule are repeated without that.
 std::vector<Question> not_finite_questions(const Operation& operation) {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::array<double, 3> bad{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
@@ -97,7 +97,8 @@ std::vector<Question> not_finite_questions(const Operation& operation) {
   return questions;
 }
 
-/// What robust answers otherwise over arrays, with each instruction set, to nearest: elsewhere arrays ask row by row.
+/// The difference in robust's answers over arrays, with each instruction set, rounding to nearest: in other modes
+/// arrays ask row by row.
 std::string array_complaint(const Examined& examined) {
   using robust::batch::Instructions;
   const auto& [operation, question, once] = examined;
@@ -149,7 +150,7 @@ std::string robust_complaint(const Json& line, const Examined& examined) {
   return array_complaint(examined);
 }
 
-/// What the line says in addition to the truth, as it would be written now. Another certificate may hold as well.
+/// Compares the rest of the line with what would be written now. Another certificate may also be valid.
 std::string other_complaint(const Json& line, const Examined& examined) {
   const std::string family = line.value("family", "");
   const auto& families = examined.operation.families();

@@ -6,8 +6,8 @@
 #include "bench/isa/naive_space.h"
 #include "robust/batch/isa/lanes.h"
 
-/// The formulas that one writes where rounding is no matter, in the lanes of robust/batch: what exact answers are
-/// compared with. With one lane they are the plain loop.
+/// The formulas that one writes if rounding does not matter, in the lanes of robust/batch: the baseline for exact
+/// answers. With one lane they are a plain loop.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -19,7 +19,7 @@ struct NaiveOrientation {
   static Mask of(const Lanes* c) { return negative((c[2] - c[0]) * (c[5] - c[1]) - (c[3] - c[1]) * (c[4] - c[0])); }
 };
 
-/// On the line, and in the box of the segment.
+/// On the line, and in the segment's box.
 struct NaivePointOnSegment {
   static constexpr std::size_t columns = 6;
   static constexpr std::uint8_t set = 0, clear = 1;
@@ -31,7 +31,7 @@ struct NaivePointOnSegment {
   }
 };
 
-/// Four sides; says that segments on one line meet.
+/// Four sides; reports that segments on one line meet.
 struct NaiveSegmentSegment {
   static constexpr std::size_t columns = 8;
   static constexpr std::uint8_t set = 0, clear = 1;

@@ -8,10 +8,9 @@
 
 namespace touchstone::robust::batch::isa {
 
-/// Answers of a plain formula over contiguous columns, the number of rows a multiple of 64.
+/// Computes answers of a plain formula over contiguous columns; the number of rows is a multiple of 64.
 using NaiveLoop = void(const double* const* columns, std::size_t count, std::uint8_t* answers);
-/// The same beside one shape that all rows share: a ring's vertices, or the corners and a normal of each face of a
-/// solid.
+/// The same with one shape that all rows share: a ring's vertices, or the corners and a normal of each face of a solid.
 using NaiveSharedLoop = void(const double* const* columns, const Shared& shape, std::size_t count,
                              std::uint8_t* answers);
 
@@ -25,7 +24,7 @@ struct NaiveLoops {
 
 extern const NaiveLoops plain_loops, avx2_loops, avx512_loops;
 
-/// The sum of numbers: reads memory as fast as it goes. The number of numbers is a multiple of 64.
+/// Adds numbers: reads memory as fast as possible. The count is a multiple of 64.
 double sum_of(const double* numbers, std::size_t count);
 
 }  // namespace touchstone::robust::batch::isa

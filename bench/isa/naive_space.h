@@ -5,7 +5,7 @@
 #include "robust/batch/isa/filters.h"
 #include "robust/batch/isa/lanes.h"
 
-/// The formulas that one writes for triangles in space, rings and solids where rounding is no matter (naive.h).
+/// The formulas that one writes for triangles in space, rings and solids if rounding does not matter (naive.h).
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -20,7 +20,7 @@ Arrow cross(const Arrow& a, const Arrow& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Moeller and Trumbore's test. In the place of a division all numbers are multiplied by the determinant.
+/// Moeller and Trumbore's test, with all numbers multiplied by the determinant instead of divided.
 struct NaiveCrossing {
   Lanes size, t;
   Mask inside;
@@ -51,8 +51,8 @@ struct NaiveSegmentTriangle {
   }
 };
 
-/// By determinants: an edge of one crosses the other where its ends are on different sides of the other's plane and its
-/// line has all edges of the other on one side. Says that triangles in one plane have nothing in common.
+/// By determinants: an edge of one crosses the other if its ends are on different sides of the other's plane and its
+/// line has all edges of the other on one side. Reports that coplanar triangles have nothing in common.
 struct NaiveTriangles {
   static constexpr std::size_t columns = 18;
   static constexpr std::uint8_t set = 2, clear = 0;
@@ -114,8 +114,8 @@ struct NaiveConvexRing {
   }
 };
 
-/// Behind all faces: of each a corner, the normal, which points outwards, and the other corners. Where all lanes are
-/// outside it is done.
+/// Behind all faces, each given by a corner, the outward normal, and the other corners. Stops once all lanes are
+/// outside.
 struct NaiveConvexSolid {
   static constexpr std::size_t columns = 3;
   static constexpr std::uint8_t set = 0, clear = 2;
@@ -131,8 +131,8 @@ struct NaiveConvexSolid {
   }
 };
 
-/// The ray to +x through all faces: each is crossed where it has the point within it as seen along x, and the plane
-/// ahead.
+/// Casts the ray to +x through all faces: it crosses a face that contains the point as seen along x and whose plane
+/// lies ahead.
 struct NaiveSolid {
   static constexpr std::size_t columns = 3;
   static constexpr std::uint8_t set = 0, clear = 2;

@@ -17,7 +17,7 @@ std::string folded(std::string_view name) {
   return result;
 }
 
-/// How many letters must be replaced, inserted, left out, or swapped with a neighbour, none of them twice.
+/// The least number of letters to replace, insert, delete, or swap with a neighbour; none is edited twice.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -44,7 +44,7 @@ std::string nearest_of(std::string_view name, const Names& known) {
     const std::string spelt = folded(candidate);
     if (longer.empty() && misspelt.size() >= fewest_of_a_beginning && spelt.starts_with(misspelt)) longer = candidate;
     const std::size_t off = distance(misspelt, spelt);
-    // What shares no letter in its place is another name, however short.
+    // A word that shares no letter in place is a different name, however short.
     if (off < least && off < std::max(spelt.size(), misspelt.size())) least = off, nearest = candidate;
   }
   if (nearest.empty()) nearest = longer;

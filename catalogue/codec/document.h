@@ -7,8 +7,8 @@
 
 namespace touchstone::catalogue {
 
-/// Parses the text of a file as parse_line does. What is no JSON is told by line and column, both from 1: a column is
-/// a byte.
+/// Parses the text of a file as parse_line does. Reports text that is not JSON with line and column, both from 1; a
+/// column is a byte.
 Json parse_document(const std::string& text);
 
 }  // namespace touchstone::catalogue

@@ -8,8 +8,8 @@ namespace {
 
 unsigned byte(char c) { return static_cast<unsigned char>(c); }
 
-/// How many bytes the character at the front has that may be shown as it is; 0 where the first byte may not. Like the
-/// control characters of ASCII, those from U+0080 to U+009F may not.
+/// The length in bytes of the first character if it may be printed as it is; 0 if not. Control characters of ASCII, and
+/// those from U+0080 to U+009F, may not.
 std::size_t printable(std::string_view text) {
   const unsigned first = byte(text[0]);
   if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;

@@ -6,11 +6,11 @@
 
 namespace touchstone::catalogue {
 
-/// Text from elsewhere as it may be shown on a terminal: control characters and bytes that are no UTF-8 are written
-/// \xNN, and of what is longer than `most` bytes only the beginning is kept, with the full length.
+/// Makes foreign text safe to print on a terminal: control characters and bytes that are not UTF-8 become \xNN, and
+/// text longer than `most` bytes is truncated, with its full length stated.
 std::string excerpt(std::string_view text, std::size_t most);
 
-/// What is shown of a key that no field has.
+/// The number of bytes printed of an unknown key.
 constexpr std::size_t most_of_a_key = 60;
 
 }  // namespace touchstone::catalogue

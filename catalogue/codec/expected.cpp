@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_shown = 60;
 
-/// Numbers as they were typed. Ends soon after more has been written than is kept.
+/// Appends the value with numbers as they were typed. Stops soon after more has been written than is kept.
 void append(const Json& value, std::string& text) {
   if (text.size() > most_shown) return;
   if (is_typed_number(value)) {

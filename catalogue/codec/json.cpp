@@ -16,14 +16,14 @@ namespace {
 
 constexpr char typed_number_mark = '\x01';
 constexpr long most_decimal_exponent = 5000;
-/// The deepest document of ours, a tally's smallest finding, is nested a dozen deep.
+/// Our deepest document, a tally's smallest finding, is nested a dozen deep.
 constexpr std::size_t most_nested = 64;
-/// Objects keep their fields in a list, so that finding one takes time in proportion to it.
+/// Objects keep their fields in a list, so that finding a field takes linear time.
 constexpr std::size_t most_fields = 1000;
 
 bool starts_number(char c) { return c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'); }
 
-/// Every number outside a string becomes a marked string; what is between marks is checked when it is read.
+/// Turns every number outside a string into a marked string; the text between marks is checked when it is read.
 std::string with_marked_numbers(const std::string& text) {
   std::string result;
   result.reserve(text.size() * 2);
@@ -36,7 +36,7 @@ std::string with_marked_numbers(const std::string& text) {
       in_string = !in_string;
       result += c;
     } else if (!in_string && (starts_number(c) || c == 'N' || c == 'I')) {
-      // NaN, Infinity, 0x1 or +1 are no JSON, but the complaint about them should name their field.
+      // NaN, Infinity, 0x1 and +1 are not JSON, but the complaint about them should name their field.
       result += "\"\\u0001";
       while (i < text.size() && (starts_number(text[i]) || std::isalpha(static_cast<unsigned char>(text[i])) != 0))
         result += text[i++];
@@ -107,12 +107,12 @@ mpq_class power(unsigned base, long exponent) {
   return exponent < 0 ? mpq_class(1, result) : mpq_class(result);
 }
 
-/// Builds a document. Every walk over one calls itself for its parts: what is nested deeper never becomes one. (The
-/// library's own parser looks at all elements of a list behind each, where it is given anything to check.)
+/// Builds a document. Every traversal of one is recursive, so documents nested more deeply are refused. (The library's
+/// own parser, if given a callback, examines all elements of a list after each.)
 class Builder {
  public:
   Json built() { return std::move(built_); }
-  /// Where the text ceased to be JSON: how many characters were read then.
+  /// The number of characters read when the text ceased to be JSON.
   std::size_t read() const { return read_; }
 
   bool null() { return added(nullptr); }
@@ -163,12 +163,12 @@ class Builder {
   }
 
   Json built_;
-  std::vector<Json*> open_;  ///< objects and lists that are not closed yet, the innermost last
-  Json* field_ = nullptr;    ///< whose value comes next
+  std::vector<Json*> open_;  ///< objects and lists that are still open, the innermost last
+  Json* field_ = nullptr;    ///< the field whose value comes next
   std::size_t read_ = 0;
 };
 
-/// A text that is no JSON, from that character on.
+/// Thrown for a text that is not JSON, from that character on.
 struct NoJson {
   std::size_t at;
 };
@@ -189,9 +189,9 @@ Json parsed_line(const std::string& text) {
   }
 }
 
-/// Where a character of the marked text comes from.
+/// The position in the typed text of a character of the marked text.
 std::size_t typed_place(const std::string& text, std::size_t marked_place) {
-  std::size_t low = 0, high = text.size() + 1;  // so many characters, once they are marked, end before it; and do not
+  std::size_t low = 0, high = text.size() + 1;  // this many characters, once marked, end before it; and do not
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
     (with_marked_numbers(text.substr(0, middle)).size() > marked_place ? high : low) = middle;
@@ -199,7 +199,7 @@ std::size_t typed_place(const std::string& text, std::size_t marked_place) {
   return low;
 }
 
-/// What stands there in a text that is no JSON from there on, and where.
+/// The error for a text that is not JSON from `place` on: what stands there, and where.
 InvalidInput no_json(const std::string& text, std::size_t place) {
   const auto of_number = [&](std::size_t i) {
     return starts_number(text[i]) || std::isalnum(static_cast<unsigned char>(text[i])) != 0;
@@ -271,7 +271,7 @@ bool read_flag(const Json& value, const std::string& field) {
 std::uint32_t read_index(const Json& value, const std::string& field) {
   const double number = read_double(value, field);
   if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number)))
-    throw InvalidInput(field, expected("a whole number below 2^32", value));
+    throw InvalidInput(field, expected("an integer below 2^32", value));
   return static_cast<std::uint32_t>(number);
 }
 

@@ -29,7 +29,7 @@ std::vector<Corners> read_lists(const Json& json, const std::string& path) {
   return lists;
 }
 
-/// The extent is told in doubles, whatever the numbers are.
+/// The extent is computed in doubles, for all number types.
 double thickness_of(const std::vector<Point3d>& vertices, const Corners& corners) {
   return robust::thickness(vertices, corners);
 }

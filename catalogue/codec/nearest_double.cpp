@@ -11,7 +11,7 @@ namespace {
 
 bool is_sign(char c) { return c == '-' || c == '+'; }
 
-/// Whether a number is at least 1: where its first digit that counts stands, moved by the exponent, of which
+/// True if a number is at least 1: by the position of its first nonzero digit, moved by the exponent, of which
 /// `units_a_digit` make a digit.
 bool at_least_one(std::string_view text, const char* exponent_marks, long long units_a_digit) {
   const std::size_t e = std::min(text.find_first_of(exponent_marks), text.size());
@@ -40,7 +40,7 @@ std::optional<double> nearest_double(std::string_view text, bool hexadecimal_too
   if (!text.empty() && is_sign(text[0])) text.remove_prefix(1);
   const bool hexadecimal = hexadecimal_too && (text.starts_with("0x") || text.starts_with("0X"));
   if (hexadecimal) text.remove_prefix(2);
-  // from_chars takes "inf" and "-1", too.
+  // from_chars also accepts "inf" and "-1".
   const std::string_view digits = hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
   const std::size_t first = text.starts_with('.') ? 1 : 0;
   if (first >= text.size() || digits.find(text[first]) == digits.npos) return std::nullopt;

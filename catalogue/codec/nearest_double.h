@@ -6,9 +6,9 @@
 
 namespace touchstone::catalogue {
 
-/// The double nearest to a decimal number, ties to even: infinite beyond the range, subnormal or 0 near 0. Empty where
-/// the text is anything else, or more. No locale changes what it reads. `hexadecimal_too`: or a number such as
-/// "-0x1.8p+3".
+/// The double nearest to a decimal number, ties to even: infinite beyond the range, subnormal or 0 near 0. Returns
+/// nullopt if the text is anything else, or longer. No locale affects it. `hexadecimal_too`: also accepts numbers such
+/// as "-0x1.8p+3".
 std::optional<double> nearest_double(std::string_view text, bool hexadecimal_too = false);
 
 }  // namespace touchstone::catalogue

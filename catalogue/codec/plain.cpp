@@ -8,14 +8,14 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// Whether brackets stand in brackets more often than that.
+/// True if brackets are nested more than `depth` deep.
 bool nested_deeper(const Json& value, int depth) {
   return value.is_structured() && (depth == 0 || std::any_of(value.begin(), value.end(), [depth](const Json& part) {
                                      return nested_deeper(part, depth - 1);
                                    }));
 }
 
-/// What one_line makes of plain(answer), without a copy of an answer that may be long.
+/// Appends one_line(plain(answer)), without copying an answer that may be long.
 void append_plain(const Json& answer, std::string& text) {
   if (!answer.is_structured()) {
     text += one_line(plain(answer));
@@ -38,7 +38,7 @@ Json plain(const Json& answer) {
     try {
       return written(read_answer_number(answer, "answer"));
     } catch (const InvalidInput&) {
-      return typed_text(answer);  // what stands where a number may, and is none
+      return typed_text(answer);  // text in the place of a number
     }
   }
   if (!answer.is_structured()) return answer;
@@ -52,7 +52,7 @@ Json plain(const Json& answer) {
 
 Json kept(const Json& answer) {
   constexpr std::size_t most = 4096;
-  constexpr int most_nested = 32;  // a file that holds it is read back, nested at most 64 deep
+  constexpr int most_nested = 32;  // a file that holds it is parsed again, nested at most 64 deep
   std::string text;
   append_plain(answer, text);
   return text.size() > most || nested_deeper(answer, most_nested) ? Json(excerpt(text, most)) : plain(answer);

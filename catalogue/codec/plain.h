@@ -5,10 +5,11 @@
 
 namespace touchstone::catalogue {
 
-/// An answer as an engine typed it with its numbers read: what a file keeps of it.
+/// An answer as an engine typed it with its numbers parsed: the form that files keep.
 Json plain(const Json& answer);
 
-/// The same, as a text where it is nested deeper than 32; of more than 4,096 characters the beginning and the length.
+/// The same, as text if it is nested deeper than 32; an answer of more than 4,096 characters is truncated, with its
+/// length.
 Json kept(const Json& answer);
 
 }  // namespace touchstone::catalogue

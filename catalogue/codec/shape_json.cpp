@@ -83,7 +83,7 @@ void read_record(const Shape& shape, const Json& json, const std::string& path, 
   }
 }
 
-/// Whether a document has a field of an alternative; true where the alternative is no record of fields.
+/// True if a document has a field of an alternative, or if the alternative is not a record of fields.
 bool has_a_field_of(const Shape& alternative, const Json& json) {
   if (alternative.kind != Shape::Kind::record || alternative.form != Form::record || !json.is_object()) return true;
   for (const Shape::Part& part : alternative.parts) {
@@ -92,9 +92,9 @@ bool has_a_field_of(const Shape& alternative, const Json& json) {
   return false;
 }
 
-/// The first alternative that the document fits; where it fits none, the complaint of the one that could be read
-/// furthest, of those that have a field of that name. A number that is not finite stands where a number should: it is
-/// read further than what is none.
+/// Reads the first alternative that the document fits. If it fits none, throws the complaint of the alternative that
+/// was read furthest, among those that have a field of that name. A number that is not finite counts as a number: it is
+/// read further than text that is not a number.
 template <class Real>
 void read_choice(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
                  ReadNumber<Real> read, bool partial) {

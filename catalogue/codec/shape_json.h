@@ -5,7 +5,7 @@
 #include "catalogue/numbers/true_number.h"
 #include "catalogue/shape/shape.h"
 
-/// Values in JSON, by their shapes.
+/// Conversion of values to and from JSON, by their shapes.
 namespace touchstone::catalogue {
 
 template <class Real>
@@ -24,18 +24,18 @@ Json json_of(const Shape& shape, const EncodedValue<Real>& encoded, WriteNumber<
   return json_of(shape, at, write);
 }
 
-/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
+/// True if a value may be omitted in the input: it is optional, or all its parts are.
 bool can_be_left_out(const Shape& shape, bool partial);
 
 /// Appends the value to the encoded value. Throws InvalidInput naming the path and the rule. In a partial reading any
-/// number may be left out: each is preceded on the encoded value by a word that says whether it is there. Double or
+/// number may be omitted: each is preceded in the encoded value by a flag that tells whether it is present. Double or
 /// mpq_class.
 template <class Real>
 void read_json(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
                ReadNumber<Real> read, bool partial = false);
 
-/// The shape itself: "number", "on | off", ["number", "number"], {"t?": "number"}. A name that ends in ? may be left
-/// out.
+/// The shape itself: "number", "on | off", ["number", "number"], {"t?": "number"}. A name that ends in ? may be
+/// omitted.
 Json json_of(const Shape& shape);
 
 /// A typed value in JSON: numbers may be doubles or rationals.

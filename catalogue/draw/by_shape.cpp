@@ -12,13 +12,13 @@
 
 namespace touchstone::catalogue {
 
-/// The rows of a matrix are no vectors of space.
+/// The rows of a matrix are not vectors of space.
 static void draw(Drawing& drawing, const std::string& label, const Inertiad& inertia, bool) {
   const auto row = [](const Vector3d& v) { return in_words(Point3d{v.x, v.y, v.z}); };
   drawing.notes.push_back(label + ": " + row(inertia.x) + ", " + row(inertia.y) + ", " + row(inertia.z));
 }
 
-/// The segment, and a ball at each of its ends.
+/// Draws the segment, and a ball at each of its ends.
 static void draw(Drawing& drawing, const std::string& label, const Capsule3d& capsule, bool answer) {
   const auto& [segment, radius] = capsule;
   draw(drawing, label, segment, answer);
@@ -38,7 +38,7 @@ void draw_as(Drawing& drawing, const std::string& label, Cursor<double>& from, b
   draw(drawing, label, value, answer);
 }
 
-/// Of these types and of lists of them, by their shapes.
+/// Values of these types and lists of them, by their shapes.
 template <class... T>
 std::map<const Shape*, Draw> figures_of() {
   return {{&shape_of<T>(), draw_as<T>}..., {&shape_of<std::vector<T>>(), draw_as<std::vector<T>>}...};

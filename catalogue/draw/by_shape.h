@@ -6,14 +6,14 @@
 #include "catalogue/draw/drawing.h"
 #include "catalogue/shape/shape.h"
 
-/// Values whose types are known by their shapes alone, drawn.
+/// Draws values whose types are known only by their shapes.
 namespace touchstone::catalogue {
 
-/// Draws a value and moves the cursor past it. False, and nothing done, where the type has no figure of its own.
+/// Draws a value and moves the cursor past it. Returns false and does nothing if the type has no figure of its own.
 bool draw_figure(Drawing& drawing, const Shape& shape, const std::string& label, Cursor<double>& from, bool answer);
 bool has_figure(const Shape& shape);
 
-/// Draws a question's arguments by their types; what has no figure is noted in words.
+/// Draws a question's arguments by their types; arguments without a figure are noted in words.
 void draw_question(Drawing& drawing, const Shape& shape, const Question& question);
 
 }  // namespace touchstone::catalogue

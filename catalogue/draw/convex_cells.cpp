@@ -9,7 +9,7 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// A plane by a normal of length 1 and its distance from the origin, in units in which the box is within [-1, 1].
+/// A plane by a unit normal and its distance from the origin, in units in which the box is within [-1, 1].
 struct UnitPlane {
   Vector3d normal;
   double offset;
@@ -22,7 +22,7 @@ UnitPlane scaled(const Plane3d& plane, int exponent) {
   return {unit_of(v), std::ldexp(plane.offset / size, -exponent) / std::sqrt(dot(v, v))};
 }
 
-/// What of a convex polygon lies in a half-space.
+/// The part of a convex polygon in a half-space.
 std::vector<Point3d> cut(const std::vector<Point3d>& ring, const UnitPlane& by) {
   std::vector<Point3d> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -34,8 +34,8 @@ std::vector<Point3d> cut(const std::vector<Point3d>& ring, const UnitPlane& by) 
   return kept;
 }
 
-/// A square of a plane about the point that is nearest to the origin, which holds what of it lies in [-1, 1] cubed: no
-/// point there is farther than sqrt(3) from that point.
+/// A square of a plane about its point nearest to the origin that contains the plane's part in [-1, 1] cubed: no point
+/// there is farther than sqrt(3) from that point.
 std::vector<Point3d> square_of(const UnitPlane& plane) {
   const Vector3d& n = plane.normal;
   const double sizes[] = {std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
@@ -46,7 +46,7 @@ std::vector<Point3d> square_of(const UnitPlane& plane) {
   return {foot + (u + v), foot + (v - u), foot + -1.0 * (u + v), foot + (u - v)};
 }
 
-/// The exponent of a power of two that is no less than any coordinate of the box of the first six half-spaces.
+/// The exponent of a power of two that is at least every coordinate of the box of the first six half-spaces.
 int exponent_of(const std::vector<HalfSpace>& half_spaces) {
   double most = 0;
   for (std::size_t i = 0; i < 6; ++i) most = std::max(most, std::fabs(half_spaces[i].offset));
@@ -81,7 +81,7 @@ std::vector<std::vector<Point3d>> faces_of_cell(const std::vector<HalfSpace>& ha
   std::vector<std::vector<Point3d>> faces;
   for (const HalfSpace& side : half_spaces) {
     const std::vector<Point3d> face = part_of_plane(side, half_spaces);
-    // Its corners go round counter-clockwise as seen from inside.
+    // Its corners are counter-clockwise as seen from inside.
     if (!face.empty()) faces.emplace_back(face.rbegin(), face.rend());
   }
   return faces;

@@ -16,7 +16,7 @@
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
 
-/// How each shape is drawn; a new type of geometry adds its overload, and its name to the list in by_shape.cpp.
+/// The drawing of each shape; a new type of geometry adds its overload, and its name to the list in by_shape.cpp.
 namespace touchstone::catalogue {
 
 inline void draw(Drawing& drawing, const std::string& label, double value, bool) {
@@ -68,12 +68,12 @@ inline std::string in_words(const Point3d& p) {
   return "(" + decimal(p.x) + ", " + decimal(p.y) + ", " + decimal(p.z) + ")";
 }
 
-/// What a view of space cannot show to the last digit is noted in words as well.
+/// Values that a view of space cannot show to the last digit are also noted in words.
 inline void draw(Drawing& drawing, const std::string& label, const Point3d& p, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::point, label, {p.x, p.y, p.z}, {}, answer});
   drawing.notes.push_back(label + ": " + in_words(p));
 }
-/// A vector that belongs to a place, which its row knows.
+/// A vector that belongs to a position, which its row knows.
 inline void draw_from(Drawing& drawing, const std::string& label, const Point3d& start, const Vector3d& v,
                       bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::arrow, label, coordinates_of({start, start + v}), {}, answer});
@@ -90,7 +90,7 @@ inline void draw(Drawing& drawing, const std::string& label, const Plane3d& plan
 inline void draw(Drawing& drawing, const std::string& label, const Polygon3d& polygon, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of(polygon.vertices), {}, answer});
 }
-/// As polygons of two corners and of three.
+/// Drawn as polygons of two corners and of three.
 inline void draw(Drawing& drawing, const std::string& label, const Segment3d& s, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of({s.a, s.b}), {}, answer});
   drawing.notes.push_back(label + ": " + in_words(s.a) + " to " + in_words(s.b));
@@ -99,7 +99,7 @@ inline void draw(Drawing& drawing, const std::string& label, const Triangle3d& t
   drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of({t.a, t.b, t.c}), {}, answer});
   drawing.notes.push_back(label + ": " + in_words(t.a) + ", " + in_words(t.b) + ", " + in_words(t.c));
 }
-/// An arrow as long as its direction.
+/// An arrow of the length of its direction.
 inline void draw(Drawing& drawing, const std::string& label, const Ray3d& ray, bool answer) {
   const auto& [origin, v] = ray;
   drawing.space.push_back({SpaceFigure::Kind::arrow, label, coordinates_of({origin, origin + v}), {}, answer});
@@ -139,7 +139,7 @@ inline void draw(Drawing& drawing, const std::string& label, const Slabd& slab, 
   drawing.notes.push_back(label + ": from " + decimal(slab.min) + " to " + decimal(slab.max));
 }
 
-/// The elements of a list, numbered; their numbers stand in the input already, unless they are all there is to show.
+/// The elements of a list, numbered; the input already contains their numbers, unless they are all there is to show.
 template <class T>
 requires requires(Drawing& drawing, const T& element) { draw(drawing, std::string(), element, false); }
 void draw(Drawing& drawing, const std::string& label, const std::vector<T>& list, bool answer) {

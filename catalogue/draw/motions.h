@@ -11,7 +11,7 @@
 #include "catalogue/draw/side_view.h"
 #include "geometry/bodies.h"
 
-/// Bodies that move: where they are, where they come to, and where they first touch. What is drawn is rounded.
+/// Moving bodies: their positions, their destinations, and their first contact. Drawings are rounded.
 namespace touchstone::catalogue {
 
 inline Aabb2d moved(const Aabb2d& box, const Vector2d& v) { return {box.min + v, box.max + v}; }
@@ -22,7 +22,7 @@ inline Meshd moved(Meshd mesh, const Vector3d& v) {
   return mesh;
 }
 
-/// Points whose paths outline the swept volume.
+/// The points whose paths outline the swept volume.
 inline std::vector<Point2d> outline(const Aabb2d& box, const Vector2d&) {
   return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
 }
@@ -37,7 +37,7 @@ inline std::vector<Point3d> outline(const Meshd& mesh, const Vector3d&) {
   constexpr std::size_t most = 24;
   return mesh.vertices.size() <= most ? mesh.vertices : std::vector<Point3d>{};
 }
-/// Four points of the ball's great circle across the way.
+/// Four points of the ball's great circle perpendicular to the displacement.
 inline std::vector<Point3d> outline(const Sphere3d& s, const Vector3d& v) {
   const Vector3d way = unit_of(v);
   const bool along_x = std::fabs(way.x) > 0.5;
@@ -77,15 +77,15 @@ inline void draw_way(Drawing& drawing, const Point3d& from, const Point3d& to) {
 inline bool is_zero(const Vector2d& v) { return v.x == 0 && v.y == 0; }
 inline bool is_zero(const Vector3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// The last figure in space moves: with one velocity before t = 0 and with another after it.
+/// Makes the last figure in space move: with one velocity before t = 0 and with another after it.
 inline void let_move(Drawing& drawing, const Vector3d& before, const Vector3d& after) {
   drawing.space.back().moves = {{-before.x, -before.y, -before.z}, {after.x, after.y, after.z}};
 }
 inline void let_move_from_start(Drawing& drawing, const Vector3d& v) { let_move(drawing, {0, 0, 0}, v); }
 inline void let_move_from_start(Drawing&, const Vector2d&) {}
 
-/// A body at the start of a step, its velocity, thinner its place at the end and the volume between; where the bodies
-/// meet at t, its place then, which belongs to the answer.
+/// Draws a body at the start of a step, its velocity, and, thinner, its position at the end and the volume between. If
+/// the bodies meet at t, also its position then, which belongs to the answer.
 template <class Solid, class Vector>
 void draw_sweep(Drawing& drawing, const std::string& name, const Solid& solid, const Vector& velocity,
                 const std::optional<double>& t) {
@@ -100,8 +100,8 @@ void draw_sweep(Drawing& drawing, const std::string& name, const Solid& solid, c
   drawing.notes = notes;
 }
 
-/// Two balls that stand for bodies whose places are not asked: they touch at the origin and approach along the normal,
-/// a on the side that it comes from.
+/// Two balls that represent bodies without given positions: they touch at the origin and approach along the normal, a
+/// on the side from which it comes.
 struct TouchingBalls {
   Point3d a, b;
   double radius;
@@ -140,7 +140,7 @@ struct TouchingBalls {
 };
 
 /// The velocity of a body before and after it bounces off a plane: the body is at the origin, where it meets the plane.
-/// The velocity before ends there, the one after starts there. Both are given in numbers as well.
+/// The velocity before ends there, and the one after starts there. Both are also given in numbers.
 inline void draw_bounce(Drawing& drawing, const Vector3d& before, const Vector3d& normal, const Vector3d& after) {
   const Point3d body{0, 0, 0};
   drawing.space.push_back({SpaceFigure::Kind::point, "body", coordinates_of({body}), {}, false});
@@ -153,7 +153,7 @@ inline void draw_bounce(Drawing& drawing, const Vector3d& before, const Vector3d
                           in_words({normal.x, normal.y, normal.z}));
 }
 
-/// Bodies in a row with their velocities, since the question has no places.
+/// Bodies in a row with their velocities, since the question has no positions.
 inline void draw_in_a_row(Drawing& drawing, const std::vector<Bodyd>& bodies) {
   double fastest = 0;
   for (const Bodyd& body : bodies) fastest = std::max(fastest, largest(body.velocity));
@@ -167,7 +167,7 @@ inline void draw_in_a_row(Drawing& drawing, const std::vector<Bodyd>& bodies) {
   drawing.notes.push_back("the question has no places: the bodies are drawn in a row");
 }
 
-/// What each body contributes to the momentum, head to tail from the origin; the sum leads to the last head.
+/// The contribution of each body to the momentum, head to tail from the origin; the sum leads to the last head.
 inline void draw_head_to_tail(Drawing& drawing, const std::vector<Bodyd>& bodies, const Vector3d& momentum) {
   Point3d tail{0, 0, 0};
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -7,14 +7,14 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// More would cover one another, and a page with many such figures would be slow to turn.
+/// More would cover one another, and a page with many such figures would be slow to rotate.
 constexpr std::size_t most_nodes = 160, most_corners = 1500;
 
 std::string counted(std::size_t n, const char* one, const char* more) {
   return std::to_string(n) + " " + (n == 1 ? one : more);
 }
 
-/// How far a ray goes until it leaves a box for good, as a multiple of its direction.
+/// The parameter at which a ray leaves a box for good, as a multiple of its direction.
 double last_parameter(const Ray3d& ray, const Aabb3d& box) {
   double last = HUGE_VAL;
   const auto leave = [&last](double origin, double direction, double low, double high) {
@@ -89,7 +89,7 @@ void draw_query(Drawing& drawing, const Commandd& query, const Aabb3d& all) {
           {SpaceFigure::Kind::segment, "", coordinates_of({origin + direction, origin + last * direction}), {}});
     }
   }
-  drawing.notes = notes;  // its numbers stand in the input
+  drawing.notes = notes;  // the input contains its numbers
 }
 
 void draw_bodies(Drawing& drawing, const ::touchstone::reference::IndexedBoxes<double>& bodies) {
@@ -99,7 +99,7 @@ void draw_bodies(Drawing& drawing, const ::touchstone::reference::IndexedBoxes<d
 void draw_bodies(Drawing& drawing, const ::touchstone::reference::IndexedBoxes<double>& bodies, const Commandd& query,
                  const QueryReply& reply) {
   draw_query(drawing, query, bodies.empty() ? Aabb3d{} : ::touchstone::reference::around(bodies));
-  // To `pairs`: whichever is in one.
+  // For `pairs`: any body that is in a pair.
   std::set<Index> met;
   if (const auto* found = std::get_if<PairsReply>(&reply)) {
     for (const auto& [i, j] : found->pairs) met.insert(i), met.insert(j);
@@ -128,7 +128,7 @@ void seen_from_above(Drawing& drawing) {
     } else if (figure.kind == SpaceFigure::Kind::point || figure.kind == SpaceFigure::Kind::arrow) {
       flat.numbers = {n[0], n[1]};
     } else {
-      continue;  // a ray is drawn as far as it goes
+      continue;  // a ray is drawn to where it ends
     }
     drawing.figures.push_back(std::move(flat));
   }

@@ -12,25 +12,25 @@
 #include "catalogue/draw/structure_nodes.h"
 #include "geometry/commands.h"
 
-/// A search in a textbook structure, drawn to help: its nodes, what is searched for, and the bodies.
+/// A search in a textbook structure as an auxiliary drawing: its nodes, the query, and the bodies.
 namespace touchstone::catalogue {
 
-/// What a structure and its nodes are called.
+/// The names of a structure and its nodes.
 struct StructureWords {
   const char *structure, *node, *nodes;
 };
 
-/// What a search did.
+/// The course of a search.
 struct Search {
   StructureNodes nodes;                ///< all, those of a tree from the root down
-  std::map<const void*, bool> passed;  ///< whether it went on to what is in them
+  std::map<const void*, bool> passed;  ///< true if the search continued inside
   std::set<Index> compared;
 };
 
 inline Index index_of(Index body) { return body; }
 inline Index index_of(const ::touchstone::reference::IndexedBox<double>& body) { return body.index; }
 
-/// The search for one thing. `all` is the box around all bodies.
+/// Runs the search for one query. `all` is the box around all bodies.
 template <class Structure, class Query>
 Search searched(const Structure& structure, const Aabb3d& all, const Query& query) {
   Search search{nodes_of(structure, all), {}, {}};
@@ -40,7 +40,7 @@ Search searched(const Structure& structure, const Aabb3d& all, const Query& quer
   return search;
 }
 
-/// How many comparisons with bodies it takes.
+/// The number of comparisons with bodies that it takes.
 template <class Structure, class Query>
 std::size_t comparisons_of(const Structure& structure, const Query& query) {
   std::size_t comparisons = 0;
@@ -48,27 +48,27 @@ std::size_t comparisons_of(const Structure& structure, const Query& query) {
   return comparisons;
 }
 
-/// The searches for all pairs, one for each body. A body that is in several nodes may be compared several times.
+/// The searches for all pairs, one for each body. A body in several nodes may be compared several times.
 struct SearchesForPairs {
   std::size_t bodies = 0, comparisons = 0;
 };
 
-/// The nodes, those that were entered first where there are too many; and in words what was passed. `sought`: "what
-/// meets in_box".
+/// Draws the nodes, starting with those that were entered if there are too many, and describes the nodes passed in
+/// words. `sought`: "what meets in_box".
 void draw_search(Drawing& drawing, const Search& search, const StructureWords& words, const std::string& sought,
                  std::size_t bodies, const std::optional<SearchesForPairs>& pairs);
-/// The same where there is no body.
+/// The same if there is no body.
 void draw_no_search(Drawing& drawing, const StructureWords& words);
 
-/// A body in the colour that all bodies have, and again in that of the truth where it is `met`.
+/// Draws a body in the colour that all bodies have, and again in that of the truth if it is `met`.
 void draw_body(Drawing& drawing, Index index, const SpaceFigure& volume, bool met);
 
-/// The box, point or ray of a query; a ray also as far as it goes within `all`. None of `pairs`.
+/// Draws the box, point or ray of a query; a ray also to where it leaves `all`. Draws nothing for `pairs`.
 void draw_query(Drawing& drawing, const Commandd& query, const Aabb3d& all);
-/// What a query asks for: "what meets in_box". Not of `pairs`.
+/// The goal of a query in words: "what meets in_box". Not for `pairs`.
 std::string sought_by(const Commandd& query);
 
-/// The drawing as seen along z, as figures in the plane.
+/// Turns the drawing, as seen along z, into figures in the plane.
 void seen_from_above(Drawing& drawing);
 
 /// The bodies that are in a pair with this one.
@@ -78,13 +78,13 @@ Index told_of(const std::vector<IndexPair>& pairs, Index other);
 /// The bodies of a reply; to `pairs`, those that meet `searched`.
 std::set<Index> replied(const QueryReply& reply, Index searched);
 
-/// Bodies alone; with a query and which of them its reply names.
+/// Draws bodies alone; with a query and the bodies that its reply names.
 void draw_bodies(Drawing& drawing, const ::touchstone::reference::IndexedBoxes<double>& bodies);
 void draw_bodies(Drawing& drawing, const ::touchstone::reference::IndexedBoxes<double>& bodies, const Commandd& query,
                  const QueryReply& reply);
 
-/// Bodies, the last query of a program, its reply, and what the structure does to find it; of `pairs` the search for
-/// what meets one of them.
+/// Draws bodies, the last query of a program, its reply, and the search of the structure for it; for `pairs` the search
+/// for the bodies that meet one of them.
 template <class Structure>
 void draw_in_structure(Drawing& drawing, const StructureWords& words,
                        const ::touchstone::reference::IndexedBoxes<double>& bodies, const Commandd& query,
@@ -125,7 +125,7 @@ void draw_in_structure(Drawing& drawing, const StructureWords& words,
   for (const auto& [index, box] : bodies) draw_body(drawing, index, volume_figure(box), met.count(index) > 0);
 }
 
-/// The same of a list of solids in a hierarchy of spheres, which is searched by the ball around one of them.
+/// The same for a list of solids in a hierarchy of spheres, which is searched by the ball around one of them.
 template <class Solid>
 void draw_in_balls(Drawing& drawing, const StructureWords& words, const std::vector<Solid>& solids,
                    const std::vector<IndexPair>& truth) {

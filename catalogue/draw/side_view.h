@@ -8,12 +8,12 @@
 #include "geometry/points.h"
 #include "geometry/space.h"
 
-/// Views of space for the eye; what is drawn is rounded.
+/// Views of space for drawings, rounded.
 namespace touchstone::catalogue {
 
 inline double largest(const Vector3d& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-/// v with its largest coordinate 1, then of length 1; the zero vector as it is.
+/// v scaled so that its largest coordinate is 1, then to length 1; the zero vector unchanged.
 inline Vector3d unit_of(const Vector3d& v) {
   const double size = largest(v);
   if (!(size > 0)) return v;
@@ -32,10 +32,10 @@ struct SideView {
     return {n, unit_of({v.x - along * n.x, v.y - along * n.y, v.z - along * n.z})};
   }
 
-  /// A position by its signed distance from the plane, which is known better than rounded coordinates would tell it.
+  /// A position by its signed distance from the plane, which is more accurate than one from rounded coordinates.
   Point2d at(const Vector3d& from_start, double distance) const { return {dot(from_start, across), distance}; }
 
-  /// The plane as a line under that stretch, and its normal next to it.
+  /// Draws the plane as a line under that range, and its normal next to it.
   static void draw_plane(Drawing& drawing, double left, double right, double height) {
     const double size = std::max({right - left, std::fabs(height), std::ldexp(1, -1070)});
     drawing.figures.push_back({Figure::Kind::line, "plane", {left - size / 8, 0, right + size / 8, 0}, false});

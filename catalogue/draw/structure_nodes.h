@@ -17,11 +17,11 @@
 /// The nodes of the textbook structures, as figures in space.
 namespace touchstone::catalogue {
 
-/// A node by its place in memory, at which a search is seen to pass it.
+/// A node by its address, by which a search reports that it passes it.
 struct StructureNode {
   const void* node;
   int depth;
-  SpaceFigure figure;  ///< without numbers where the node has no extent to draw
+  SpaceFigure figure;  ///< without numbers if the node has no extent to draw
 };
 using StructureNodes = std::vector<StructureNode>;
 
@@ -39,7 +39,7 @@ void add_nodes(StructureNodes& nodes, const Tree& tree, int depth) {
   for (const Tree& child : tree.children()) add_nodes(nodes, child, depth + 1);
 }
 
-/// Of a tree of planes a node is its part of space within the box of the first six half-spaces. One that is cut is
+/// A node of a tree of planes is its part of space within the box of the first six half-spaces. A node that is split is
 /// drawn as the cut alone, a leaf as the faces of its part.
 inline void add_nodes(StructureNodes& nodes, const ::touchstone::reference::PlaneTree<double>& tree, int depth,
                       const std::vector<HalfSpace>& half_spaces) {

@@ -38,7 +38,7 @@ void skip(const Shape& shape, At& at, bool partial = false) {
   }
 }
 
-/// Walks over truth and answer side by side. OnWord(truth, answer) compares words, OnNumber(truth, answer, meaning)
+/// Traverses truth and answer together. OnWord(truth, answer) compares enumerators, OnNumber(truth, answer, meaning)
 /// numbers.
 template <class Real>
 class SideBySide {
@@ -100,7 +100,7 @@ class SideBySide {
   Reading reading_;
 };
 
-/// A cursor over words alone.
+/// A cursor over enumerators alone.
 struct WordCursor {
   struct {
     void operator++() {}
@@ -108,7 +108,7 @@ struct WordCursor {
   const Word* word;
 };
 
-/// visit(shape, word) for every enumerator that is no part of anything optional or of a list.
+/// Calls visit(shape, word) for every enumerator that is not part of an optional or of a list.
 template <class Visit>
 void for_each_word(const Shape& shape, WordCursor& at, bool partial, const Visit& visit) {
   if (shape.kind == Shape::Kind::word) return visit(shape, *at.word++);
@@ -178,12 +178,12 @@ void collect(const Shape& shape, const char* name, const Word*& at, std::vector<
   }
 }
 
-/// How many elements of the first list, which has each once, must be taken out for the others to be in the second one
-/// in this order: all but the longest ascent of their first places there.
+/// The number of elements of the first list, which has no duplicates, that must be removed for the others to be in the
+/// second one in this order: all but the longest increasing subsequence of their first positions there.
 std::uint64_t out_of_order(const Listed& right, const Listed& said) {
   std::map<std::vector<Word>, std::size_t> first;
   for (std::size_t i = 0; i < said.elements.size(); ++i) first.emplace(said.elements[i], i);
-  std::vector<std::size_t> least_end;  // of an ascent of one, two ... places
+  std::vector<std::size_t> least_end;  // of an increasing subsequence of length 1, 2, ...
   for (const auto& element : right.elements) {
     const auto place = first.find(element);
     if (place == first.end()) continue;

@@ -13,8 +13,8 @@
 /// The floating-point environments that a host application can set.
 namespace touchstone::catalogue {
 
-/// Four rounding modes; results flushed to zero or not; subnormal operands read as zero or not. Number 0 is what a
-/// program starts with.
+/// Four rounding modes; results flushed to zero or not; subnormal operands read as zero or not. Number 0 is the
+/// environment in which a program starts.
 inline constexpr std::size_t environment_count = 16;
 
 inline std::string environment_name(std::size_t number) {
@@ -22,8 +22,8 @@ inline std::string environment_name(std::size_t number) {
   return std::string(modes[number & 3]) + (number & 4 ? ", FTZ" : "") + (number & 8 ? ", DAZ" : "");
 }
 
-/// That environment while in scope; then what was before. A compiler may move floating-point operations across both:
-/// `in_environment`.
+/// Sets that environment while in scope, then restores the previous one. A compiler may move floating-point operations
+/// across both: use `in_environment`.
 class Environment {
  public:
 #if defined(__SSE2__)
@@ -50,8 +50,8 @@ class Environment {
 #endif
 };
 
-/// What `ask(argument)` returns in an environment. No compiler knows that arithmetic depends on the control word, so
-/// argument and answer pass through memory that it cannot see into, between setting the word and setting it back.
+/// Returns ask(argument) in an environment. Compilers do not know that arithmetic depends on the control word, so
+/// argument and answer pass through memory that is opaque to them, between setting the word and restoring it.
 template <class Argument, class Ask>
 auto in_environment(std::size_t number, Argument argument, const Ask& ask) {
   const Environment set(number);

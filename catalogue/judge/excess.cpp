@@ -36,13 +36,13 @@ Real size_of(const std::vector<Place>& points) {
   return size;
 }
 
-/// NaN and infinities are no numbers to compare.
+/// NaN and infinities cannot be compared.
 Excess excess(Real value) {
   if (!std::isfinite(value)) return std::nullopt;
   return static_cast<double>(std::max<Real>(value, 0));
 }
 
-/// Whether they name different points of the list.
+/// True if they name different points of the list.
 bool named(const std::vector<Place>& points, const Indices& named) {
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (named[i] >= points.size()) return false;
@@ -52,7 +52,7 @@ bool named(const std::vector<Place>& points, const Indices& named) {
   return !named.empty();
 }
 
-/// Of the two ends of points on one line, or the one point that all are.
+/// The excess of the two ends of collinear points, or of the one point to which all are equal.
 Excess excess_of_ends(const std::vector<Place>& points, const Place& a, const Place& b) {
   const Real size = size_of(points);
   Real most = 0;
@@ -63,7 +63,7 @@ Excess excess_of_ends(const std::vector<Place>& points, const Place& a, const Pl
   return excess(most);
 }
 
-/// Of a ring around points in one plane, all on the left of each edge about the ring's normal.
+/// The excess of a ring around coplanar points, all of which must be on the left of each edge about the ring's normal.
 Excess excess_of_ring(const std::vector<Place>& points, const Indices& ring) {
   if (ring.size() < 3) return std::nullopt;
   const Real size = size_of(points);
@@ -75,7 +75,7 @@ Excess excess_of_ring(const std::vector<Place>& points, const Indices& ring) {
     most = std::max(most, std::fabs(dot(normal, p - at(0))) / size / size / size);
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Way turn = cross(at(k + 1) - at(k), p - at(k));
-      // A ring without area is on one line, or none.
+      // A ring without area is collinear, or not a ring.
       const Real wrong_side = length(normal) > 0 ? -dot(normal, turn) / length(normal) : length(turn);
       most = std::max(most, wrong_side / size / size);
     }
@@ -83,7 +83,8 @@ Excess excess_of_ring(const std::vector<Place>& points, const Indices& ring) {
   return excess(most);
 }
 
-/// Of triangles around points, all below each or in its plane. Each edge must be there once in each direction.
+/// The excess of triangles around points, all of which must be below each or in its plane. Each edge must occur once in
+/// each direction.
 Excess excess_of_faces(const std::vector<Place>& points, const std::vector<Face>& faces) {
   std::set<std::pair<Index, Index>> edges;
   for (const Face& f : faces)
@@ -107,7 +108,7 @@ Indices corners(const std::vector<Face>& faces) {
   return {all.begin(), all.end()};
 }
 
-/// What both kinds of hulls have in common.
+/// The part that both kinds of hulls share.
 Excess excess_of_flat(const std::vector<Place>& points, const auto& hull) {
   const bool fields = hull.point.has_value() == (hull.dimension == 0) &&
                       hull.segment.has_value() == (hull.dimension == 1) &&
@@ -139,7 +140,7 @@ Excess excess_of_hull(const std::vector<Point2d>& points, const ConvexHull2& hul
   for (std::size_t k = 1; k + 1 < ring.size(); ++k)
     doubled_area += cross(all[ring[k]] - all[ring[0]], all[ring[k + 1]] - all[ring[0]]).z;
   const Real size = size_of(all);
-  return excess(std::max<Real>(*flat, -doubled_area / size / size));  // clockwise by so much
+  return excess(std::max<Real>(*flat, -doubled_area / size / size));  // clockwise by this much
 }
 
 Excess excess_of_pieces(const Polygon2d& polygon, const std::vector<std::vector<Index>>& pieces) {
@@ -165,7 +166,7 @@ Excess excess_of_pieces(const Polygon2d& polygon, const std::vector<std::vector<
   Indices whole(ring.size());
   for (Index k = 0; k < ring.size(); ++k) whole[k] = k;
   const Real gap = std::fabs(sum - std::fabs(area(whole)));
-  // Where areas add up, an edge is on the wrong side of a vertex: at least of the nearest.
+  // If areas add up, an edge is on the wrong side of a vertex: at least of the nearest.
   const bool adds_up = gap <= 0x1p-60L * size * size * static_cast<Real>(ring.size());
   return excess(std::max({not_convex, gap, adds_up && not_convex == 0 ? nearest : 0}) / size / size);
 }
@@ -202,11 +203,11 @@ Excess excess_of_box(const std::vector<Point3d>& points, const Obb3d& box) {
   Real most = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Real along = dot(axes[k], axes[(k + 1) % 3]), lengths = length(axes[k]) * length(axes[(k + 1) % 3]);
-    if (std::fabs(along) > 0x1p-19L * lengths) return std::nullopt;  // far from right angles
+    if (std::fabs(along) > 0x1p-19L * lengths) return std::nullopt;  // far from perpendicular
   }
   std::array<Real, 3> farthest{0, 0, 0};
   for (const Place& p : all) {
-    Way rest = p - place(box.center);  // what the axes that are not 0 leave of it
+    Way rest = p - place(box.center);  // the rest that the nonzero axes leave
     for (std::size_t k = 0; k < 3; ++k) {
       const Real square = dot(axes[k], axes[k]);
       if (square == 0) continue;

@@ -8,12 +8,12 @@
 namespace touchstone::catalogue {
 namespace {
 
-// More than the 1074 + 1024 bits between the ends of the binary64 range would be needed for an exact sum of any two
-// doubles; 2400 also leave 300 bits beyond the last place for the question of ties.
+// The exact sum of any two doubles needs no more than the 1074 + 1024 bits between the ends of the binary64 range; 2400
+// leave another 300 bits beyond the last place to decide halfway cases.
 constexpr mpfr_prec_t precision = 2400;
 
-// Directions of doubles that differ at all have a sine of at least 2^-4200, so their cosine is at least 2^-8401 away
-// from 1: a root in the denominator of such a cosine must tell it from 1.
+// Distinct directions of doubles have a sine of at least 2^-4200, so their cosine is at least 2^-8401 away from 1: a
+// root in the denominator of such a cosine must distinguish it from 1.
 constexpr mpfr_prec_t nearest_cosine = 8402, precision_of_roots = 9000;
 
 /// MPFR keeps constants for each thread, and frees them only on request.
@@ -66,9 +66,8 @@ Exact acos(const Exact& a) {
   if (!a.defined()) return a;
   const mpq_class exactly = a.value(), room = 1 - abs(exactly);
   if (sgn(room) < 0) return a / Exact(0);
-  // Where room is left of 2^-k, an argument rounded to 2^-(precision + k) moves the room, and the angle from an end, by
-  // 2^-precision relatively; and it is pi - angle that must be as precise as that angle, which is the root of twice the
-  // room.
+  // If there is a room of 2^-k, an argument rounded to 2^-(precision + k) changes the room, and the angle from an end,
+  // by 2^-precision relatively; and pi - angle must be as precise as that angle, which is the root of twice the room.
   const std::size_t numerator = mpz_sizeinbase(room.get_num_mpz_t(), 2),
                     denominator = mpz_sizeinbase(room.get_den_mpz_t(), 2);
   const auto near_end =

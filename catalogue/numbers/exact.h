@@ -10,8 +10,8 @@
 
 namespace touchstone::catalogue {
 
-/// The number type in which a reference formula is run without rounding: a rational, or undefined. x / 0 is undefined,
-/// and so is everything computed from it; every comparison with it is false, as with NaN.
+/// The number type for running a reference formula without rounding: a rational, or undefined. x / 0 is undefined, and
+/// so is everything computed from it; every comparison with it is false, as with NaN.
 class Exact {
  public:
   Exact() = default;
@@ -60,7 +60,7 @@ class Exact {
   friend Exact sin(const Exact& a);
   /// The same; undefined outside [-1, 1].
   friend Exact acos(const Exact& a);
-  /// Exact for squares, else within 2^-8999 relatively; undefined below 0.
+  /// Exact for squares, otherwise within 2^-8999 relatively; undefined below 0.
   friend Exact sqrt(const Exact& a);
 
  private:
@@ -92,10 +92,10 @@ class Exact {
   mpq_class in_full() const;
   void keep(mpq_class value);
 
-  std::int64_t digits_ = 0;  ///< times 2^power_: most numbers are as short as that, and need no memory of their own
+  std::int64_t digits_ = 0;  ///< times 2^power_: most numbers fit, and need no memory of their own
   int power_ = 0;
   bool defined_ = true;
-  std::optional<mpq_class> rational_;  ///< the others
+  std::optional<mpq_class> rational_;  ///< for the others
 };
 
 }  // namespace touchstone::catalogue

@@ -9,7 +9,7 @@ Exact kept_digits(const Exact& number) {
   if (!number.defined() || number == Exact(0)) return number;
   const mpq_class value = number.value();
   const auto digits = [](const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
-  // Between 1/2 and 2, where doubles have 53 digits.
+  // Scaled to between 1/2 and 2, where doubles have 53 digits.
   const long order = digits(value.get_num()) - digits(value.get_den());
   const auto shifted = [](const mpq_class& x, long by) {
     mpq_class result;

@@ -7,11 +7,11 @@
 /// The nearest number of 53 binary digits, for formulas whose contract rounds between steps (impact_step).
 namespace touchstone::catalogue {
 
-/// Ties to the even one; the exponent has no bounds.
+/// Ties to even; the exponent is unbounded.
 Exact kept_digits(const Exact& number);
 
-/// The number itself, as in Float. But the exact formula rounds there as well, by at most 2^-53 of its number, which is
-/// at most 2^-52 of this one: the bound says so, except where this one is the exact number, which has no more digits.
+/// The number itself, in Float. The exact formula rounds here as well, by at most 2^-53 of its number, which is at most
+/// 2^-52 of this one: the bound includes it, unless this one is the exact number, which has no more digits.
 template <class Float>
 Tracked<Float> kept_digits(const Tracked<Float>& number) {
   if (number.error() == 0 || !std::isfinite(number.value()) || !std::isfinite(number.error())) return number;

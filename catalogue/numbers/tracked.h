@@ -11,11 +11,12 @@ namespace touchstone::catalogue {
 /// A floating-point number that carries a bound of its own rounding error: running error analysis (Higham, Accuracy and
 /// Stability of Numerical Algorithms, 2nd ed., section 3.3), made rigorous by rounding every bound up.
 ///
-/// A reference formula run in this type computes what it computes in Float, bit for bit, and in the end each number
+/// A reference formula run in this type computes the same as in Float, bit for bit, and at the end each number
 /// lies within `error()` of the value of the same formula in exact arithmetic. An operation that happens to be exact
 /// adds nothing. A comparison that the bound cannot decide sets `inconclusive()`: as long as it is not set, rounding
-/// cannot have changed the course of the formula. What left the range of Float on the way, an overflow or bits lost
-/// below its least normal number, sets `out_of_range()`. Float: float or double, rounding to nearest.
+/// cannot have changed the course of the formula. A number that left the range of Float during the computation, by
+/// overflow or by bits lost below the least normal number, sets `out_of_range()`. Float: float or double, rounding to
+/// nearest.
 template <class Float>
 class Tracked {
  public:
@@ -26,23 +27,22 @@ class Tracked {
 
   Float value() const { return value_; }
   double error() const { return error_; }
-  /// How far rounding may carry formulas of about these steps: as error(), but to first order, and every number that
-  /// was given or computed counts as rounded, exact or not. error() is 0 where this formula happens to be exact, and
-  /// another that is as good may round there. Integers that the formula itself contains are exact.
+  /// A bound on the rounding of formulas with about these steps: like error(), but to first order, and every given or
+  /// computed number counts as rounded, even if it is exact. error() is 0 if this formula happens to be exact, while an
+  /// equally good one may round there. Integers that the formula itself contains are exact.
   double spread() const { return spread_; }
   static bool& inconclusive() {
     thread_local bool doubt = false;
     return doubt;
   }
-  /// The least |a - b| of all comparisons so far, in units of how far rounding may carry a and b (spread): below 1 the
-  /// formula is as near to another course as its own rounding, at 0 two numbers that were given or computed are equal.
-  /// It is not reset.
+  /// The least |a - b| of all comparisons so far, in units of the rounding of a and b (spread): below 1 the formula is
+  /// as near to another course as its own rounding, at 0 two given or computed numbers are equal. It is not reset.
   static double& nearest_comparison() {
     thread_local double nearest = infinite;
     return nearest;
   }
-  /// A finite sum, product or quotient became infinite, or a product or quotient other than 0 lost bits because it is
-  /// less than the least normal number. Sums lose none there. What is undefined anyway does not count.
+  /// A finite sum, product or quotient became infinite, or a nonzero product or quotient lost bits because it is less
+  /// than the least normal number. Sums lose none there. Undefined results do not count.
   static bool& out_of_range() {
     thread_local bool left = false;
     return left;
@@ -91,7 +91,7 @@ class Tracked {
   friend bool operator==(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ == b.value_; }
   friend bool operator!=(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ != b.value_; }
 
-  /// The C library's cosine and sine, taken to be off by at most two units in the last place (glibc's manual: one).
+  /// The C library's cosine and sine, assumed to be off by at most two units in the last place (glibc's manual: one).
   friend Tracked cos(const Tracked& a) { return library(std::cos(a.value_), a); }
   friend Tracked sin(const Tracked& a) { return library(std::sin(a.value_), a); }
 
@@ -133,13 +133,13 @@ class Tracked {
   Tracked(Float value, double error, double spread)
       : value_(value), error_(finite_or_infinite(value, error)), spread_(finite_or_infinite(value, spread)) {}
 
-  /// What is no finite number may be anything.
+  /// A value that is not finite may be anything.
   static double finite_or_infinite(Float value, double bound) {
     return std::isfinite(value) && bound == bound ? bound : infinite;
   }
 
-  /// x / 0 without any rounding before it, and what is computed from it: undefined in exact arithmetic too, so no
-  /// comparison with it is in doubt. The value is what Float makes of it, a NaN or an infinity at first.
+  /// x / 0 without any rounding before it, and everything computed from it: undefined in exact arithmetic too, so no
+  /// comparison with it is uncertain. The value is that of Float, a NaN or an infinity at first.
   static Tracked undefined(Float value) {
     Tracked result(value, infinite, infinite);
     result.undefined_ = true;
@@ -155,7 +155,7 @@ class Tracked {
     return !std::isfinite(result) && std::isfinite(a.value_) && std::isfinite(b.value_);
   }
   static bool below_normal(Float x) { return std::fabs(x) < std::numeric_limits<Float>::min(); }
-  /// The exponent of the last bit that is set in a finite number other than 0.
+  /// The exponent of the last set bit of a finite nonzero number.
   static int last_bit(Float x) {
     int exponent = 0;
     const double digits = std::ldexp(std::frexp(magnitude(x), &exponent), 53);
@@ -181,11 +181,11 @@ class Tracked {
   static double plus(double x, double y) { return x == 0 ? y : y == 0 ? x : up(x + y); }
   static double times(double x, double y) { return x == 0 || y == 0 ? 0 : up(x * y); }
   static double over(double x, double y) { return x == 0 ? 0 : up(x / y); }
-  /// Of what is not negative, from the bits: std::nextafter costs more than all else that a product does.
+  /// The next double above a nonnegative one, from the bits: std::nextafter costs more than the rest of a product.
   static double up(double x) { return x < infinite ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
   static double down(double x) { return std::nextafter(x, -infinite); }
   static constexpr double unit = std::numeric_limits<Float>::epsilon() / 2;
-  /// What one rounding adds to the spread of its result; below the normal numbers the least one.
+  /// The contribution of one rounding to the spread of its result; below the normal numbers the least one.
   static double step(Float result) {
     return std::fmax(unit * magnitude(result), static_cast<double>(std::numeric_limits<Float>::denorm_min()));
   }
@@ -196,7 +196,7 @@ class Tracked {
   }
 
   static Tracked sum(const Tracked& a, const Tracked& b, Float result, Float addend) {
-    // A sum in the subnormal range is exact; elsewhere TwoSum's error term tells (Knuth).
+    // A sum in the subnormal range is exact; otherwise TwoSum's error term is used (Knuth).
     const Float virtual_b = result - a.value_;
     const Float rest = (a.value_ - (result - virtual_b)) + (addend - virtual_b);
     const double rounding = rest == 0 ? 0 : half_ulp(result);
@@ -209,7 +209,7 @@ class Tracked {
     return half_ulp(product);
   }
 
-  /// How far an error of an argument of that size moves its arc cosine at most; `moved` is 0 or more.
+  /// The greatest change of the arc cosine for an error of an argument of that size; `moved` is 0 or more.
   static double moved_angle(double size, double moved) {
     const double most = plus(size, moved), room = down(1 - most);
     const double steep = room > 0 ? over(moved, down(std::sqrt(down(room * down(1 + most))))) : infinite;

@@ -16,7 +16,7 @@ double nearest(const TrueNumber& truth, bool binary32) {
 double distance_in_ulps(double answered, const TrueNumber& truth, bool binary32) {
   if (truth.rational()) return distance_in_ulps(answered, truth.rational_part(), binary32);
   if (answered == nearest(truth, binary32)) return 0;
-  // Below half of the least subnormal's 2^-60th, so that the distance is right to as many digits as anybody reads.
+  // Below 2^-60 of half of the least subnormal, so that the distance is right to as many digits as anybody reads.
   constexpr long bits = 1074 + 61;
   const double distance = distance_in_ulps(answered, truth.enclosure(bits).low, binary32);
   return distance > 0 ? distance : std::numeric_limits<double>::min();

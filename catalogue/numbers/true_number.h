@@ -10,7 +10,7 @@ namespace touchstone::catalogue {
 using TrueNumber = oracle::Surd;
 using EncodedTruth = EncodedValue<TrueNumber>;
 
-/// As those of rationals in catalogue/numbers/ulps.h.
+/// The same as for rationals in catalogue/numbers/ulps.h.
 double nearest(const TrueNumber& truth, bool binary32 = false);
 double distance_in_ulps(double answered, const TrueNumber& truth, bool binary32 = false);
 

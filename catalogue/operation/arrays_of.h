@@ -15,7 +15,7 @@ namespace touchstone::catalogue {
 
 namespace batch = robust::batch;
 
-/// The columns of which an argument is made; itself, where it is shared.
+/// The columns that form an argument; the argument itself if it is shared.
 template <class T>
 struct OperandOf {
   using type = T;
@@ -54,7 +54,7 @@ typename OperandOf<T>::type operand(const T& argument, const batch::Column*& nex
   }
 }
 
-/// Whether a row has an array form for its questions.
+/// True if a row has an array form for its questions.
 template <class Row, class Asked>
 inline constexpr bool answers_arrays = false;
 template <class Row, class... Ts>

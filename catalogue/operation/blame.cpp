@@ -10,7 +10,7 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// How many elements the lists of an answer could hold beyond the truth: so many different places each.
+/// The number of elements that the lists of an answer could hold beyond the truth.
 std::uint64_t most_surplus(const Examination& question) {
   const RowFunctions& row = question.row();
   const std::vector<Listed> truth = listed(*row.answer, question.solution().answer.words);
@@ -26,9 +26,9 @@ std::uint64_t most_surplus(const Examination& question) {
   return most;
 }
 
-/// Of an answer that a checker refuses: whether it is well formed, and on the wrong side by no more than sums of
-/// rounded products of the question's greatest numbers may be off, or about as much as the textbook formula's answer in
-/// that number type. Numbers that are none may have left the range.
+/// For an answer that a checker refuses: true if it is well formed, and on the wrong side by no more than the rounding
+/// of sums of products of the question's greatest numbers, or by about as much as the textbook formula's answer in that
+/// number type. NaN and infinities may have left the range.
 bool may_be_rounding(const Examination& question, const EncodedValue<double>& answer, bool binary32) {
   constexpr double most_units = 256;
   const auto excess_of = [&](const EncodedValue<double>& encoded) {

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-/// Worlds of exhaustive runs whose configurations are numbers of so many digits.
+/// Small domains of exhaustive runs whose configurations are numbers with a fixed count of digits.
 namespace touchstone::catalogue {
 
-/// size^digits: how many there are.
+/// size^digits: the number of configurations.
 inline std::uint64_t configurations_of_digits(int size, int digits) {
   std::uint64_t count = 1;
   for (int i = 0; i < digits; ++i) count *= static_cast<std::uint64_t>(size);

@@ -48,7 +48,7 @@ std::string Examination::outcome() const { return outcome_of(*row_.answer, solut
 Json Examination::truth() const { return operation_.answer_json(solution_->answer); }
 
 Json Examination::rounded_truth() const {
-  // Where numbers are to be rounded otherwise, the nearest ones are no right answer.
+  // If numbers are to be rounded differently, the nearest ones are not a right answer.
   if (row_.defect != nullptr && !row_.defect(question_, nearest_truth()).empty()) return robust();
   return operation_.answer_json(nearest_truth());
 }

@@ -17,15 +17,15 @@ namespace touchstone::catalogue {
 
 class Operation;
 
-/// One question with everything that can be said about it. The oracle answers when it is made; all else is computed
-/// when it is first asked for, and kept. For one thread at a time.
+/// One question with everything that is known about it. The constructor asks the oracle; everything else is computed on
+/// first use, and kept. Not thread-safe.
 class Examination {
  public:
-  /// Throws InvalidInput where the oracle refuses.
+  /// Throws InvalidInput if the oracle refuses.
   Examination(const Operation& operation, const Question& question);
   /// The same question of another implementation of the operation: the truth is the same.
   Examination(const Operation& implementation, const Examination& of_operation);
-  /// The same question with another right answer in the place of the truth.
+  /// The same question with another right answer in place of the truth.
   Examination(const Examination& question, EncodedTruth other);
 
   const Operation& operation() const { return operation_; }
@@ -33,11 +33,11 @@ class Examination {
   const Question& question() const { return question_; }
 
   const Solution& solution() const { return *solution_; }
-  /// Empty where the operation decides nothing.
+  /// nullopt if the operation decides nothing.
   const std::optional<mpq_class>& margin() const { return solution_->margin; }
   bool degenerate() const { return margin() && sgn(*margin()) == 0; }
   const oracle::Certificate& certificate() const;
-  /// The answer for open sets; empty unless the truth is a touch.
+  /// The answer for open sets; nullopt unless the truth is a touch.
   const std::optional<EncodedTruth>& open() const;
   bool touch() const { return open().has_value(); }
   /// Every number of the truth as the nearest double.
@@ -48,15 +48,15 @@ class Examination {
   /// The question and the truth as figures.
   const Drawing& drawing() const;
 
-  /// What the textbook formula answers in double or float.
+  /// The textbook formula's answer in double or float.
   const EncodedValue<double>& formula(bool binary32 = false) const;
   const EncodedValue<Exact>& formula_exactly() const;
-  /// Whether that is right.
+  /// True if that is right.
   bool formula_right_exactly() const;
   /// The formula under running error analysis (catalogue/numbers/tracked.h).
   struct Tracking {
     bool compared_in_doubt = false;        ///< rounding may have changed a comparison
-    bool inconclusive = false;             ///< the same, or a number that the checker sees
+    bool inconclusive = false;             ///< or a number that the checker reads
     bool out_of_range = false;             ///< a number left the range of double or float
     EncodedValue<Tracked<double>> answer;  ///< in double
     EncodedValue<Tracked<float>> answer_in_float;
@@ -64,14 +64,15 @@ class Examination {
   const Tracking& tracking(bool binary32 = false) const;
   /// The same of the other formulas of textbooks.
   const std::vector<Tracking>& standard(bool binary32 = false) const;
-  /// Whether rounding may have changed the course of the formula.
+  /// True if rounding may have changed the course of the formula.
   bool inconclusive(bool binary32 = false) const { return tracking(binary32).inconclusive; }
   bool out_of_range(bool binary32 = false) const { return tracking(binary32).out_of_range; }
   Json reference(bool binary32 = false) const;
 
-  /// What robust answers in that floating-point environment (catalogue/judge/environment.h). Throws what robust throws.
+  /// The answer of robust in that floating-point environment (catalogue/judge/environment.h). Throws what robust
+  /// throws.
   const EncodedValue<double>& robust_answer(std::size_t environment = 0) const;
-  /// Its decision alone, where it has one.
+  /// Its decision alone, if it has one.
   Word robust_decision(std::size_t environment = 0) const;
   Json robust() const;
 

@@ -12,8 +12,8 @@ namespace {
 
 using Draw = std::function<double(DrawStream&)>;
 
-/// Integers of one size, which is drawn first: up to where they, their differences or their products fit just so into
-/// 32 or 64 bits, signed or not, or into a double.
+/// Integers of one size, which is drawn first: up to the limit at which they, their differences or their products just
+/// fit into 32 or 64 bits, signed or not, or into a double.
 Draw integers_at_a_seam(DrawStream& draws) {
   static constexpr int seams[]{16, 31, 32, 53};
   const int bits = seams[draws.below(4)] - static_cast<int>(draws.below(2));
@@ -24,7 +24,7 @@ Draw integers_at_a_seam(DrawStream& draws) {
   };
 }
 
-/// A family that follows from the types alone: how it draws a number, chosen once for each question.
+/// A family that follows from the types alone: its method of drawing a number is chosen once for each question.
 struct Derived {
   const char* name;
   Draw (*numbers)(DrawStream&);
@@ -83,7 +83,7 @@ void scale(const RowFunctions& row, Question& question, int exponent) {
   for (double& number : question.numbers) number = std::ldexp(number, exponent);
 }
 
-/// What grew beyond the range, here or in the row, is the greatest double.
+/// A number that exceeded the range, here or in the row, becomes the greatest double.
 void keep_finite(Question& question) {
   for (double& number : question.numbers) {
     if (!std::isfinite(number)) number = std::copysign(std::numeric_limits<double>::max(), number);

@@ -8,8 +8,8 @@
 
 namespace touchstone::catalogue {
 
-/// The families of inputs of an operation: its hard cases, most of them also moved by an ulp, and what follows from its
-/// types.
+/// The families of inputs of an operation: its hard cases, most of them also moved by an ulp, and those that follow
+/// from its types.
 class Families {
  public:
   explicit Families(const RowFunctions& row);
@@ -20,7 +20,7 @@ class Families {
  private:
   const RowFunctions& row_;
   std::vector<std::string> names_;
-  std::vector<std::size_t> moved_;  ///< the hard cases of the families "+ulp"
+  std::vector<std::size_t> moved_;  ///< the hard cases with families "+ulp"
 };
 
 }  // namespace touchstone::catalogue

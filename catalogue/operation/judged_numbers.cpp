@@ -15,11 +15,11 @@ struct FormulaNumber {
   double value, spread;
 };
 struct FormulaNumbers {
-  /// By their places in the truth; empty where the formula, which decides otherwise or leaves it out, has none.
+  /// By their indices in the truth; nullopt if the formula, which decides otherwise or omits it, has none.
   std::vector<std::optional<FormulaNumber>> at;
-  /// What the formula should have answered: of several right answers the one that is nearest to its own.
+  /// The answer that the formula should have given: of several right answers the one nearest to its own.
   EncodedTruth truth;
-  bool textbook = false;  ///< of the operation's own formula
+  bool textbook = false;  ///< from the operation's own formula
 };
 
 template <class Float>
@@ -38,7 +38,7 @@ FormulaNumbers numbers_of(const Examination& question, const Examination::Tracki
   return binary32 ? numbers_of(question, formula.answer_in_float) : numbers_of(question, formula.answer);
 }
 
-/// Divides by 0 in exact arithmetic, too: what rounding may do to it, nothing says.
+/// True if it divides by 0 in exact arithmetic, too: then nothing bounds its rounding.
 bool formula_is_undefined(const Examination& question) {
   const std::vector<Exact>& numbers = question.formula_exactly().numbers;
   return !std::all_of(numbers.begin(), numbers.end(), [](const Exact& number) { return number.defined(); });
@@ -48,7 +48,7 @@ int gravity(Verdict verdict) {
   return verdict == Verdict::algorithm ? 3 : verdict == Verdict::rounding ? 2 : verdict == Verdict::inexact ? 1 : 0;
 }
 
-/// The greatest size of a number of that meaning.
+/// The greatest magnitude of a number of that meaning.
 double greatest_of(Meaning meaning, const Shape& shape, const EncodedValue<double>& encoded) {
   struct Sizes {
     Meaning meaning;
@@ -68,7 +68,7 @@ mpq_class value_of(const TrueNumber& number) {
   return number.rational() ? number.rational_part() : number.enclosure(1074 + 200).low;
 }
 
-/// What is no finite limit is none.
+/// A limit that is not finite bounds nothing.
 bool at_most(const mpq_class& size, double limit) { return !std::isfinite(limit) || size <= exact_value(limit); }
 
 class NumberJudge {
@@ -84,7 +84,7 @@ class NumberJudge {
       formulas_.push_back(numbers_of(question, formula, declaration.binary32));
   }
 
-  /// By the formula that excuses most.
+  /// The verdict by the formula that excuses most.
   Verdict verdict_on(const PairedNumber& place, double answered) const {
     const mpq_class exact = value_of(question_.solution().answer.numbers[place.in_truth]),
                     gap = abs(exact_value(answered) - exact);
@@ -100,7 +100,7 @@ class NumberJudge {
  private:
   Verdict verdict_by(const FormulaNumbers& formula, const PairedNumber& place, const mpq_class& exact,
                      const mpq_class& gap) const {
-    // Beyond the range the infinity is right, and where the formula says it, nothing excuses a number.
+    // Beyond the range the infinity is right, and if the formula returns it, nothing excuses a number.
     const double right = nearest(question_.solution().answer.numbers[place.in_truth], declaration_.binary32);
     const auto& number = formula.at[place.in_truth];
     if (std::isinf(right) && number && number->value == right) return Verdict::algorithm;
@@ -111,12 +111,12 @@ class NumberJudge {
     return explained || is_as_bad(formula, place, gap) || jumps() ? Verdict::rounding : Verdict::algorithm;
   }
 
-  /// What rounding may do to a number of the truth, to first order; empty where the formula does not tell.
+  /// The possible rounding of a number of the truth, to first order; nullopt if the formula does not tell.
   std::optional<double> spread_at(const FormulaNumbers& formula, const PairedNumber& place) const {
     std::optional<double> spread;
     if (formula.at[place.in_truth]) spread = formula.at[place.in_truth]->spread;
     else if (question_.row().metadata->formula_answers_less) spread = spread_of_what_is_left_out(formula);
-    // Whoever moves the origin rounds all coordinates there; whoever takes velocities relatively to another, these.
+    // An engine that moves the origin rounds all coordinates; one that uses relative velocities rounds those.
     const RowFunctions& row = question_.row();
     double scale = 0;
     if (place.meaning == Meaning::place) scale = greatest_of(place.meaning, *row.question, question_.question());
@@ -124,7 +124,7 @@ class NumberJudge {
     return scale > 0 ? std::max(spread.value_or(0), unit_ * scale) : spread;
   }
 
-  /// What the formula leaves out follows from what it has, and is as far off relatively to its greatest number.
+  /// A number that the formula omits follows from those it has, and is equally far off relative to its greatest number.
   double spread_of_what_is_left_out(const FormulaNumbers& formula) const {
     double spread = 0, size = 0, greatest_left_out = 0;
     for (std::size_t i = 0; i < formula.at.size(); ++i) {
@@ -144,7 +144,7 @@ class NumberJudge {
     return explained_spreads * own >= gap;
   }
 
-  /// A number that is another one on the other side of a touch, where the question is near one.
+  /// True if a number jumps at a touch, and the question is near one.
   bool jumps() const {
     return question_.row().metadata->kind == Kind::measure && beside_a_touch(question_, declaration_.binary32);
   }

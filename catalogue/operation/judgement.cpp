@@ -23,7 +23,7 @@ bool holds_numbers(const Shape& shape) {
                                                           [](const auto& part) { return holds_numbers(*part.shape); });
 }
 
-/// What every judgement adds to its verdict: how `rounding` came about, and whether the question is degenerate.
+/// Adds to a judgement how `rounding` came about, and whether the question is degenerate.
 Judgement with_particulars(Judgement judgement, const Examination& question, bool binary32) {
   if (judgement.verdict == Verdict::rounding)
     judgement.out_of_range = question.out_of_range(binary32) || products_underflow(question, binary32);
@@ -36,7 +36,7 @@ int touch_reading(const Examination& question, const std::string& said) {
   return said == question.outcome() ? 1 : said == outcome_of(*question.row().answer, question.open()->words) ? -1 : 0;
 }
 
-/// The same of a list: all of it, all but what only touches, or neither.
+/// The same for a list: all of it, all except the elements that only touch, or neither.
 int covered_reading(const Examination& question, const EncodedValue<double>& answer) {
   if (!question.open()) return 0;
   const Shape& shape = *question.row().answer;
@@ -44,7 +44,7 @@ int covered_reading(const Examination& question, const EncodedValue<double>& ans
   return covered(shape, question.open()->words, answer.words).missing == 0 ? -1 : 0;
 }
 
-/// answer: nullptr where it was a plain true or false.
+/// answer: nullptr if it was a plain true or false.
 Judgement wrong(const Examination& question, const EncodedValue<double>* answer, const Declaration& declaration,
                 bool right_for_open_sets) {
   const auto& margin = question.margin();
@@ -60,7 +60,7 @@ Judgement wrong(const Examination& question, const EncodedValue<double>* answer,
   return judgement;
 }
 
-/// Of an operation that has a plain reading.
+/// For an operation that has a plain reading.
 Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const Declaration& declaration) {
   const Shape& shape = *question.row().answer;
   const std::optional<EncodedTruth>& open = question.open();
@@ -72,7 +72,7 @@ Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const
   return judgement;
 }
 
-/// Any number may be left out, unless a checker must see them all.
+/// Any number may be omitted, unless a checker needs all of them.
 EncodedValue<double> read_answer(const Examination& question, const Json& json) {
   const RowFunctions& row = question.row();
   EncodedValue<double> answer;
@@ -96,8 +96,8 @@ EncodedValue<double> read_answer(const Examination& question, const Json& json) 
   return answer;
 }
 
-/// What is listed are tuples of different places in the question's lists, in as many lists as the truth has, and of the
-/// same names.
+/// The elements listed must be tuples of different indices in the question's lists, in as many lists as the truth has,
+/// with the same names.
 void require_places(const Examination& question, const EncodedValue<double>& answer) {
   const RowFunctions& row = question.row();
   const std::string field = "answer." + std::string(row.metadata->answer);
@@ -121,20 +121,20 @@ void require_places(const Examination& question, const EncodedValue<double>& ans
   }
 }
 
-/// The question with the answer for its truth that names the points which are nearest to the answer's and as near to
-/// each other as those of the truth; nothing where there is no other. What is decided is right.
+/// The question with an answer for its truth that names the points nearest to the answer's and as near to each other as
+/// those of the truth; nullptr if there is no other. The decision is right.
 std::unique_ptr<const Examination> with_points_as_near(const Examination& question,
                                                        const EncodedValue<double>& partial_answer) {
   const Shape& shape = *question.row().answer;
   const EncodedTruth& truth = question.solution().answer;
-  EncodedValue<double> answer = question.nearest_truth();  // in the place of numbers that are left out
+  EncodedValue<double> answer = question.nearest_truth();  // in place of omitted numbers
   for (const PairedNumber& pair : paired_numbers(shape, truth, partial_answer, Reading::partial))
     answer.numbers[pair.in_truth] = partial_answer.numbers[pair.in_answer];
   auto other = other_as_near(question, answer);
   return other ? std::make_unique<const Examination>(question, *std::move(other)) : nullptr;
 }
 
-/// A right decision with numbers that are too far off the truth's.
+/// For a right decision with numbers that are too far from the truth's.
 void judge_numbers(Judgement& judgement, Comparison& found, const Examination& question,
                    const EncodedValue<double>& answer, const Declaration& declaration) {
   const double most_ulps = question.row().metadata->ulps;
@@ -209,7 +209,7 @@ bool is_right_exactly(const Examination& question) {
     return row.exact_defect(question.question(), encoded_with<mpq_class>(answer, value)).empty();
   }
   if (row.defect != nullptr) {
-    // Numbers may be right, and wrong as soon as they are rounded.
+    // Numbers may be right exactly, and wrong once they are rounded.
     if (checks_numbers(row) && same_as_truth(*row.answer, truth, answer, Reading::complete)) return true;
     return row.defect(question.question(), in_doubles()).empty();
   }
@@ -230,8 +230,8 @@ Judgement judgement_of_formula(const Examination& question, bool binary32) {
   const Comparison found = compared_formula(question, binary32, judgement);
   judgement.ulps = found.ulps;
   if (!found.decision) {
-    // What running error analysis is sure of, exact arithmetic decides alike, at a far higher price.
-    // Numbers that a checker refuses may be off although no comparison was in doubt.
+    // If running error analysis is certain of a decision, exact arithmetic decides alike, at a far higher price.
+    // Numbers that a checker refuses may be off although no comparison was uncertain.
     const bool rounded = checks_numbers(row) || question.inconclusive(binary32);
     judgement.verdict = rounded && question.formula_right_exactly() ? Verdict::rounding : Verdict::algorithm;
   } else if (!found.finite) {
@@ -258,7 +258,7 @@ Judgement judgement_of_robust(const Examination& question, std::size_t environme
     const Comparison found = compared(question, answer, Reading::complete, false, judgement);
     judgement.ulps = found.ulps;
     judgement.said = outcome_of(*row.answer, answer.words);
-    // Whoever promises to be right for all finite doubles has only the algorithm to blame.
+    // For an implementation that promises to be right for all finite doubles only the algorithm can be to blame.
     if (!found.decision) judgement.verdict = Verdict::algorithm;
     else if (!found.finite) judgement.verdict = Verdict::invalid;
     else if (found.ulps > 0) judgement.verdict = Verdict::inexact;
@@ -271,7 +271,7 @@ Judgement judgement_of_robust(const Examination& question, std::size_t environme
     }
     return judgement;
   } catch (const std::bad_alloc&) {
-    throw;  // no answer of robust
+    throw;  // not an answer of robust
   } catch (const std::exception& thrown) {
     return {Verdict::invalid, 0, thrown.what()};
   }

@@ -7,7 +7,7 @@
 
 namespace touchstone::catalogue {
 
-/// Exact symmetries of an operation, as data; proptests/agreement/interrogation.cpp asks robust and the oracle for
+/// Exact symmetries of an operation, as data; proptests/agreement/interrogation.cpp tests robust and the oracle for
 /// them.
 struct Laws {
   /// Maps of the plane or of space: the image of a question has the image of its answer. Positions and displacements
@@ -26,12 +26,13 @@ struct Laws {
   using Words = std::pair<const char*, const char*>;
 
   Maps maps = Maps::none;
-  /// All lengths times 2^k, where that is exact, give the answer's lengths times 2^k (hook `scale`: what is a length).
+  /// Multiplying all lengths by 2^k, if that is exact, multiplies the answer's lengths by 2^k (hook `scale` tells
+  /// lengths).
   bool scales = false;
   std::vector<Exchange> exchanges{};
-  /// Enumerators that change places where a map turns the plane over.
+  /// Enumerators that are exchanged if a map reverses the orientation of the plane.
   std::vector<Words> reflected{};
-  /// Members of the answer that are segments whose ends come in lexicographic order.
+  /// Members of the answer that are segments whose ends are in lexicographic order.
   std::vector<const char*> sorted{};
 };
 

@@ -10,17 +10,17 @@
 
 namespace touchstone::catalogue {
 
-/// How the answers of an operation are compared with the truth.
+/// The comparison of an operation's answers with the truth.
 enum class Kind {
   decision,  ///< equal
   measure,   ///< numbers: distance from the exact value in units in the last place
   set,       ///< equal after canonical order
   checked,   ///< a checker accepts
-  covering,  ///< nothing missing; what is too much is counted apart
+  covering,  ///< nothing is missing; surplus is counted separately
 };
 
-/// A list of constants. With it a Metadata is a constant too, which needs no initialization at run time: there g++ and
-/// clang disagree on who stores the members that are constants, and a program may have rows of both.
+/// A list of constants. It makes a Metadata constant too, which needs no initialization at run time: there g++ and
+/// clang disagree on which of them stores constant members, and a program may have rows of both.
 template <class T, std::size_t most>
 class ShortList {
  public:
@@ -44,32 +44,33 @@ class ShortList {
 /// Names of the inputs in JSON, in order.
 using FieldNames = ShortList<const char*, 6>;
 
-/// What the catalogue says of an operation.
+/// The catalogue's data about an operation.
 struct Metadata {
   const char* name;
   const char* chapter;
   const char* pages;     ///< of the deck
-  const char* question;  ///< one plain sentence: what is asked
+  const char* question;  ///< the question in one plain sentence
   Kind kind = Kind::decision;
   FieldNames fields{};
-  /// Where the alternatives of a question have names of their own: those of the second, the third ... alternative.
+  /// If the alternatives of a question have names of their own: those of the second, the third ... alternative.
   ShortList<FieldNames, 3> other_fields{};
-  const char* answer = "";  ///< the answer's field name where the answer is one bare value
+  const char* answer = "";  ///< the answer's field name if the answer is one bare value
   double ulps = 0;          ///< stated bound of the reference's numbers: roundings in the textbook formula
-  /// The oracle's margin is a length to this power; 0 where nothing is decided, so that there is no margin.
+  /// The oracle's margin is a length to this power; 0 if nothing is decided, so that there is no margin.
   int margin_degree = 1;
-  /// What examining one question costs, measured (proptests/costs.py): 1 is 45 microseconds or less. Tests ask so
-  /// many times fewer cases.
+  /// The cost of examining one question, measured (proptests/costs.py): 1 is 45 microseconds or less. Tests ask fewer
+  /// cases by this factor.
   int cost = 1;
-  Time time{};                  ///< as it grows with the lists
-  std::size_t list_length = 0;  ///< exhaustive runs: how many elements each list has, where there are lists
-  /// The operation whose question this is, answered in another way: its row derives from that operation's, and has a
-  /// reference, a robust or both of its own. Families, truth and vectors are the operation's; no engine is asked it.
+  Time time{};                  ///< its growth with the lists
+  std::size_t list_length = 0;  ///< exhaustive runs: the number of elements of each list, if there are lists
+  /// The operation that asks the same question, if this one answers it differently: this row derives from that
+  /// operation's, and has a reference, a robust or both of its own. Families, truth and vectors are the operation's;
+  /// engines are not asked this one.
   const char* implementation_of = "";
   bool is_implementation() const { return implementation_of[0] != 0; }
-  /// The textbook formula leaves out numbers that the operation answers, and is judged on the others.
+  /// The textbook formula omits numbers that the operation answers, and is judged on the others.
   bool formula_answers_less = false;
-  /// Test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none).
+  /// Test vectors with more characters are left out: three coordinates of hundreds of digits each (0: no limit).
   std::size_t longest_vector = 0;
 };
 

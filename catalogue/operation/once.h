@@ -7,7 +7,7 @@
 
 namespace touchstone::catalogue {
 
-/// A value that is made when it is first asked for. What was thrown then is thrown again. For one thread at a time.
+/// A value that is made on first use. An exception thrown then is thrown again. Not thread-safe.
 template <class T>
 class Once {
  public:

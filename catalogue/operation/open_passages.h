@@ -9,8 +9,8 @@
 
 namespace touchstone::catalogue {
 
-/// The hook `as_open_sets` of a line and a plane: a segment without its ends, a ray without its origin. What has no
-/// length is empty then.
+/// The hook `as_open_sets` of a line and a plane: a segment without its ends, a ray without its origin. A line without
+/// length is then empty.
 template <class Row>
 std::optional<LinePlane<mpq_class>> without_ends(const LinePlane<mpq_class>& truth, const typename Row::Question& q) {
   const LinePlane<mpq_class> none{LinePlaneRelation::none, std::nullopt, std::nullopt};

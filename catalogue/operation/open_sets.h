@@ -6,7 +6,7 @@
 #include "catalogue/operation/row.h"
 #include "geometry/closest.h"
 
-/// The hook `as_open_sets` of most rows: the answer for open sets where closed ones only touch.
+/// The hook `as_open_sets` of most rows: the answer for open sets if closed ones only touch.
 namespace touchstone::catalogue {
 
 /// Open shapes that touch are disjoint.
@@ -23,8 +23,8 @@ std::optional<Location> outside_if_on_boundary(const Location& truth, const Ques
   return Location::outside;
 }
 
-/// Open shapes that only graze each other on their way, or touch at the start and part, or at the last moment, never
-/// meet. The margin tells: it is 0.
+/// Open shapes that only graze each other during the step, or touch at the start and separate, or at the last moment,
+/// never meet. Then the margin is 0.
 template <class Row>
 std::optional<truth_t<Row>> never_if_grazing(const truth_t<Row>& truth, const typename Row::Question& question) {
   if (truth.relation != HitRelation::hit) return std::nullopt;
@@ -33,7 +33,7 @@ std::optional<truth_t<Row>> never_if_grazing(const truth_t<Row>& truth, const ty
   return truth_t<Row>{HitRelation::never, {}};
 }
 
-/// Open solids that only touch are apart by 0; which points are nearest is left open.
+/// Open solids that only touch have the distance 0; the nearest points are undefined.
 template <class Row>
 std::optional<truth_t<Row>> apart_if_touching(const truth_t<Row>& truth, const typename Row::Question& question) {
   if (truth.relation != ConvexRelation::meeting) return std::nullopt;

@@ -17,7 +17,7 @@ Shape with_names(const Shape& shape, const FieldNames& names) {
   return named;
 }
 
-/// Where the words of a question stand that a grid runs over, and how many values each has.
+/// The positions of the enumerators of a question that a grid runs over, and the number of values of each.
 struct GridWords {
   std::vector<std::pair<std::size_t, std::uint64_t>> places;
   const Word* begin = nullptr;
@@ -36,7 +36,7 @@ GridWords grid_words(const Shape& shape, const Question& question) {
   return found;
 }
 
-/// Of one alternative; empty beyond 2^64.
+/// For one alternative; nullopt beyond 2^64.
 std::optional<std::uint64_t> configurations_of(const Shape& shape, const Question& zero, int size) {
   std::uint64_t total = 1;
   const auto times = [&total](std::uint64_t factor) { return __builtin_mul_overflow(total, factor, &total); };

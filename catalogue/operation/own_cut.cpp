@@ -13,7 +13,7 @@ namespace touchstone::catalogue {
 
 namespace {
 
-/// Empty where robust refuses to make one.
+/// nullopt if robust refuses to make one.
 std::optional<Meshd> cut_by_robust(const Meshd& mesh) {
   try {
     return robust::polygon_mesh(mesh.vertices, mesh.polygons);
@@ -37,7 +37,7 @@ OwnCut<Meshd>::OwnCut(const Meshd& mesh) : mesh_(mesh) {
   if (mesh.polygons.empty()) return;
   std::optional<Meshd> own = cut_by_robust(mesh);
   if ((own && own->faces == mesh.faces) || !is_valid(mesh)) return;
-  cut_ = own ? std::move(*own) : robust::polygon_mesh(mesh.vertices, mesh.polygons);  // which throws
+  cut_ = own ? std::move(*own) : robust::polygon_mesh(mesh.vertices, mesh.polygons);  // throws
 }
 
 }  // namespace touchstone::catalogue

@@ -7,7 +7,7 @@
 
 namespace touchstone::catalogue {
 
-/// A part of a question as robust is asked it: itself.
+/// A part of a question as passed to robust: itself.
 template <class Part>
 class OwnCut {
  public:
@@ -18,8 +18,8 @@ class OwnCut {
   const Part& part_;
 };
 
-/// Of a mesh named by polygons the cut that robust makes itself, so that what cuts is judged too. Where the cut that
-/// was given is not valid, robust is asked that, and refuses it.
+/// For a mesh given by polygons: the triangulation that robust computes, so that the triangulation is judged too. If
+/// the given triangulation is not valid, robust gets that one, and refuses it.
 template <>
 class OwnCut<Meshd> {
  public:

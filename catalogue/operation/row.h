@@ -56,7 +56,7 @@ template <template <class> class Answers, class Answer>
 /// The rows, each named like its operation.
 namespace rows {}
 
-/// robust has no function for the decision alone. Where it has, the row's `decision` holds robust(Question) ->
+/// robust has no function for the decision alone. If it has one, the row's `decision` holds robust(Question) ->
 /// enumerator, and, for exhaustive runs at full speed, oracle(Question) and oracle(the same over std::int64_t).
 struct NoDecision {};
 
@@ -82,7 +82,7 @@ auto ask_oracle(const Question& q) {
   return applied([](const auto&... value) { return Row::oracle(value...); }, q);
 }
 
-/// Whether the oracle also takes exact rationals, for numbers as they were typed.
+/// True if the oracle also accepts exact rationals, for numbers as they were typed.
 template <class Row, class Asked>
 inline constexpr bool oracle_takes = false;
 template <class Row, class... Ts>
@@ -93,53 +93,55 @@ inline constexpr bool oracle_takes<Row, std::variant<Ts...>> = (oracle_takes<Row
 
 template <class Row>
 using answer_t = decltype(ask_robust<Row>(std::declval<const typename Row::Question&>()));
-/// The answer as the oracle gives it.
+/// The type of the oracle's answer.
 template <class Row>
 using truth_t = decltype(ask_oracle<Row>(std::declval<const typename Row::Question&>()).answer);
 
-/// What is particular about a row, as functions; each may be left out.
+/// The particular functions of a row; each is optional.
 template <class Row>
 struct Hooks {
   using Question = typename Row::Question;
   /// The answer for open sets, if the truth is a touch.
   std::optional<truth_t<Row>> (*as_open_sets)(const truth_t<Row>& truth, const Question&) = nullptr;
-  /// Where many answers are right: what is wrong with one; "" if it is right.
+  /// If several answers are right: the defect of an answer; "" if it is right.
   std::string (*defect)(const Question&, const answer_t<Row>&) = nullptr;
-  /// The same of an answer in exact numbers, which may be right as long as nothing rounds them; without it such an
+  /// The same for an answer in exact numbers, which may be right only before it is rounded; without this hook such an
   /// answer is right if it is the truth.
   std::string (*exact_defect)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
-  /// Of an answer with a defect, next to the truth in nearest doubles: how far it is from a right one.
+  /// For an answer with a defect, given with the truth in nearest doubles: its distance from a right one.
   Excess (*excess)(const Question&, const answer_t<Row>& answer, const answer_t<Row>& truth) = nullptr;
-  /// Where points of two shapes are as near as those of the truth: the truth with those that are nearest to an
-  /// answer's.
+  /// If other points of two shapes are as near as those of the truth: the truth with those nearest to an answer's.
   std::optional<truth_t<Row>> (*as_near)(const Question&, const truth_t<Row>& truth,
                                          const answer_t<Row>& answer) = nullptr;
   /// Repairs random numbers into a valid question (a ring that does not cross itself).
   void (*repair)(Question&) = nullptr;
-  /// Times 2^k what is a length (default: every number).
+  /// Multiplies lengths by 2^k (default: every number).
   void (*scale)(Question&, int k) = nullptr;
-  /// Of an answer that must cover: among how many elements each of its lists chooses (default: those of the question).
+  /// For an answer that must cover: the number of elements from which each of its lists chooses (default: those of the
+  /// question).
   std::vector<std::uint64_t> (*places)(const Question&) = nullptr;
-  /// What is 0 of every right answer, exactly (momentum gained, energy gained).
+  /// The numbers that are exactly 0 for every right answer (momentum gained, energy gained).
   std::vector<mpq_class> (*residuals)(const Question&, const answer_t<Row>&) = nullptr;
   /// A degenerate question for the failure map (default: the first hard case at its simplest), and which of its numbers
-  /// move (default: the last two).
+  /// vary (default: the last two).
   Question (*map_centre)() = nullptr;
   std::pair<std::size_t, std::size_t> (*map_axes)() = nullptr;
-  /// Draws the question (default: every argument by its type), and of the truth, whose numbers are the nearest doubles,
-  /// what its own type does not tell: the points that its indices mean.
+  /// Draws the question (default: every argument by its type), and the part of the truth, given in nearest doubles,
+  /// that its type alone does not tell: the points that its indices mean.
   void (*draw)(Drawing&, const Question&, const answer_t<Row>& truth) = nullptr;
-  /// Questions of exhaustive runs of that size: how many, and the one of an index (default: a grid of all numbers).
+  /// The questions of exhaustive runs of that size: their number, and the one of an index (default: a grid of all
+  /// numbers).
   std::uint64_t (*domain_count)(int size) = nullptr;
   Question (*domain_at)(int size, std::uint64_t index) = nullptr;
-  /// For how many configurations of that grid it stands, where one is asked for all that symmetries make of it.
+  /// The number of configurations of that grid that it represents, if one question stands for all its symmetric images.
   std::uint64_t (*domain_weight)(int size, std::uint64_t index) = nullptr;
-  /// Exact symmetries, asked of robust and oracle.
+  /// Exact symmetries, tested for robust and oracle.
   Laws laws{};
 };
 
 class Operation;
-/// The operation made from a row. Defined in the unit of the row's chapter, which CMake writes (cmake/modules.cmake).
+/// The operation made from a row. Defined in the unit of the row's chapter, which CMake generates
+/// (cmake/modules.cmake).
 template <class Row>
 const Operation& operation_of_row();
 

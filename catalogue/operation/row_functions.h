@@ -23,10 +23,10 @@
 
 namespace touchstone::catalogue {
 
-/// What the oracle says of a question.
+/// The oracle's answer to a question.
 struct Solution {
   EncodedTruth answer;
-  std::optional<mpq_class> margin;  ///< where the operation decides something
+  std::optional<mpq_class> margin;  ///< if the operation decides something
   std::function<oracle::Certificate()> certificate{};
 };
 
@@ -34,33 +34,33 @@ struct Solution {
 struct DecisionCount {
   std::uint64_t cases = 0, wrong = 0, hash = 0;  ///< hash: sum over the cases, so parts of a range add up
   std::map<std::string, std::uint64_t> outcomes;
-  std::map<std::string, std::uint64_t> of_grid;  ///< of all configurations for which the cases stand; else empty
+  std::map<std::string, std::uint64_t> of_grid;  ///< of all configurations that the cases represent; otherwise empty
   std::uint64_t first_wrong = 0;                 ///< index of the first wrong case, if wrong > 0
 };
 
-/// Questions of an exhaustive run, where a plain grid of numbers would be too many or mostly invalid.
+/// The questions of an exhaustive run, if a plain grid of numbers would be too large or mostly invalid.
 struct World {
   std::uint64_t (*count)(int size);
   Question (*at)(int size, std::uint64_t index);
 };
 
-/// The stages of an answer or of a decision alone (robust/kernel/filters/staged.h). Of valid questions only.
+/// The stages of an answer or of a decision alone (robust/kernel/filters/staged.h). For valid questions only.
 struct StageFunctions {
   struct One {
     robust::Stage stage;
-    std::optional<EncodedValue<double>> (*ask)(const Question&, std::size_t environment);  ///< empty: it does not know
+    std::optional<EncodedValue<double>> (*ask)(const Question&, std::size_t environment);  ///< nullopt: undecided
   };
-  std::vector<One> each;  ///< in the order in which they are asked
-  robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
+  std::vector<One> each;  ///< in the order in which they are tried
+  robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not say
 };
 
-/// Decisions over arrays (robust/batch/isa/columns.h): enumerators, a byte each.
+/// Decisions over arrays (robust/batch/isa/columns.h): enumerators, one byte each.
 struct ArrayFunctions {
-  /// On `count` questions, all like `shared` but for the numbers of which there are columns. nullptr: robust does not
-  /// answer arrays.
+  /// For `count` questions, all like `shared` except for the numbers that have columns. nullptr: robust does not answer
+  /// arrays.
   void (*decide)(const Question& shared, const robust::batch::Column* columns, std::size_t count, std::uint8_t* answers,
                  robust::batch::Instructions at_most) = nullptr;
-  /// Which numbers of a question there are columns of, in their order.
+  /// The numbers of a question that have columns, in their order.
   std::vector<std::size_t> (*columns)(const Question&) = nullptr;
 };
 
@@ -71,8 +71,8 @@ struct TrackedFormula {
   EncodedValue<Tracked<float>> (*in_float)(const Question&);
 };
 
-/// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three
-/// modules over encoded values, and what the row adds to them. Whatever may be nullptr says so.
+/// A row of the catalogue with its types erased (catalogue/operation/row_of.h makes it): the functions of the three
+/// modules over encoded values, and the row's own functions. Members that may be nullptr say so.
 struct RowFunctions {
   const Metadata* metadata;
   const Shape* question;
@@ -83,7 +83,7 @@ struct RowFunctions {
   EncodedValue<double> (*reference_in_float)(const Question&);
   EncodedValue<Exact> (*reference_exactly)(const Question&);
   TrackedFormula reference_tracked;
-  /// Other formulas of textbooks for the same question (reference/standard/), for which an engine is not blamed either.
+  /// Other textbook formulas for the same question (reference/standard/), for which an engine is not blamed either.
   std::vector<TrackedFormula> standard;
 
   /// In that floating-point environment (catalogue/judge/environment.h).
@@ -91,11 +91,11 @@ struct RowFunctions {
   Solution (*solve)(const Question&);
   Solution (*solve_as_typed)(const EncodedValue<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
 
-  /// Decisions alone; `decision` is the shape of the enumerator, nullptr where robust has no function for it.
+  /// Decisions alone; `decision` is the shape of the enumerator, nullptr if robust has no function for it.
   const Shape* decision;
   Word (*decide)(const Question&, std::size_t environment);
   Word (*decide_by_oracle)(const Question&);    ///< nullptr: the oracle has no quick decision
-  Word (*decide_by_integers)(const Question&);  ///< of small integers; nullptr likewise
+  Word (*decide_by_integers)(const Question&);  ///< for small integers; nullptr likewise
   DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last,
                                    std::size_t list_length);  ///< nullptr likewise
 
@@ -111,7 +111,7 @@ struct RowFunctions {
   std::vector<HardCaseName> hard_cases;
   Question (*draw_hard_case)(std::size_t which, DrawStream&);
 
-  // Hooks of the row; nullptr where it has none.
+  // Hooks of the row; nullptr if it has none.
   std::optional<EncodedTruth> (*as_open_sets)(const EncodedTruth& truth, const Question&);
   std::string (*defect)(const Question&, const EncodedValue<double>& answer);
   std::string (*exact_defect)(const Question&, const EncodedValue<mpq_class>& answer);

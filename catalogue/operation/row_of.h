@@ -8,7 +8,7 @@
 #include "catalogue/operation/operation.h"
 #include "catalogue/operation/row.h"
 
-/// Makes an operation from its row: the one place where its types are forgotten.
+/// Makes an operation from its row: the only place where its types are erased.
 namespace touchstone::catalogue {
 
 /// SplitMix64's output function, as in DrawStream.
@@ -27,7 +27,7 @@ Asked zeros(std::size_t length) {
   return asked;
 }
 
-/// Whether a function of `Stages` takes the arguments of a question.
+/// True if a function of `Stages` takes the arguments of a question.
 template <class Ask, class Asked>
 inline constexpr bool takes = false;
 template <class Ask, class... Ts>
@@ -81,7 +81,7 @@ StageFunctions stage_functions() {
   return found;
 }
 
-/// A number of a question as one of the type in which it is asked.
+/// A number of a question in the type in which the question is asked.
 inline constexpr auto in_float = [](double number) { return static_cast<float>(number); };
 inline constexpr auto in_exact = [](double number) { return Exact(exact_value(number)); };
 inline constexpr auto in_integers = [](double number) { return static_cast<std::int64_t>(number); };
@@ -164,7 +164,7 @@ struct RowOf {
     return packed(hard_cases()[which].draw(draws));
   }
 
-  /// The hooks with their types forgotten.
+  /// The hooks with their types erased.
   static constexpr auto hooks = [] { return Row::hooks(); };
   static Truth typed(const EncodedTruth& truth) {
     if constexpr (std::is_same_v<number_of_t<Truth>, TrueNumber>) return unpacked<Truth>(truth, as_it_is);
@@ -218,7 +218,7 @@ struct RowOf {
   static RowFunctions functions();
 };
 
-/// The inner loop of an exhaustive run of decisions, numbers counting up like digits, or as the row has its domain.
+/// The inner loop of an exhaustive run of decisions, with numbers counting up like digits, or over the row's domain.
 template <class Row>
 DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::uint64_t last, std::size_t list_length) {
   auto asked = zeros<Asked>(list_length);
@@ -248,7 +248,7 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
     }
   };
   using Decision = decltype(Row::decision::robust(asked));
-  // What is outside the contract, a ring that is closed over two vertices, has to be refused.
+  // A question outside the contract, a ring that is closed over two vertices, has to be refused.
   const auto oracle_refuses = [](const Asked& q) {
     try {
       ask_oracle<Row>(q);

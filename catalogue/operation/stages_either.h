@@ -5,7 +5,8 @@
 
 namespace touchstone::catalogue {
 
-/// The stages of an operation whose alternatives have answers of different types, as those of one type, their variant.
+/// Combines the stages of an operation whose alternatives have answers of different types into those of one type, their
+/// variant.
 template <class Stages, class Either>
 struct StagesEither {
   static robust::Perhaps<Either> enclosed(const auto&... q) {

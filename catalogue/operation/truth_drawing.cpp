@@ -24,7 +24,7 @@ class AnswerDrawing {
     if (has_figure(shape)) {
       const std::size_t before = drawing_.space.size();
       draw_figure(drawing_, shape, label, at_, true);
-      // Vectors that the row has drawn where they belong are noted in words, and not drawn once more at the origin.
+      // Vectors that the row has drawn at their positions are noted in words, and not drawn again at the origin.
       if (has_arrows_ && drawing_.space.size() > before && drawing_.space.back().kind == SpaceFigure::Kind::arrow)
         drawing_.space.resize(before);
       return pass(shape);

@@ -9,7 +9,7 @@ namespace touchstone::catalogue {
 
 /// The figure of a question and of the truth about it.
 Drawing drawing_of(const Examination& question);
-/// That of a question that the oracle refuses: its arguments, and which rule it breaks.
+/// The figure of a question that the oracle refuses: its arguments, and the rule that it breaks.
 Drawing drawing_of_refused(const Operation& operation, const Question& question, const InvalidInput& refused);
 
 }  // namespace touchstone::catalogue

@@ -8,8 +8,8 @@
 
 namespace {
 
-/// Bytes of an input: all numbers and words of a question after the first byte, and not fewer than 80, which families
-/// draw from; eighty numbers where there are lists, more where one question is a mesh.
+/// An input of the greatest useful length: all numbers and enumerators of a question after the first byte, and at least
+/// 80 bytes, which families draw from; eighty numbers if there are lists, more if a question holds a mesh.
 std::string longest() {
   const auto& operation = touchstone::fuzz::target().operation();
   if (!operation.question_shape().fixed) return operation.metadata().cost > 10 ? "-max_len=1600" : "-max_len=640";
@@ -21,8 +21,8 @@ std::string longest() {
 
 }  // namespace
 
-/// The operation from the command line, and libFuzzer's options where the command line does not name them. Its own
-/// start with short inputs, of which no number can be read.
+/// Takes the operation from the command line, and sets libFuzzer's options that the command line does not set.
+/// libFuzzer itself would start with short inputs, from which no number can be read.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   touchstone::fuzz::choose_target(*argc, *argv);
   static std::vector<char*> arguments(*argv, *argv + *argc);

@@ -7,7 +7,7 @@ namespace {
 using catalogue::Question;
 using catalogue::Shape;
 
-/// Indices are mostly those of a short list.
+/// Most indices are those of a short list.
 constexpr std::uint64_t usual_indices = 8;
 
 class Reader {

@@ -7,21 +7,21 @@
 
 namespace touchstone::fuzz {
 
-/// Which numbers and words of a question are what.
+/// Tells what each number and enumerator of a question is.
 struct Layout {
   struct Place {
-    std::size_t number, word;  ///< on the encoded value
+    std::size_t number, word;  ///< in the encoded value
   };
   struct Point {
-    std::size_t first, dimension;  ///< its coordinates are numbers first .. first + dimension - 1
+    std::size_t first, dimension;  ///< its coordinates are the numbers first .. first + dimension - 1
   };
   struct List {
-    std::size_t length;  ///< the word
+    std::size_t length;  ///< index of the enumerator that holds it
     const catalogue::Shape* element;
-    std::vector<Place> elements;  ///< where each begins, and behind the last where it ends
+    std::vector<Place> elements;  ///< where each begins, and where the last one ends
   };
   struct Choosable {
-    std::size_t place;  ///< the word: an enumerator, a flag, an index
+    std::size_t place;  ///< index of the enumerator: an enumerator, a flag or an index
     std::uint64_t values;
   };
   std::vector<Point> points;
@@ -31,7 +31,7 @@ struct Layout {
 
 Layout layout_of(const catalogue::Shape& shape, const catalogue::Question& question);
 
-/// A value of that shape with every number and word 0, at a place of a question.
+/// Inserts a value of the shape, with every number and enumerator 0, at a place of a question.
 void insert_zeros(const catalogue::Shape& shape, catalogue::Question& question, const Layout::Place& at);
 
 }  // namespace touchstone::fuzz

@@ -3,8 +3,8 @@
 
 namespace {
 
-// The sanitizer's allocator would take most of the time of a fuzz target, and could watch nothing there: GMP is not
-// instrumented, and it alone touches its limbs.
+// The sanitizer's allocator would take most of a fuzz target's time and could detect nothing: GMP is not instrumented,
+// and only GMP touches its limbs.
 [[maybe_unused]] const bool before_any_input = (touchstone::audit::use_limb_memory(), true);
 
 }  // namespace

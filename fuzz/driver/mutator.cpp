@@ -17,7 +17,7 @@ namespace {
 
 using catalogue::DrawStream;
 
-/// The layout of a question; good until the next call. Where all questions have the same, it is made once.
+/// The layout of a question, valid until the next call. It is made once if all questions share it.
 const Layout& layout_for(const catalogue::Shape& shape, const Question& question) {
   static thread_local Layout found;
   static thread_local const catalogue::Shape* made_for = nullptr;
@@ -55,7 +55,7 @@ class Mutation {
  private:
   double& any_number() { return numbers_[draws_.below(numbers_.size())]; }
   Layout::Point any_point() { return layout_.points[draws_.below(layout_.points.size())]; }
-  /// Another point of the same dimension, or the same one.
+  /// Another point of the same dimension, or the same point.
   Layout::Point any_point_like(const Layout::Point& p) {
     const Layout::Point q = any_point();
     return q.dimension == p.dimension ? q : p;
@@ -88,7 +88,7 @@ class Mutation {
     question_.words[word.place] = static_cast<catalogue::Word>(draws_.below(word.values));
   }
 
-  /// One element of a list is there twice, or is taken out.
+  /// Duplicates or removes one element of a list.
   void grow_or_shrink() {
     if (layout_.lists.empty()) return;
     const Layout::List& list = layout_.lists[draws_.below(layout_.lists.size())];
@@ -160,8 +160,8 @@ class Mutation {
 
 }  // namespace
 
-/// A question of some family. What has become numbers never goes back to one, so that without this families would be
-/// asked seldom.
+/// Draws a question of some family. A question that has become numbers never returns to draws, so without this step
+/// families would rarely be asked.
 void draw_afresh(DrawStream& draws, std::vector<std::uint8_t>& result) {
   result.resize(1 + draws.below(48));
   for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(draws.below(256));
@@ -179,7 +179,7 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   static thread_local Question question;
   target().decode(data, question);
   for (double& number : question.numbers)
-    number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
+    number = std::isfinite(number) ? number : 0;  // a refused question has descendants that are valid
   const catalogue::Shape& shape = target().operation().question_shape();
   for (std::uint64_t left = 1 + draws.below(3); left > 0; --left) Mutation(shape, question, draws).apply();
   encode(shape, question, result);

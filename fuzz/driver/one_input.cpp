@@ -10,7 +10,7 @@
 namespace touchstone::fuzz {
 namespace {
 
-constexpr std::size_t degrees_of_nearness = 128, outcomes = 16;  // beyond them all share a place
+constexpr std::size_t degrees_of_nearness = 128, outcomes = 16;  // larger ones share the last place
 #if defined(__linux__)
 [[gnu::section("__libfuzzer_extra_counters")]]
 #endif
@@ -32,7 +32,7 @@ void report_margin(const mpq_class& margin, int degree, std::span<const double> 
   if (sgn(margin) != 0) {
     int greatest = -1023;
     for (const double number : numbers) greatest = std::max(greatest, exponent(number));
-    const long bits = static_cast<long>(degree) * greatest - magnitude(margin);  // about 53 where rounding decides
+    const long bits = static_cast<long>(degree) * greatest - magnitude(margin);  // about 53 if rounding decides
     near = static_cast<std::size_t>(std::clamp(bits, 0L, static_cast<long>(degrees_of_nearness) - 2)) + 1;
   }
   nearness[std::min(outcome, outcomes - 1) * degrees_of_nearness + near] = 1;
@@ -40,8 +40,8 @@ void report_margin(const mpq_class& margin, int degree, std::span<const double> 
 
 }  // namespace touchstone::fuzz
 
-/// No stacks of allocations and a small quarantine: half of the time under the address sanitizer goes into remembering
-/// who allocated.
+/// Keeps no allocation stacks and a small quarantine: under the address sanitizer, half of the time goes into recording
+/// allocations.
 extern "C" const char* __asan_default_options() { return "malloc_context_size=0:quarantine_size_mb=4"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

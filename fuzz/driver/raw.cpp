@@ -6,14 +6,14 @@
 
 #include "fuzz/driver/target.h"
 
-// Questions as raw doubles in canonical order, numbers and words alike.
+// Questions as raw doubles in canonical order; numbers and enumerators are encoded alike.
 namespace touchstone::fuzz {
 namespace {
 
 using catalogue::Shape;
 using catalogue::Word;
 
-/// Doubles from bytes; those beyond the end are 0.
+/// Reads doubles from bytes; those past the end are 0.
 class Slots {
  public:
   Slots(Bytes bytes, bool make_finite) : bytes_(bytes), make_finite_(make_finite) {}
@@ -24,12 +24,12 @@ class Slots {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) &
                                  ~(std::uint64_t{1} << 62));  // the exponent of 1
   }
-  /// Below `values`.
+  /// Returns an enumerator below `values`.
   Word word(std::uint64_t values) {
     const double slot = next();
     return slot >= 1 && slot < 0x1p32 ? static_cast<Word>(static_cast<std::uint64_t>(slot) % values) : 0;
   }
-  /// No list is longer than there are slots left.
+  /// No list is longer than the number of slots left.
   Word length() {
     const double slot = next();
     const auto left = static_cast<double>((bytes_.size() + sizeof(double) - 1) / sizeof(double));

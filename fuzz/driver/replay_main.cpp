@@ -10,14 +10,14 @@
 #include "catalogue/families/draw_stream.h"
 #include "fuzz/driver/target.h"
 
-// What the fuzz program is without libFuzzer, for any compiler:
-//   fuzz OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (500 unless told)
+// Runs the fuzz program without libFuzzer, for any compiler:
+//    fuzz OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (default 500)
 //   fuzz OP --write-seeds FOLDER             one file for every hard case of the operation
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed);
 
-// libFuzzer's own mutation is not there: one byte is set, by the bytes alone.
+// Replaces libFuzzer's own mutation, which is absent: sets one byte, chosen by the bytes alone.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
   std::uint64_t state = size;
   for (std::size_t i = 0; i < size; ++i) state = touchstone::catalogue::seed_of(state, "", data[i]);

@@ -17,7 +17,7 @@ namespace {
 
 std::unique_ptr<Target> chosen;
 
-/// FNV-1a: what else is done with an input is decided by its bytes alone.
+/// FNV-1a: the bytes of an input alone decide what else is done with it.
 std::uint64_t scattered(Bytes data) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const std::uint8_t byte : data) hash = (hash ^ byte) * 0x100000001b3u;
@@ -59,8 +59,8 @@ std::string Target::complaint(Bytes data) const {
   return judged(question, scattered(data));
 }
 
-/// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the
-/// rest together, so that there only every 256th of those, elsewhere every 16th, has its certificate checked.
+/// If the decision can be had without numbers, only every 16th input is examined in full, and the certificate of every
+/// 256th of those is checked; otherwise that of every 16th input: JSON is slower than everything else together.
 std::string Target::judged(const Question& question, std::uint64_t hash) const {
   const catalogue::RowFunctions& row = operation_.row();
   const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % catalogue::environment_count;

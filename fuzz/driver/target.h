@@ -11,10 +11,10 @@
 
 /// One operation of the catalogue, asked by bytes.
 ///
-/// The first byte picks a family of inputs and the rest are its draws; a byte beyond the families means that the rest
-/// are the numbers and words themselves in canonical order, each a raw little-endian double, and 0xff that those
-/// numbers which are not finite are made so: refusals tell little, and are exceptions, which cost more than answers.
-/// Bytes that are missing are 0.
+/// The first byte picks a family of inputs and the rest are its draws. A first byte beyond the families means that the
+/// rest are the numbers and enumerators in canonical order, each a raw little-endian double. 0xff means the same, with
+/// numbers that are not finite made finite: refusals reveal little, and they are exceptions, which cost more than
+/// answers. Missing bytes are 0.
 namespace touchstone::fuzz {
 
 using catalogue::Question;
@@ -27,12 +27,12 @@ class Target {
   explicit Target(const catalogue::Operation& operation) : operation_(operation) {}
   const catalogue::Operation& operation() const { return operation_; }
 
-  /// Asks everybody, judges, and returns what is wrong ("" where nothing is).
+  /// Asks every implementation, judges the answers, and returns the first complaint ("" if there is none).
   std::string complaint(Bytes data) const;
-  /// The question in decimal, in hexadecimal, and the command that asks it again.
+  /// Prints the question in decimal and in hexadecimal, and the command that asks it again.
   std::string shown(Bytes data) const;
   void decode(Bytes data, Question& question) const;
-  /// Seeds of a corpus by name: one for every hard case.
+  /// The seeds of a corpus by name: one for each hard case.
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seeds() const;
 
  private:
@@ -41,21 +41,22 @@ class Target {
   const catalogue::Operation& operation_;
 };
 
-/// The target of this process.
+/// The fuzz target of this process.
 const Target& target();
-/// Takes the operation from the program's name or, taking it away, from its first argument; ends the program where
+/// Takes the operation from the program's name, or from its first argument, which it then removes; ends the program if
 /// neither names one.
 void choose_target(int& argc, char** argv);
 
-/// The bytes that mean this question; and the question of bytes after the first, whatever they are.
+/// Encodes a question as bytes; and decodes any bytes after the first as a question.
 void encode(const catalogue::Shape& shape, const Question& question, std::vector<std::uint8_t>& data);
 void decode(const catalogue::Shape& shape, Bytes rest, bool make_finite, Question& question);
 
-/// How near the deciding quantity came to a change of answer is news to libFuzzer, as a branch that was not taken
-/// before would be.
+/// Reports to libFuzzer how near the deciding quantity came to a change of answer: a new degree counts as coverage,
+/// like a branch not taken before.
 void report_margin(const mpq_class& margin, int degree, std::span<const double> numbers, std::size_t outcome);
 
-/// Our own mutation: a pure function of the bytes and the seed. False where the bytes themselves should be mutated.
+/// Our own mutation: a pure function of the bytes and the seed. Returns false if the bytes themselves should be
+/// mutated.
 bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result);
 
 }  // namespace touchstone::fuzz

@@ -65,7 +65,7 @@ Integer squared_distance(const Ball& a, const Ball& b) {
   return dot(between, between);
 }
 
-/// What two solids have to spare before they part, to the power `degree`; less than 0: what they lack.
+/// The distance that two solids can move before they separate, to the power `degree`; negative: their distance.
 Integer spare(const Ball& a, const Ball& b) {
   const Integer reach = a.radius + b.radius;
   return Integer(reach * reach - squared_distance(a, b));
@@ -86,7 +86,7 @@ std::vector<Rational> actual_point(const WholeList& numbers, const Point3<Ration
   return {numbers.actual(p.x, 1), numbers.actual(p.y, 1), numbers.actual(p.z, 1)};
 }
 
-/// Of balls that meet: the point that divides the way from center to center as the radii do.
+/// For balls that meet: the point that divides the line between the centers in the ratio of the radii.
 Point3<Rational> common_point(const Ball& a, const Ball& b) {
   const Integer reach = a.radius + b.radius;
   const auto divided = [&](const Integer& p, const Integer& q) {
@@ -94,7 +94,7 @@ Point3<Rational> common_point(const Ball& a, const Ball& b) {
   };
   return {divided(a.center.x, b.center.x), divided(a.center.y, b.center.y), divided(a.center.z, b.center.z)};
 }
-/// Of boxes that meet: the least corner of what they have in common.
+/// For boxes that meet: the least corner of their intersection.
 Point3<Rational> common_point(const Box& a, const Box& b) {
   const auto larger = [](const Integer& p, const Integer& q) { return Rational(p < q ? q : p); };
   return {larger(a.min.x, b.min.x), larger(a.min.y, b.min.y), larger(a.min.z, b.min.z)};
@@ -122,7 +122,7 @@ const Integer& high(const Box& box, Integer Point::*axis) { return box.max.*axis
 bool before(const IndexPair& p, const IndexPair& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; }
 IndexPair pair_of(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 
-/// All solids as intervals on an axis, by their lower ends, and how many pairs of these meet.
+/// All solids as intervals on an axis, sorted by their lower ends, and the number of pairs of these that meet.
 struct Sweep {
   template <class Solid>
   Sweep(const std::vector<Solid>& solids, std::size_t on) : axis(on), order(solids.size()) {
@@ -142,7 +142,7 @@ struct Sweep {
   std::size_t meeting = 0;
 };
 
-/// On the axis on which fewest pairs are left.
+/// The sweep along the axis on which the fewest pairs remain.
 template <class Solid>
 Sweep best_sweep(const std::vector<Solid>& solids) {
   Sweep best(solids, 0);
@@ -153,7 +153,7 @@ Sweep best_sweep(const std::vector<Solid>& solids) {
   return best;
 }
 
-/// The sweep, and each pair that is left.
+/// Visits the remaining pairs of the sweep.
 template <class Solid>
 Certificate certificate(const Scaled<Solid>& scaled) {
   const auto& [solids, numbers] = scaled;
@@ -179,7 +179,7 @@ Certificate certificate(const Scaled<Solid>& scaled) {
           {{"meet", std::move(meet)}, {"apart", std::move(asunder)}}};
 }
 
-/// What two solids lack at least to meet, if one begins on an axis so far beyond the other's end.
+/// A lower bound of the distance of two solids, if one begins on an axis this far beyond the other's end.
 Integer least_lack(const Integer& gap, const Ball*) { return Integer(gap * gap); }
 const Integer& least_lack(const Integer& gap, const Box*) { return gap; }
 
@@ -194,7 +194,7 @@ Truth<std::vector<IndexPair>> truth_all_pairs(Scaled<Solid> scaled) {
     for (std::size_t q = p + 1; q < solids.size(); ++q) {
       const Index j = sweep.order[q];
       const Integer gap = sweep.lows[j] - sweep.highs[i];
-      if (least && sgn(gap) > 0 && least_lack(gap, &solids[i]) > *least) break;  // so is what begins later
+      if (least && sgn(gap) > 0 && least_lack(gap, &solids[i]) > *least) break;  // so are the later ones
       Integer room = spare(solids[i], solids[j]);
       if (sgn(room) >= 0) found.answer.push_back(pair_of(i, j));
       room = abs(room);

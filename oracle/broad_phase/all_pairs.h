@@ -12,11 +12,11 @@ namespace touchstone::oracle {
 /// other answer: they do not meet, and theirs is not the least margin. Spheres meet if the squared distance of their
 /// centres is not greater than the squared sum of the radii; boxes if on each axis neither begins beyond the other's
 /// end.
-/// Margin: the least over all pairs, a squared length. Of spheres, the difference of these two squares; of boxes, the
-/// square of how far one must be moved for them to part or to touch: along the axes, the longest way is counted where
-/// they are apart and the shortest where they meet.
-/// Fewer than two solids have no other answer however they change: there is no margin.
-/// Time: of n solids n log n, and the pairs that are near each other on the axis where these are fewest; n^2 at worst.
+/// Margin: the least over all pairs, a squared length. For spheres, the difference of these two squares; for boxes, the
+/// square of the distance by which one must be moved for them to separate or to touch along the axes: the longest if
+/// they are apart and the shortest if they meet. Fewer than two solids have no other answer however they change: there
+/// is no margin. Time: of n solids n log n, and the pairs that are near each other on the axis where these are fewest;
+/// n^2 at worst.
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres);
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes);
 template <Exact Number>

@@ -14,8 +14,8 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The bodies that are there, and a tree of them, which is made anew once more commands have changed bodies since than
-/// half of it. Bodies of a single leaf need no tree.
+/// The existing bodies, and a tree of them, which is rebuilt once the commands since then have changed more than half
+/// as many bodies as it holds. Bodies of a single leaf need no tree.
 class World {
  public:
   void insert(Aabb3<Rational> box) { bodies_.emplace(next_++, std::move(box)), change(); }
@@ -35,7 +35,7 @@ class World {
     is_changed_ = false;
     return *tree_;
   }
-  /// How many trees of more than a leaf there have been.
+  /// The number of trees with more than a leaf so far.
   std::size_t trees() const { return trees_; }
 
  private:
@@ -48,7 +48,7 @@ class World {
   bool is_changed_ = false;
 };
 
-/// Carries out commands. Queries are put to `asked`: pairs(world), and met(world, query, empty reply).
+/// Carries out commands. Queries are passed to `asked`: pairs(world), and met(world, query, empty reply).
 template <class Number, class Asked>
 struct CarryOut {
   World& world;

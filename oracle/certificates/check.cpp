@@ -40,8 +40,8 @@ bool refuses_input(const json& line) {
   return line.is_object() && line.contains("refused") && !line.contains("truth") && !line.contains("certificate");
 }
 
-/// Every check reads the input before anything else, in the order in which the contract names its rules: so the first
-/// rule that is broken is what it complains about.
+/// Every check reads the input first, in the order in which the contract names its rules: so it complains about the
+/// first rule that is broken.
 void check_refused(const json& line) {
   expect_fields(line, {"op", "input"});
   const json &refused = line["refused"], nothing;
@@ -68,7 +68,7 @@ void check(const json& claim) {
   check_of(claim)(Claim{claim["input"], claim["truth"], claim["certificate"]});
 }
 
-/// A claim is nested five deep. What is nested without end may end a program that walks it.
+/// A claim is nested five deep. Unlimited nesting could crash a recursive traversal.
 constexpr int most_nested = 64;
 
 bool nested_too_deep(const std::string& text) {
@@ -84,8 +84,8 @@ bool nested_too_deep(const std::string& text) {
   return false;
 }
 
-/// One text, one meaning: what parsers read differently - a key given twice, a byte order mark, a zero byte - is no
-/// JSON. Empty where it is none.
+/// A text must have one meaning: text that parsers read differently - a duplicate key, a byte order mark, a zero byte -
+/// is not JSON. nullopt if it is not.
 std::optional<json> parsed(const std::string& text) {
   if (text.starts_with("\xef\xbb\xbf") || text.find('\0') != std::string::npos) return std::nullopt;
   std::vector<std::set<std::string>> keys;
@@ -102,7 +102,7 @@ std::optional<json> parsed(const std::string& text) {
   return twice || value.is_discarded() ? std::nullopt : std::optional<json>(std::move(value));
 }
 
-/// Puts the values of files in the places where the input names them.
+/// Inserts the contents of files where the input names them.
 void read_named_files(json& claim, const std::string& folder) {
   if (!claim.is_object() || !claim.contains("input") || !claim["input"].is_object()) return;
   for (const auto& [field, value] : claim["input"].items()) {

@@ -5,18 +5,18 @@
 
 #include "oracle/certificates/check_space.h"
 
-/// Bodies and what they do, as claims write them, each with the rules of its shape.
+/// Bodies and their motions in the form of claims, each with the rules of its shape.
 namespace touchstone::certify {
 
 inline Triple operator+(const Triple& p, const Triple& q) { return along(p, 1, q); }
 inline Triple operator*(const Rational& t, const Triple& p) { return along({0, 0, 0}, t, p); }
-/// Of a positive mass.
+/// A body of positive mass.
 struct Body {
   Rational mass;
   Triple velocity;
 };
 
-/// A body that may turn, where nothing but its motion counts.
+/// A body that may rotate, of which only the motion counts.
 struct MovingBody {
   Triple position, velocity, angular_velocity;
   Triple velocity_at(const Triple& point) const { return velocity + cross(angular_velocity, point - position); }
@@ -33,7 +33,7 @@ struct RigidBody {
   }
 };
 
-/// Input, by the field's name; `what` is how the field is called in a refusal.
+/// Input, by the field's name; `what` names the field in a refusal.
 std::vector<Body> bodies(const json& value, const std::string& what);
 RigidBody rigid_body(const json& value, const std::string& what);
 MovingBody moving_body(const json& value, const std::string& what);

@@ -10,7 +10,7 @@ namespace {
 
 Rational of_axis(const Triple& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// Whether a body meets a box, as the proof says.
+/// True if a body meets a box, according to the proof.
 bool proved(const Claim& proof, const Box& query, const Box& body) {
   if (proof.kind() == "common_point") {
     proof.facts({"point"});
@@ -25,7 +25,7 @@ bool proved(const Claim& proof, const Box& query, const Box& body) {
   return false;
 }
 
-/// The first t at which a ray is in a body, as the proof says; empty: never.
+/// The first t at which a ray is in a body, according to the proof; empty: never.
 std::optional<Rational> proved(const Claim& proof, const RayInSpace& ray, const Box& body) {
   const auto& [o, d] = ray;
   if (proof.kind() == "apart") {
@@ -58,7 +58,7 @@ std::optional<Rational> proved(const Claim& proof, const RayInSpace& ray, const 
   return first;
 }
 
-/// The bodies that a query meets, by one proof after another.
+/// The bodies that a query meets, from one proof after another.
 class Met {
  public:
   Met(const json& command, const json& proofs) : command_(command), proofs_(proofs) {
@@ -75,7 +75,7 @@ class Met {
   void look_at(std::uint64_t body, const Box& box) {
     if (const auto first = proved_first(next(), box)) met_.emplace_back(*first, body);
   }
-  /// Whether the next proof leaves what is in the box open; else it shows the query to miss it.
+  /// True if the next proof leaves the box open; otherwise it shows that the query misses it.
   bool opens(const Box& box) {
     const Claim proof = next();
     if (proof.kind() == "open") {
@@ -86,7 +86,7 @@ class Met {
     return false;
   }
 
-  /// Of a ray, in the order of the first t.
+  /// For a ray, in the order of the first t.
   std::vector<std::uint64_t> bodies() && {
     expect(used_ == proofs_.size(), "certificate: a proof for each body");
     std::sort(met_.begin(), met_.end());
@@ -139,7 +139,7 @@ RayInSpace ray_in_space(const json& value, const std::string& what) {
   return result;
 }
 
-/// A tree of bodies: each is in one leaf at most.
+/// A tree of bodies: each is in at most one leaf.
 class BodyTree {
  public:
   BodyTree(const Claim& claim, std::uint64_t bodies) {
@@ -164,7 +164,7 @@ class BodyTree {
   static constexpr std::size_t deepest = 4096;
   struct Node {
     std::size_t begin, end, second = 0;  ///< the first child is the next node; second == 0: a leaf
-    std::optional<Box> box{};            ///< none where no body is there
+    std::optional<Box> box{};            ///< none if no body is there
   };
 
   void read(std::size_t begin, std::size_t end, std::size_t depth) {

@@ -9,15 +9,15 @@ namespace {
 
 using Points = std::vector<Triple>;
 
-/// So many.
+/// The points of a fact, which must be this many.
 Points named(const Claim& claim, const char* fact, const Points& points, std::size_t count) {
   Points found = certify::named(claim, fact, points);
   expect(found.size() == count, std::string("certificate.") + fact + ": a place for each half axis that is not 0");
   return found;
 }
 
-/// Along half axes at right angles a point has one coefficient each, and what is left of its way from the center where
-/// some are 0 has to be nothing.
+/// Along perpendicular half axes a point has one coefficient each, and the rest of its displacement from the center, if
+/// some are 0, must be zero.
 void check_obb_of_points(const Claim& claim) {
   claim.inputs({"points"});
   const Points points = points_in_space(claim.input["points"], "points");

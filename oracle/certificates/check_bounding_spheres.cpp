@@ -33,7 +33,7 @@ Triple mean(const Points& points) {
   return along(Triple{0, 0, 0}, Rational(1, static_cast<unsigned long>(points.size())), sum);
 }
 
-/// The combination of points with the weights of the certificate, which are not negative and have the sum 1.
+/// The combination of points with the weights of the certificate, which are not negative and add up to 1.
 Triple combined(const std::vector<Rational>& weights, const Points& support) {
   expect(weights.size() == support.size(), "certificate.weights: as many as points");
   Triple center{0, 0, 0};

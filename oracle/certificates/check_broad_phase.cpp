@@ -12,18 +12,18 @@
 #include "oracle/certificates/check_pair_tree.h"
 #include "oracle/certificates/check_space.h"
 
-/// Which solids of a list meet. What is checked, and why that proves it:
+/// The solids of a list that meet. The checks, and why they prove it:
 ///
-/// Each listed pair has a point in common. All solids are in the order of their lower ends on one axis: whoever comes
-/// after the first in it that begins beyond a solid's upper end begins beyond it too, and has no point in common with
-/// that solid. Each pair that is left is listed, or its own proof shows it to be apart. So no pair is missing. The time
-/// is that of reading the claim, but for looking pairs up.
-/// Of a program, the commands are carried out on a plain list, and each reply is proved on its own: pairs like this;
-/// whatever meets a box, a point or a ray by a proof for each body, in the order of their indices; or along a tree of
-/// bodies, whose boxes are computed here: what misses the box around a node misses each body of it, so that one proof
-/// is enough, and bodies that are in no leaf have proofs of their own behind. A ray enters a body where it crosses the
-/// plane of a face that it was beyond until then, into the body. It misses a body where the inequalities of faces, with
-/// weights that are not negative, sum up to c + s t <= 0 with c > 0 and s >= 0.
+/// Each listed pair has a point in common. All solids are in the order of their lower ends on one axis: a solid after
+/// the first that begins beyond a solid's upper end begins beyond it too, and has no point in common with that solid.
+/// Each pair that is left is listed, or its own proof shows it to be apart. So no pair is missing. The time is that of
+/// reading the claim, except for looking pairs up. For a program, the commands are carried out on a plain list, and
+/// each reply is proved on its own: pairs like this; whatever meets a box, a point or a ray by a proof for each body,
+/// in the order of their indices; or along a tree of bodies, whose boxes are computed here: what misses the box around
+/// a node misses each body of it, so that one proof is enough, and bodies that are in no leaf have proofs of their own
+/// behind. A ray enters a body where it crosses the plane of a face that it was beyond until then, into the body. It
+/// misses a body where the inequalities of faces, with weights that are not negative, sum up to c + s t <= 0 with c > 0
+/// and s >= 0.
 namespace touchstone::certify {
 namespace {
 
@@ -42,7 +42,7 @@ Solid solid_ball(const json& value, const std::string& what) {
   return {result, around};
 }
 
-/// Either field.
+/// Solids from either field.
 std::vector<Solid> solids(const Claim& claim) {
   const bool boxes = claim.input.is_object() && claim.input.contains("boxes");
   const std::string field = boxes ? "boxes" : "spheres";
@@ -86,7 +86,7 @@ Pairs proved_to_meet(const Claim& claim, const std::vector<Solid>& solids) {
   return pairs;
 }
 
-/// The pairs that have a proof of their own to be apart.
+/// The pairs with a proof of their own that they are apart.
 Pairs proved_apart(const Claim& claim, const std::vector<Solid>& solids) {
   Pairs pairs;
   for (const json& written : list(claim.certificate, "apart", "certificate.apart")) {
@@ -154,7 +154,7 @@ auto there(Map& bodies, const json& index, const std::string& what) {
   return body;
 }
 
-/// BoxedBodies by their indices, as commands make them. A command has one of these names.
+/// Boxed bodies by their indices, as commands create them. A command has one of these names.
 class World {
  public:
   explicit World(const Claim& claim) {
@@ -162,7 +162,7 @@ class World {
       insert(box, "boxes[" + std::to_string(bodies_.next) + "]");
   }
 
-  /// Whether the command is a query.
+  /// Returns true if the command is a query.
   bool carry_out(const json& command, const std::string& what) {
     expect(command.is_object(), what + ": a command");
     if (command.contains("insert")) {
@@ -207,7 +207,7 @@ class World {
     }
   }
 
-  /// The reply is that of all_pairs, where the bodies that are there have their places in the list.
+  /// The reply must be that of all_pairs, with the existing bodies at their positions in the list.
   void check_pairs(const json& reply, const json& certificate) const {
     only(reply, "truth.replies", {"pairs"});
     json input{{"boxes", json::array()}}, truth{{"pairs", list(reply, "pairs", "truth.pairs")}};
@@ -257,7 +257,7 @@ void check_broad_phase(const Claim& claim) {
 
 }  // namespace
 
-/// What other structures answer is proved in the same way.
+/// The answers of other structures are proved in the same way.
 Checks checks_of_broad_phase() {
   return {{"all_pairs", check_all_pairs},      {"sphere_hierarchy", check_all_pairs},
           {"broad_phase", check_broad_phase},  {"bounding_volume_hierarchy", check_broad_phase},

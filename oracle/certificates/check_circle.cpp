@@ -29,7 +29,7 @@ void add(Between& sum, const Between& term, bool minus) {
   sum.high += minus ? Integer(-term.low) : term.high;
 }
 
-/// 1/q - 1/(3 q^3) + 1/(5 q^5) - ...: what is left out is smaller than the first term left out, at most one unit.
+/// 1/q - 1/(3 q^3) + 1/(5 q^5) - ...: the remainder is smaller than the first term left out, at most one unit.
 Between arc_tangent_of_inverse(long q, long bits) {
   const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
   Between power{floor_quotient(one, q), ceiling_quotient(one, q)}, sum{0, 0};

@@ -5,7 +5,7 @@
 
 namespace touchstone::certify {
 
-/// Whole numbers of some unit 2^-bits, with the true value between them.
+/// Integers in units of 2^-bits, with the true value between them.
 struct Between {
   mpz_class low, high;
 };
@@ -14,10 +14,10 @@ struct CosineAndSine {
   Between cosine, sine;
 };
 
-/// Of an angle u that is at most 1 away from so many quarter turns, and not exactly so many as far as the bits show.
+/// For an angle u that is at most 1 away from this many quarter turns, and not exactly equal as far as the bits show.
 CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, long bits);
 
-/// What a certificate says of its bits: 1 to 8192.
+/// The bits that a certificate states: 1 to 8192.
 long whole_bits(const Rational& precision);
 
 }  // namespace touchstone::certify

@@ -9,8 +9,8 @@
 namespace touchstone::certify {
 namespace {
 
-/// No point of the box is lower over the plane than x, which is one of them: on each axis on which the plane slopes, x
-/// is at the lower end.
+/// True if no point of the box is lower over the plane than x, which is one of them: on each axis on which the plane
+/// slopes, x is at the lower end.
 bool is_lowest(const Box& box, const Plane& plane, const std::vector<Rational>& x) {
   const Rational slopes[]{plane.normal.x, plane.normal.y, plane.normal.z};
   for (std::size_t k = 0; k < 3; ++k)
@@ -58,8 +58,8 @@ Rational dot(const Position& p, const Position& q) {
   return sum;
 }
 
-/// The ends of a segment, or the corners of a triangle: all that is between them. Of as many coordinates each as the
-/// first, or as `axes`, if that is not 0.
+/// The ends of a segment, or the corners of a triangle, representing their hull. Each has as many coordinates as the
+/// first, or `axes` if that is not 0.
 using Hull = std::vector<Position>;
 
 Hull hull(const json& value, const std::string& what, std::size_t count, std::size_t axes) {
@@ -89,7 +89,8 @@ Position weighted(const Claim& claim, const char* fact, const Hull& hull) {
   return sum;
 }
 
-/// No point of the hull is nearer to y than x, which is one of them, nor is one to any point behind y, seen from x.
+/// Requires that no point of the hull is nearer to y than x, which is one of them, nor to any point behind y as seen
+/// from x.
 void expect_nearest(const Hull& hull, const Position& x, const Position& y) {
   for (const Position& p : hull) expect(sgn(dot(x - y, p - x)) >= 0, "certificate: a point of the hull is nearer");
 }
@@ -103,7 +104,7 @@ void expect_position(const Claim& claim, const char* name, const Position& x) {
            "truth: " + what.substr(6) + " is wrong");
 }
 
-/// The squared distance, and its root, which is a fraction or is not, as the kind says.
+/// Checks the squared distance, and its root, which is rational or not, according to the kind.
 void expect_distance(const Claim& claim, const Rational& square) {
   expect(exact_value(claim.truth["squared_distance"], "truth.squared_distance") == square,
          "truth: squared_distance is wrong");
@@ -129,8 +130,8 @@ void check_closest_point_on_triangle(const Claim& claim) { check_closest_point(c
 
 bool parallel(const Position& v, const Position& w) { return dot(v, v) * dot(w, w) == dot(v, w) * dot(v, w); }
 
-/// Of parallel segments the parameter on a is the least: it is 0, or a step back along both would leave b. No step
-/// along others keeps the distance.
+/// For parallel segments the parameter on a must be the least: it is 0, or a step back along both would leave b. For
+/// others no step keeps the distance.
 void expect_first(const Hull& a, const Hull& b, const Position& x, const Position& y) {
   const Position v = a[1] - a[0], w = b[1] - b[0];
   const Rational along = dot(v, w);
@@ -149,7 +150,7 @@ void check_segment_segment_distance(const Claim& claim) {
   expect_distance(claim, dot(x - y, x - y));
 }
 
-/// The vertices of a mesh that is closed and convex: the solid is their hull, see check_meshes.h.
+/// The vertices of a closed convex mesh: the solid is their hull, see check_meshes.h.
 Hull convex_solid(const Claim& claim, const char* name) {
   const Mesh surface = mesh(claim.input[name], name);
   outward_planes(surface, name);
@@ -158,7 +159,7 @@ Hull convex_solid(const Claim& claim, const char* name) {
   return points;
 }
 
-/// None of the hull comes before x, which is one of its points, along the direction.
+/// True if no point of the hull comes before x, which is one of its points, along the direction.
 bool none_before(const Hull& hull, const Position& x, const Position& direction) {
   return std::all_of(hull.begin(), hull.end(), [&](const Position& p) { return sgn(dot(direction, p - x)) >= 0; });
 }
@@ -206,8 +207,8 @@ Capsule capsule(const json& value, const std::string& what) {
   return {std::move(segment), radius};
 }
 
-/// The contact of two solids, or of a solid and a triangle, from points x and y: nothing of the one is nearer to the
-/// other than they are, for which each fact has the weights; and the sum of the radii.
+/// Checks the contact of two solids, or of a solid and a triangle, from points x and y, whose weights the facts give:
+/// no part of one is nearer to the other than they are; and the sum of the radii.
 void expect_contact(const Claim& claim, const Hull& a, const Position& x, const Hull& b, const Position& y,
                     const std::vector<Rational>& radii) {
   const std::string kind = claim.kind();
@@ -226,7 +227,7 @@ void expect_contact(const Claim& claim, const Hull& a, const Position& x, const 
   }
 }
 
-/// The kind that belongs to the contact.
+/// The kind must match the contact.
 void expect_kind_of_contact(const Claim& claim) {
   claim.answers({"contact"});
   const std::string contact = claim.word("contact"), kind = claim.kind();

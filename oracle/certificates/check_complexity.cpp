@@ -14,7 +14,7 @@ namespace {
 using Vertex = std::size_t;
 using Face = std::array<Vertex, 3>;
 using Edge = std::pair<Vertex, Vertex>;
-/// How many faces run along an edge from its lesser vertex, and to it.
+/// The number of faces that traverse an edge from its lesser vertex, and to it.
 struct Uses {
   long forth = 0, back = 0;
   bool odd() const { return (forth + back) % 2 != 0; }
@@ -24,7 +24,7 @@ struct Uses {
 
 bool has(const Face& face, Vertex v) { return std::find(face.begin(), face.end(), v) != face.end(); }
 
-/// Vertices of which some pairs are joined.
+/// Vertices, some pairs of which are joined.
 class Joined {
  public:
   void join(Vertex a, Vertex b) {
@@ -63,7 +63,7 @@ struct Counted {
       }
     }
   }
-  /// Whether both triangles name two vertices between which one of their faces has no edge.
+  /// True if both triangles share two vertices between which one of their faces has no edge.
   bool share_a_diagonal(const Mesh& mesh, std::size_t i, std::size_t j) const {
     const auto edge_of = [&](std::size_t t, Vertex a, Vertex b) {
       return of_faces.contains({mesh.face_of[t], std::min(a, b), std::max(a, b)});
@@ -99,7 +99,7 @@ struct Space {
   }
   int side(const Plane& plane, Vertex v) const { return sgn(plane.at(mesh.vertices[v])); }
 
-  /// All corners of t but the common ones are on one side of the plane of face i.
+  /// True if all corners of t except the common ones are on one side of the plane of face i.
   bool beside(std::size_t i, const Face& t) const {
     int side_of_t = 0;
     for (const Vertex v : t) {
@@ -110,8 +110,8 @@ struct Space {
     }
     return side_of_t != 0;
   }
-  /// The plane across the normal through the farthest corner of s has t on its other side; and on it, of one of the
-  /// two, nothing but common corners: what both have is spanned by these.
+  /// True if the plane perpendicular to the normal through the farthest corner of s has t on its other side, and one of
+  /// the two has only common corners on it: these span the intersection.
   bool held_apart(const Triple& normal, const Face& s, const Face& t) const {
     const auto along = [&](Vertex v) { return dot(normal, mesh.vertices[v]); };
     const Rational top = std::max({along(s[0]), along(s[1]), along(s[2])}),
@@ -121,7 +121,7 @@ struct Space {
     };
     return top < bottom || (top == bottom && (only_common(s, t) || only_common(t, s)));
   }
-  /// One of these planes does that, the normal along an axis.
+  /// True if one of these planes, with the normal along an axis, does that.
   bool across_an_axis(const Face& s, const Face& t) const {
     const Triple x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
     return held_apart(x, s, t) || held_apart(y, s, t) || held_apart(z, s, t) || held_apart(x, t, s) ||
@@ -129,7 +129,7 @@ struct Space {
   }
 };
 
-/// Numbers of a fact, so many at a time.
+/// Numbers of a fact, several at a time.
 class Given {
  public:
   Given(const Claim& claim, const char* fact) : name_(std::string("certificate.") + fact), values_(claim.list(fact)) {}
@@ -159,7 +159,8 @@ std::optional<Edge> named_pair(const Claim& claim, std::size_t faces) {
   return Edge{pair[0].get<std::size_t>(), pair[1].get<std::size_t>()};
 }
 
-/// The weights give one point of both triangles, which common corners and common edges of their faces do not span.
+/// Requires that the weights give one point of both triangles, which common corners and common edges of their faces do
+/// not span.
 void expect_meeting(const Space& space, const Counted& counted, std::size_t i, std::size_t j, Given& weights) {
   const Face &s = space.mesh.faces[i], &t = space.mesh.faces[j];
   const auto point = [&](const Face& f, const Face& other, bool& beyond) {
@@ -189,7 +190,7 @@ std::vector<std::vector<std::size_t>> cuts(const Mesh& mesh) {
   return found;
 }
 
-/// Triangles i and j of two faces have nothing in common but corners and edges of both.
+/// Requires that triangles i and j of two faces have nothing in common except corners and edges of both.
 void expect_apart(const Space& space, const Counted& counted, std::size_t i, std::size_t j, Given& normals) {
   const Face &s = space.mesh.faces[i], &t = space.mesh.faces[j];
   const std::string both =
@@ -200,8 +201,8 @@ void expect_apart(const Space& space, const Counted& counted, std::size_t i, std
   expect(space.held_apart(normals.next_triple(), s, t), "certificate.normals: " + both + " are not held apart");
 }
 
-/// Of faces with areas: the first pair in the order of their places that meets beyond what both name. Where faces are
-/// cut, `triangles` names one of each.
+/// For faces with areas: the first pair in the order of their indices that meets beyond what both share. If faces are
+/// triangulated, `triangles` names one of each.
 json first_meeting(const Claim& claim, const Space& space, const Counted& counted, Given& normals, Given& weights) {
   const Mesh& mesh = space.mesh;
   const auto triangles = cuts(mesh);
@@ -255,8 +256,8 @@ std::vector<std::vector<Face>> components(const Mesh& mesh, Counted& counted) {
   return found;
 }
 
-/// The ray from the point in the next direction crosses an odd number of the faces; where the point is not in the box
-/// of all of them, it is outside.
+/// True if the ray from the point in the next direction crosses an odd number of the faces; a point outside of the box
+/// of all of them is outside.
 bool inside(const Mesh& mesh, const std::vector<Face>& faces, const Triple& p, Given& directions) {
   for (Rational Triple::*axis : {&Triple::x, &Triple::y, &Triple::z}) {
     bool above_some = false, below_some = false;

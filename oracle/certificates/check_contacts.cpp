@@ -14,7 +14,7 @@ struct PointBody {
 struct Contact {
   std::size_t a, b;
   Triple normal;
-  /// n . (va - vb) after has to be this at least.
+  /// The required minimum of n . (va - vb) afterwards.
   Rational demand;
 };
 
@@ -65,7 +65,7 @@ std::vector<Rational> pushes(const Claim& claim, const char* name, const std::ve
   return found;
 }
 
-/// Of each body, pushed along normals.
+/// The sums for each body, pushed along normals.
 std::vector<Triple> sums(const std::vector<Contact>& contacts, const std::vector<Rational>& pushes,
                          std::size_t bodies) {
   std::vector<Triple> result(bodies, Triple{0, 0, 0});
@@ -77,7 +77,7 @@ std::vector<Triple> sums(const std::vector<Contact>& contacts, const std::vector
   return result;
 }
 
-/// The conditions of Karush, Kuhn and Tucker, which for a convex quadratic program are enough.
+/// The conditions of Karush, Kuhn and Tucker, which are sufficient for a convex quadratic program.
 void check_velocities(const Claim& claim, const std::vector<PointBody>& bodies, const std::vector<Contact>& contacts) {
   claim.answers({"relation", "velocities"});
   claim.expect_kind("pushes");
@@ -99,8 +99,7 @@ void check_velocities(const Claim& claim, const std::vector<PointBody>& bodies, 
   }
 }
 
-/// The weighted sum of all demands: what bodies that can move have to do with it cancels, and what others do is less
-/// than demanded.
+/// The weighted sum of all demands: the share of movable bodies cancels, and that of the others is less than demanded.
 void check_contradiction(const Claim& claim, const std::vector<PointBody>& bodies,
                          const std::vector<Contact>& contacts) {
   claim.answers({"relation"});

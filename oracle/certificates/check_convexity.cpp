@@ -98,7 +98,7 @@ void check_polygon_convexity(const Claim& claim) {
 }
 
 /// 1, -1: the vector lies counter-clockwise or clockwise of the angle u, by less than half a turn; 0 if the bits do not
-/// tell.
+/// decide.
 int turn_from(const Rational& u, const Pair& vector, long bits) {
   const Rational turns(u * 7 / 11 + Rational(1, 2));  // about 2 / pi
   const auto [cosine, sine] = cosine_and_sine(u, mpz_class(turns.get_num() / turns.get_den()), bits);
@@ -109,9 +109,9 @@ int turn_from(const Rational& u, const Pair& vector, long bits) {
   return sgn(low) > 0 ? 1 : sgn(high) < 0 ? -1 : 0;
 }
 
-/// The angle in (0, 2 pi) of a vector, not along +x, lies between low and high: it is less than half a turn beyond low,
-/// and high less than half a turn beyond it; and they are on the vector's side of the x axis, or nearly, so no whole
-/// turn comes in.
+/// Requires that the angle in (0, 2 pi) of a vector, not along +x, lies between low and high: it is less than half a
+/// turn beyond low, and high less than half a turn beyond it; and they are on the vector's side of the x axis, or
+/// nearly, which excludes full turns.
 void expect_angle(const Pair& vector, const Rational& low, const Rational& high, long bits) {
   const char* const reason = "certificate: an angle is not between low and high";
   expect(sgn(low) > 0 && low < high && high - low < 1, reason);

@@ -9,8 +9,8 @@
 #include "oracle/certificates/check_rings.h"
 #include "oracle/certificates/check_space.h"
 
-/// Convex hulls. The truth names places in the list of points; the certificate names those once more that are extreme,
-/// so that of equal points only the one in the truth is claimed.
+/// Convex hulls. The truth gives indices in the list of points; the certificate repeats those that are extreme, so that
+/// of equal points only the one in the truth is claimed.
 namespace touchstone::certify {
 namespace {
 
@@ -21,7 +21,7 @@ std::size_t place_in_input(const json& value, const std::string& what, std::size
   return value.get<std::size_t>();
 }
 
-/// A list of at least `fewest` places in the truth.
+/// A list of at least `fewest` indices in the truth.
 Places places(const json& list, const std::string& what, std::size_t fewest, std::size_t count) {
   expect(list.is_array() && list.size() >= fewest, what + ": a list of at least " + std::to_string(fewest));
   Places found;
@@ -35,7 +35,7 @@ std::size_t dimension(const Claim& claim) {
   return claim.truth["dimension"].get<std::size_t>();
 }
 
-/// The corners that the truth names where it is no solid.
+/// The corners of the truth if it is not a solid.
 Places corners(const Claim& claim, std::size_t count) {
   if (dimension(claim) == 0) {
     claim.answers({"dimension", "point"});
@@ -52,7 +52,7 @@ Places corners(const Claim& claim, std::size_t count) {
   return places(claim.truth["polygon"], "truth.polygon", 3, count);
 }
 
-/// The corners, each once, are the places in `extreme`, in any order.
+/// Requires that the distinct corners are the indices in `extreme`, in any order.
 void expect_extreme(const Claim& claim, Places used) {
   std::vector<Rational> listed = claim.list("extreme");
   std::sort(listed.begin(), listed.end());
@@ -72,7 +72,7 @@ void expect_all_equal(const std::vector<Point>& points) {
   for (const Point& p : points) expect(p == points[0], "truth: the points are not all equal");
 }
 
-/// On the segment from a to b, which are two points.
+/// True if p is on the segment from a to b, which are different points.
 bool between(const Pair& a, const Pair& p, const Pair& b) {
   return sgn(cross(b - a, p - a)) == 0 && sgn(dot(p - a, p - b)) <= 0;
 }
@@ -87,9 +87,9 @@ void expect_segment(const std::vector<Point>& points, const Places& ends) {
   for (const Point& p : points) expect(between(a, p, b), "truth: a point is outside");
 }
 
-/// Every corner turns left and every point is on the left of every edge or on it. So each corner is the tip of a wedge
-/// that holds all points, hence extreme, and each edge ends at the next extreme point; as no corner comes twice, the
-/// ring goes round once.
+/// Requires that every corner turns left and every point is on the left of every edge or on it. So each corner is the
+/// tip of a wedge that contains all points, hence extreme, and each edge ends at the next extreme point; as no corner
+/// repeats, the ring makes one turn.
 void expect_polygon(const std::vector<Pair>& points, const Places& ring) {
   const auto corner = [&](std::size_t i) { return points[ring[i % ring.size()]]; };
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -100,7 +100,7 @@ void expect_polygon(const std::vector<Pair>& points, const Places& ring) {
   }
 }
 
-/// The same about the normal of the plane, which holds all points.
+/// The same about the normal of the plane, which contains all points.
 void expect_polygon(const std::vector<Triple>& points, const Places& ring) {
   const auto corner = [&](std::size_t i) { return points[ring[i % ring.size()]]; };
   const Triple normal = cross(corner(1) - corner(0), corner(2) - corner(0));
@@ -128,7 +128,7 @@ std::vector<Corners> faces(const json& list, std::size_t count) {
   return found;
 }
 
-/// Three of these normals span space, so that their planes have one point in common.
+/// True if three of these normals span space, so that their planes have one point in common.
 bool span_space(const std::vector<Triple>& normals) {
   Triple line{0, 0, 0};
   for (const Triple& n : normals) {
@@ -139,7 +139,7 @@ bool span_space(const std::vector<Triple>& normals) {
 }
 
 /// Triangles that have an area, with all points below their planes or in them, and some below, lie on the boundary of
-/// the hull and face outwards. With every edge once in each direction they have no rim: they cover the whole boundary,
+/// the hull and face outwards. With every edge once in each direction they have no rim: they cover the entire boundary,
 /// every part of it equally often. A corner whose faces' normals span space is extreme. Corners that are extreme and
 /// different
 /// points leave for an edge of the hull nothing but the one edge between its ends, which is there once: so they cover

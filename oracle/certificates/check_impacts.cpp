@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_moments = 16, most_contacts_at_a_root = 6;
 
-/// Of numbers over one root, that of the moment's t.
+/// The product of numbers over one root, that of the time t.
 Surd product(const Surd& x, const Surd& y) {
   const Rational& r = sgn(x.q) != 0 ? x.r : y.r;
   return {Rational(x.p * y.p + x.q * y.q * r), Rational(x.p * y.q + x.q * y.p), r};
@@ -34,7 +34,7 @@ struct Flight {
   Rational inverse_mass, radius, clock;
   Triple at, velocity;
 };
-/// Of a body with another, or with a wall: other is then beyond the bodies.
+/// A body and another, or a wall: then `other` is after the bodies.
 using Meeting = std::pair<std::size_t, std::size_t>;
 struct Met {
   Meeting places;
@@ -44,8 +44,8 @@ struct Met {
   std::size_t group;
 };
 
-/// The nearest number of 53 binary digits: n 2^k with 2^52 <= |n| < 2^53; half of 2^k away at most, or a quarter on the
-/// side of 0 where n is 2^52; and n is even where it is as far as that.
+/// Requires the nearest number of 53 binary digits: n 2^k with 2^52 <= |n| < 2^53; at most half of 2^k away, or a
+/// quarter on the side of 0 if n is 2^52; and n is even if the distance is exactly that.
 void expect_nearest(const Rational& rounded, const Surd& exact, const std::string& what) {
   const std::string wrong = what + ": not the nearest number of 53 digits";
   if (sgn(rounded) == 0) return expect(sign(exact) == 0, wrong);
@@ -135,7 +135,7 @@ class Step {
   Surd parting_at(const Meeting& pair, const Surd& t) const {
     return product(normal_at(pair, t), lifted(relative_velocity(pair)));
   }
-  /// The sign of how far they are from touching.
+  /// The sign of their distance from touching.
   int gap_at(const Meeting& pair, const Surd& t) const {
     const Flight& f = flights_[pair.first];
     const Column n = normal_at(pair, t);
@@ -148,8 +148,8 @@ class Step {
     return sign(sum(square(height), product(n, n) * Rational(-f.radius * f.radius)));
   }
 
-  /// Whether the pair collides before t, or at t as well if it `counts`: approaching at its start and meeting then, or
-  /// later; of two balls the square of their distance, whose first zero that is, has two zeros.
+  /// True if the pair collides before t, or at t as well if it `counts`: it approaches at its start and meets then, or
+  /// later; for two balls the square of their distance, whose first zero that is, has two zeros.
   bool collides_until(const Meeting& pair, const Surd& t, bool counts) const {
     const Rational start = start_of(pair);
     const Surd from = lifted(start);
@@ -165,7 +165,7 @@ class Step {
     if (sgn(discriminant) <= 0) return false;
     return gap < 0 || (counts && gap == 0) || sign(parting_at(pair, t)) > 0;
   }
-  /// Whether a pair collides in what is left of the step.
+  /// True if a pair collides in the rest of the step.
   bool another() const {
     bool found = false;
     visit_pairs([&](const Meeting& pair) {
@@ -222,7 +222,7 @@ class Step {
     expect(same, name + ".contacts: not those of this moment");
   }
 
-  /// The conditions of Karush, Kuhn and Tucker, as for simulation_step, and what is kept of the numbers.
+  /// The conditions of Karush, Kuhn and Tucker, as for simulation_step, and the rounding of the numbers.
   void answer(const Claim& proof, const Surd& t, const std::vector<Met>& contacts, const std::string& name) {
     proof.expect_kind("pushes");
     proof.facts({"impulses", "impulses_of_root", "clock", "states"});

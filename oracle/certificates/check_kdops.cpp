@@ -29,7 +29,7 @@ std::vector<Numbers> points_of_any_axes(const json& value, const std::string& wh
   return found;
 }
 
-/// A fact that names a place in a list.
+/// A fact that gives an index in a list.
 std::size_t place(const Rational& index, std::size_t size, const char* of_what) {
   expect(index.get_den() == 1 && sgn(index) >= 0 && index < Rational(mpz_class(size)),
          std::string("certificate: no ") + of_what + " has this place");
@@ -43,7 +43,7 @@ Numbers exact_values(const json& value, const std::string& what, std::size_t siz
   return found;
 }
 
-/// A point of the list has the end on each axis, and no point is beyond.
+/// Requires that a point of the list has the end on each axis, and that no point is beyond.
 void check_aabb_of_points(const Claim& claim) {
   claim.inputs({"points"});
   const std::vector<Numbers> all = points_of_any_axes(claim.input["points"], "points");
@@ -159,7 +159,7 @@ void check_kdop_kdop(const Claim& claim) {
   expect(s.x == s.y || t.x == t.y || s.y == t.x || t.y == s.x, "certificate: these slabs have an interval in common");
 }
 
-/// For each normal a point of the list has either end as its N . P, and no point is beyond.
+/// Requires for each normal that points of the list have the ends as their N . P, and that no point is beyond.
 void check_kdop_of_points(const Claim& claim) {
   claim.inputs({"points", "normals"});
   const json& written = claim.input["normals"];

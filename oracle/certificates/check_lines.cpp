@@ -7,7 +7,7 @@
 namespace touchstone::certify {
 namespace {
 
-/// The word for the sign of an exact number.
+/// The enumerator for the sign of an exact number.
 void expect_word(const Claim& claim, const char* field, int sign, const char* below, const char* zero,
                  const char* above) {
   claim.answers({field});
@@ -22,7 +22,7 @@ bool at_end(const Rational& t) { return sgn(t) == 0 || t == 1; }
 bool zero_length(const Ends& s) { return s.a == s.b; }
 Pair at(const Ends& s, const Rational& t) { return along(s.a, t, s.b - s.a); }
 
-/// normal . p < offset at all of `below`, > offset at all of `above`. A zero normal cannot do that.
+/// Requires normal . p < offset for all of `below`, > offset for all of `above`. A zero normal cannot satisfy that.
 void expect_separated(const Claim& claim, std::initializer_list<Pair> below, std::initializer_list<Pair> above) {
   const Pair normal = claim.pair("normal");
   const Rational offset = claim.single("offset");
@@ -31,7 +31,7 @@ void expect_separated(const Claim& claim, std::initializer_list<Pair> below, std
   for (const Pair& p : above) expect(dot(normal, p) > offset, reason);
 }
 
-/// Nothing but one point of the shape with these ends is on the line: they are on one side, and not both on it.
+/// True if only one point of the shape with these ends is on the line: they are on one side, and not both on it.
 bool touched_once(const Rational& a, const Rational& b, const Rational& offset) { return a != offset || b != offset; }
 
 void expect_determinant(const Claim& claim, const Pair& u, const Pair& v) {
@@ -148,7 +148,7 @@ void check_segment_segment(const Claim& claim) {
            "certificate: a parameter outside [0, 1]");
     expect(at(a, on_a.x) == p && at(a, on_a.y) == q, "truth: overlap is not on a");
     expect(at(b, on_b.x) == p && at(b, on_b.y) == q, "truth: overlap is not on b");
-    // Two different points of each: all is on one line, and nothing of a segment lies beyond its own end.
+    // Two different points of each: everything is collinear, and no part of a segment lies beyond its own end.
     expect((at_end(on_a.x) || at_end(on_b.x)) && (at_end(on_a.y) || at_end(on_b.y)), "truth: overlap goes further");
   } else {
     expect(relation == "point", "truth: relation is wrong");

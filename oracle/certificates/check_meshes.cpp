@@ -45,7 +45,7 @@ void expect_closed(const Mesh& mesh, const std::string& what) {
   }
 }
 
-/// Positive where a, b, c are seen counter-clockwise.
+/// Positive if a, b, c are seen counter-clockwise.
 Plane plane_through(const Triple& a, const Triple& b, const Triple& c) {
   const Triple v = b - a, w = c - a;
   const Triple normal{Rational(v.y * w.z - v.z * w.y), Rational(v.z * w.x - v.x * w.z),
@@ -90,7 +90,7 @@ std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what) {
     planes.push_back(plane_through(mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]));
     expect(!(planes.back().normal == Triple{0, 0, 0}), field + ": nonzero area");
   }
-  int front = 0;  // the side of the first plane on which the first vertex lies that is not on it
+  int front = 0;  // the side of the first plane of the first vertex that is not on it
   for (std::size_t v = 0; v < mesh.vertices.size() && front == 0; ++v) front = sgn(planes[0].at(mesh.vertices[v]));
   expect(front != 0, what + ": convex: vertices on one plane have no inside");
   for (std::size_t i = 0; i < planes.size(); ++i) {

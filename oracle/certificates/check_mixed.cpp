@@ -6,8 +6,8 @@
 namespace touchstone::certify {
 namespace {
 
-/// No point of the half-space behind the plane is nearer to c than x, which is one of them: the way from x to c leads
-/// along the normal (Cauchy's inequality is an equality), and is 0 unless x is on the plane.
+/// True if no point of the half-space behind the plane is nearer to c than x, which is one of them: the displacement
+/// from x to c is along the normal (Cauchy's inequality is an equality), and is 0 unless x is on the plane.
 bool is_nearest(const Plane& plane, const Triple& c, const Triple& x) {
   const Triple way = c - x;
   const Rational height = plane.at(x), along = dot(plane.normal, way);
@@ -46,8 +46,8 @@ Rational lowest(const Box& box, const Plane& plane) {
       {end(n.x, box.min[0], box.max[0]), end(n.y, box.min[1], box.max[1]), end(n.z, box.min[2], box.max[2])});
 }
 
-/// Nothing of the triangle is above the plane, and nothing of the box is below it; where they are disjoint, nothing is
-/// on it either.
+/// Requires that no part of the triangle is above the plane, and no part of the box below it; if they are disjoint,
+/// none is on it either.
 void expect_between(const Claim& claim, const Corners& corners, const Box& box, bool disjoint) {
   const Plane plane{triple(claim, "normal"), Rational(-claim.single("offset"))};
   expect(!(plane.normal == Triple{0, 0, 0}), "certificate: the normal is zero");

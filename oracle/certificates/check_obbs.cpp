@@ -15,7 +15,7 @@ Rational greatest(const std::vector<Rational>& coefficients, const std::string& 
   return result;
 }
 
-/// The coefficients of a point are the only ones, because the half axes are independent.
+/// The coefficients of a point are unique, because the half axes are independent.
 void check_point_in_obb(const Claim& claim) {
   claim.inputs({"obb", "point"});
   const Obb box = obb(claim.input["obb"], "obb");

@@ -13,7 +13,7 @@ struct Obb {
   std::array<Triple, 3> half_axes;
 
   Triple at(const std::vector<Rational>& coefficients) const;
-  /// The sum of |normal . half axis|: how far it reaches from its center to either side, in units of the normal.
+  /// The sum of |normal . half axis|: its extent from its center to either side, in units of the normal.
   Rational reach(const Triple& normal) const;
 };
 

@@ -25,7 +25,7 @@ std::vector<Ends> spanning(const Ring& ring, const Rational& left, const Rationa
   return found;
 }
 
-/// Above p an odd number of edges, none of them through p, and no vertex straight above or below p.
+/// Requires that an odd number of edges is above p, none of them through p, and no vertex straight above or below p.
 void expect_inside(const Ring& ring, const Pair& p) {
   std::size_t above = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -48,8 +48,8 @@ bool on_boundary(const Ring& ring, const Pair& p) {
   return false;
 }
 
-/// Between two cuts no edge of a crosses one of b, so what holds on the middle line holds in the whole slab: there the
-/// intervals of a and those of b, from one edge to the next, have no common inside.
+/// Between two cuts no edge of a crosses one of b, so the middle line represents the entire slab: there the intervals
+/// of a and those of b, from one edge to the next, have no common inside.
 void expect_apart_in_slab(const Ring& a, const Ring& b, const Rational& left, const Rational& right) {
   const std::vector<Ends> of_a = spanning(a, left, right), of_b = spanning(b, left, right);
   for (const Ends& e : of_a) {

@@ -22,7 +22,7 @@ const std::array<std::uint8_t, 256>& values() {
   return table;
 }
 
-/// Every 24 bits are four letters; of the last ones, letters without bits are '=', and bits beyond the bytes are 0.
+/// Every 24 bits are four letters; in the last group, letters without bits are '=', and bits beyond the bytes are 0.
 std::vector<std::uint8_t> bytes_of(const std::string& text, const std::string& malformed) {
   expect(text.size() % 4 == 0, malformed);
   const std::size_t filled = text.ends_with("==")  ? text.size() - 2

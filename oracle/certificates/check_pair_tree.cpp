@@ -6,7 +6,8 @@
 
 #include "oracle/certificates/check_packed.h"
 
-/// Which boxes of a long list meet. What is checked, by comparing doubles, which is exact, and why that proves it:
+/// The boxes of a long list that meet. The checks compare only doubles, which is exact. The checks, and why they prove
+/// it:
 ///
 /// The pairs are sorted, so that none is listed twice, and each of them meets. The order names each box once. A cut
 /// divides the boxes of a node into two parts that are not empty; so each box is in one leaf. The box around each node
@@ -23,7 +24,7 @@ struct PairBox {
 };
 
 bool meet(const PairBox& a, const PairBox& b) {
-  // One branch: nobody can predict on which axis two boxes are apart.
+  // A single branch: the axis on which two boxes are apart is unpredictable.
   return (static_cast<int>(a.min[0] <= b.max[0]) & static_cast<int>(b.min[0] <= a.max[0]) &
           static_cast<int>(a.min[1] <= b.max[1]) & static_cast<int>(b.min[1] <= a.max[1]) &
           static_cast<int>(a.min[2] <= b.max[2]) & static_cast<int>(b.min[2] <= a.max[2])) != 0;
@@ -36,7 +37,7 @@ void enlarge(PairBox& box, const PairBox& by) {
   }
 }
 
-/// Without a text for each, which a million boxes would wait for.
+/// Builds no text for each, which would be slow for a million boxes.
 template <class Reason>
 void expect_of(bool holds, const Reason& reason) {
   if (!holds) throw Refusal(reason());

@@ -11,7 +11,7 @@ namespace {
 using Triangle = std::array<std::size_t, 3>;
 using FaceCorners = std::vector<std::size_t>;
 
-/// Across the plane of three corners that are not on one line; zero where all are on one.
+/// A vector perpendicular to the plane of three corners that are not collinear; zero if all are.
 Triple across_plane(const std::vector<Triple>& vertices, const FaceCorners& corners) {
   for (const std::size_t b : corners) {
     for (const std::size_t c : corners) {
@@ -23,7 +23,7 @@ Triple across_plane(const std::vector<Triple>& vertices, const FaceCorners& corn
   return {0, 0, 0};
 }
 
-/// A face, its triangles, and a vector across its plane about which they are to turn counter-clockwise.
+/// A face, its triangles, and a normal of its plane about which they must be counter-clockwise.
 struct Cut {
   const std::vector<Triple>& vertices;
   const FaceCorners& corners;
@@ -37,7 +37,7 @@ struct Cut {
     return std::all_of(corners.begin(), corners.end(),
                        [this](std::size_t v) { return sgn(dot(across, vertices[v] - vertices[corners[0]])) == 0; });
   }
-  /// The triangles run along each edge as often as the face does, forth less back.
+  /// True if the triangles traverse each edge as often as the face does, forward minus backward.
   bool bounded_alike() const {
     std::map<std::pair<std::size_t, std::size_t>, long> runs;
     const auto run = [&runs](std::size_t from, std::size_t to, long times) {
@@ -48,7 +48,7 @@ struct Cut {
     for (std::size_t k = 0; k < corners.size(); ++k) run(corners[k], corners[(k + 1) % corners.size()], -1);
     return std::all_of(runs.begin(), runs.end(), [](const auto& edge) { return edge.second == 0; });
   }
-  /// All corners of the other triangle are to the right of an edge, or on it.
+  /// True if all corners of the other triangle are to the right of an edge, or on it.
   bool beside_an_edge(const Triangle& t, const Triangle& other) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto right = [&](std::size_t v) { return turn(t[k], t[(k + 1) % 3], v) <= 0; };

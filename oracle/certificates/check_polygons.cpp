@@ -9,8 +9,9 @@
 namespace touchstone::certify {
 namespace {
 
-/// The listed edges are those that the ray from the point in that direction crosses, at t: no vertex is on its line, so
-/// that an edge with its ends on different sides of the line meets it in one point, which is ahead or behind.
+/// Requires that the listed edges are those that the ray from the point in that direction crosses, at t: no vertex is
+/// on its line, so that an edge with its ends on different sides of the line meets it in one point, which is ahead or
+/// behind.
 void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
   claim.facts({"direction", "edges", "t"});
   const Pair direction = claim.pair("direction");
@@ -47,8 +48,8 @@ void check_point_in_polygon(const Claim& claim) {
   expect(claim.word("location") == "boundary", "truth: location is wrong");
 }
 
-/// Not on one line, simple, and no turn against the direction that the sum of the trapezoids under the edges tells: a
-/// simple ring that turns one way only is convex.
+/// Requires that the ring is not collinear, is simple, and has no turn against its orientation, the sign of the sum of
+/// the trapezoids under the edges: a simple ring that turns one way only is convex.
 void expect_convex(const Ring& ring, const std::string& what) {
   const std::size_t n = ring.size();
   expect_no_edge_of_length_zero(ring, what);

@@ -8,15 +8,14 @@
 
 #include "oracle/certificates/check_solids.h"
 
-/// How the solids within two closed meshes lie to each other. What is checked, and why that proves it:
+/// The relation of the solids within two closed meshes. The checks, and why they prove it:
 ///
-/// A tree of planes cuts space into convex cells. Of each face goes with a cell what is in it: where the cell is cut,
-/// the part in front of the plane and the part behind it. If nothing is left of any face of a solid, the cell is inside
-/// or outside of it as one of its points is. So if each cell has such a point that is outside of one solid, no cell has
-/// a point of both.
-/// For disjoint solids cells are closed, and a part counts though it is only on the plane. For touching ones they are
-/// open: a part counts that has a point strictly on the side; faces without area do not count, because they leave a
-/// cell in one piece. The planes themselves hold no set that is open, so no point is in both interiors.
+/// A tree of planes cuts space into convex cells. Each cell carries the parts of faces in it: if the cell is cut, the
+/// part in front of the plane and the part behind it. If nothing is left of any face of a solid, the cell is inside or
+/// outside of it as one of its points is. So if each cell has such a point that is outside of one solid, no cell has a
+/// point of both. For disjoint solids cells are closed, and a part counts though it is only on the plane. For touching
+/// ones they are open: a part counts that has a point strictly on the side; faces without area do not count, because
+/// they leave a cell in one piece. The planes themselves hold no set that is open, so no point is in both interiors.
 namespace touchstone::certify {
 namespace {
 
@@ -32,14 +31,14 @@ std::vector<Claim> proofs(const Claim& claim, const char* name) {
   return found;
 }
 
-/// The places of the vertices that faces name.
+/// The indices of the vertices that faces use.
 std::set<std::size_t> named(const Mesh& mesh) {
   std::set<std::size_t> found;
   for (const auto& face : mesh.faces) found.insert(face.begin(), face.end());
   return found;
 }
 
-/// Around the vertices that faces name.
+/// The box around the vertices that faces use.
 Box box_around(const Mesh& mesh) {
   Box box;
   for (const std::size_t i : named(mesh)) {
@@ -62,10 +61,10 @@ struct HalfSpace {
 
 struct Cell {
   std::vector<HalfSpace> bounds;
-  std::array<std::vector<Polygon>, 2> pieces;  ///< what faces of each solid have in it, convex
+  std::array<std::vector<Polygon>, 2> pieces;  ///< convex parts of the faces of each solid in it
 };
 
-/// What of a convex polygon is in the half-space, closed.
+/// The part of a convex polygon in the closed half-space.
 Polygon clipped(const Polygon& polygon, const HalfSpace& half) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -78,7 +77,7 @@ Polygon clipped(const Polygon& polygon, const HalfSpace& half) {
   return kept;
 }
 
-/// least: 0 where cells are closed, 1 where they are open.
+/// least: 0 if cells are closed, 1 if they are open.
 Cell part(const Cell& cell, const HalfSpace& half, int least) {
   Cell found{cell.bounds, {}};
   found.bounds.push_back(half);
@@ -140,7 +139,7 @@ void expect_common_point(const Claim& claim, const Solids& solids, bool inside) 
   }
 }
 
-/// A vertex that a face names is inside of the other solid, or none is.
+/// A vertex that a face uses is inside of the other solid, or none is.
 std::string proved_step(const Claim& claim, const Solids& solids) {
   const std::vector<Rational> vertex = claim.list("vertex");
   const std::vector<Claim> proof = proofs(claim, "vertices");
@@ -170,7 +169,7 @@ bool meet(const Box& a, const Box& b) {
   return true;
 }
 
-/// What is proved: the relation, and the step that decides.
+/// The proved relation, and the step that decides.
 std::pair<std::string, std::string> proved(const Claim& claim, const Solids& solids) {
   const Box a = box_around(solids[0]), b = box_around(solids[1]);
   if (claim.kind() == "separating_axis") {

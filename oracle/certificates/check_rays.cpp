@@ -8,7 +8,7 @@
 namespace touchstone::certify {
 namespace {
 
-/// The points from + t way with t >= 0, and t <= 1 where it ends.
+/// The points from + t way with t >= 0, and t <= 1 if it ends.
 struct Line {
   Triple from, way;
   bool ends;
@@ -41,7 +41,7 @@ void prove_line_plane(const Claim& claim, const Line& line, const Plane& level) 
   if (relation == "inside") {
     expect(sgn(first) == 0 && sgn(second) == 0, "truth: relation is wrong");
   } else if (relation == "none") {
-    // It is not 0 at the start, and on a line that ends has the same sign there; on one that does not, it grows.
+    // It is not 0 at the start, and on a line that ends has the same sign there; on a line that does not end, it grows.
     expect(sgn(first) != 0 && (line.ends ? sgn(first) == sgn(second) : sgn(first) * sgn(climb) >= 0),
            "truth: relation is wrong");
   } else {
@@ -65,8 +65,8 @@ void check_ray_plane(const Claim& claim) {
   prove_line_plane(claim, line, plane(claim.input["plane"], "plane"));
 }
 
-/// Nothing is common: the plane has the triangle behind it, and the ray in front until t = until; from there on each of
-/// its points is farther along its direction than every corner.
+/// Requires that nothing is common: the plane has the triangle behind it, and the ray in front until t = until; from
+/// there on each of its points is farther along its direction than every corner.
 void prove_no_common_point(const Claim& claim, const Line& ray, const Corners& corners) {
   claim.facts({"plane", "until"});
   const std::vector<Rational> numbers = claim.list("plane");
@@ -105,13 +105,13 @@ void check_ray_triangle(const Claim& claim) {
     expect(weighted(corners, weights, 3 * i) == along(ray.from, t[i], ray.way),
            "certificate: the weights give another point");
   }
-  // The first point, which is common, is on the plane: what has another point in front is in front from there on.
+  // The first point, which is common, is on the plane: if another point is in front, so is the ray from there on.
   if (sgn(t[0]) > 0 || !before.empty()) expect_nothing_before(before, corners, ray.from, first);
   if (one || !after.empty()) expect_nothing_before(after, corners, along(first, 1, ray.way), first);
   expect(exact_value(claim.truth["t"], "truth.t") == t[0], "truth: t is wrong");
   expect(exact_triple(claim.truth["point"], "truth.point") == first, "truth: point is not at t");
   if (!one) return;
-  // A triangle with an area has one way only to give a point its weights.
+  // In a triangle with an area the weights of a point are unique.
   const bool area = !(cross(corners[1] - corners[0], corners[2] - corners[0]) == Triple{0, 0, 0});
   const bool inside = area && sgn(weights[0]) > 0 && sgn(weights[1]) > 0 && sgn(weights[2]) > 0;
   expect(claim.word("location") == (inside ? "inside" : "boundary"), "truth: location is wrong");
@@ -143,7 +143,7 @@ Course course(const Claim& claim) {
   return found;
 }
 
-/// Which answer is claimed, with its numbers.
+/// The claimed answer, with its numbers.
 bool says_hit(const Claim& claim) {
   const std::string relation = claim.word("relation");
   expect(relation == "hit" || relation == "none", "truth: relation is wrong");
@@ -152,7 +152,7 @@ bool says_hit(const Claim& claim) {
   return relation == "hit";
 }
 
-/// All of the line is beyond all of the box along the normal.
+/// True if all of the line is beyond all of the box along the normal.
 bool is_beyond(const Course& line, const Box& solid, const std::vector<Rational>& normal) {
   Rational start, slope, highest;
   for (std::size_t k = 0; k < line.axes(); ++k) {
@@ -162,7 +162,7 @@ bool is_beyond(const Course& line, const Box& solid, const std::vector<Rational>
   return start > highest && (line.ends ? Rational(start + slope) > highest : sgn(slope) >= 0);
 }
 
-/// Whether the line is in the box at t, and on some axis leaves it there towards greater t, or smaller ones.
+/// True if the line is in the box at t, and on some axis leaves it there towards greater t, or smaller ones.
 struct InBox {
   bool inside = true, leaves_forwards = false, leaves_backwards = false;
   InBox(const Course& line, const Box& solid, const Rational& t) {
@@ -198,7 +198,7 @@ void prove_passage_of_box(const Claim& claim, const char* name) {
   const Rational first = exact_value(claim.truth["first"], "truth.first"),
                  last = exact_value(claim.truth["last"], "truth.last");
   const InBox at_first(line, solid, first), at_last(line, solid, last);
-  // The box is convex: what it leaves on one axis it does not come back to.
+  // The box is convex: a line that leaves it on one axis does not return.
   expect(sgn(first) >= 0 && at_first.inside && (sgn(first) == 0 || at_first.leaves_backwards), "truth: first is wrong");
   const bool at_end = line.ends && (moves(line) ? last == 1 : sgn(last) == 0);
   expect(last >= first && (!line.ends || last <= 1) && at_last.inside && (at_end || at_last.leaves_forwards),
@@ -225,7 +225,7 @@ void prove_passage_of_ball(const Claim& claim, const char* name) {
   claim.expect_kind("passage"), claim.facts({});
   const Surd first = exact_surd(claim.truth["first"], "truth.first"),
              last = exact_surd(claim.truth["last"], "truth.last");
-  // Its slope grows: where it is not positive at a zero, all is positive before, where it is not negative, behind.
+  // Its slope grows: if it is not positive at a zero, f is positive before; if it is not negative, f is positive after.
   const bool starts_inside = sign(first) == 0 && sgn(f.constant) <= 0, moves = sgn(f.square) > 0;
   const bool is_zero = sign(f.at(first)) == 0 && sign(f.slope_at(first)) <= 0;
   expect(starts_inside || (moves && sign(first) > 0 && is_zero && (!line.ends || sign(first + Rational(-1)) <= 0)),

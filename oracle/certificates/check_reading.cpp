@@ -20,7 +20,7 @@ Rational times_power_of_two(const Rational& value, long exponent) {
   return result;
 }
 
-/// The bits of a double, so that no floating-point environment matters.
+/// Reads the bits of a double, so that no floating-point environment matters.
 Rational from_double(double value, const std::string& what) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const long field = static_cast<long>(bits >> 52 & 0x7ff);
@@ -31,7 +31,7 @@ Rational from_double(double value, const std::string& what) {
   return bits >> 63 ? Rational(-result) : result;
 }
 
-/// Of a value whose denominator is a power of two.
+/// True for a value whose denominator is a power of two.
 bool binary64(const Rational& value) {
   if (sgn(value) == 0) return true;
   const mpz_class& numerator = value.get_num();
@@ -75,7 +75,7 @@ Rational from_hexadecimal(const std::string& text, const std::string& what) {
 
 bool not_finite(const json& value) { return value == "inf" || value == "-inf" || value == "nan"; }
 
-/// Where a member stands among those of its shape. They come in the order of the letters, but for these.
+/// The rank of a member among those of its shape. They are in alphabetical order, except for these.
 std::pair<std::size_t, std::string> rank(const std::string& member) {
   constexpr std::array first{"origin",       "min",      "vertices", "mass",   "inertia",
                              "inverse_mass", "position", "velocity", "segment"};
@@ -83,7 +83,7 @@ std::pair<std::size_t, std::string> rank(const std::string& member) {
   return {static_cast<std::size_t>(found - first.begin()), member};
 }
 
-/// Of a whole field, in the order of its shape.
+/// Checks an entire field, in the order of its shape.
 void expect_finite(const json& value, const std::string& what) {
   expect(!not_finite(value), what + ": finite number");
   if (value.is_array()) {

@@ -15,13 +15,13 @@ namespace touchstone::certify {
 using nlohmann::json;
 using Rational = mpq_class;
 
-/// Why a claim is not accepted.
+/// The reason why a claim is not accepted.
 struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 inline Rational square(const Rational& x) { return Rational(x * x); }
-/// Whether its root is rational.
+/// True if its root is rational.
 bool is_square(const Rational& x);
 
 /// The element of a list, as a refusal names it.
@@ -60,10 +60,10 @@ struct Circle {
 };
 
 void array_of_two(const json& value, const std::string& what);
-/// An object of which every key has to be named, and every name has to be there.
+/// Requires an object with exactly these keys.
 void only(const json& object, const std::string& what, std::initializer_list<const char*> names);
 
-/// Input, by the field's name; `what` is how the field is called in a refusal. Each checks the rules of its shape.
+/// Input, by the field's name; `what` names the field in a refusal. Each checks the rules of its shape.
 Rational number(const json& value, const std::string& what);
 Pair point(const json& value, const std::string& what);
 Ends segment(const json& value, const std::string& what);
@@ -80,36 +80,36 @@ std::vector<Position> open_ring(std::vector<Position> ring, const std::string& w
   return ring;
 }
 
-/// Exact values of the truth and of the certificate. What doubles make of each other in any operation has far fewer
-/// digits; a limit keeps one line from taking minutes.
+/// Exact values of the truth and of the certificate. Results of operations on doubles have far fewer digits; the limit
+/// keeps one line from taking minutes.
 void expect_not_too_long(const std::string& exact, const std::string& what);
 Rational exact_value(const json& value, const std::string& what);
 Pair exact_pair(const json& value, const std::string& what);
 
-/// What one operation's check sees.
+/// The input of one operation's check.
 struct Claim {
   const json& input;
   const json& truth;
   const json& certificate;
 
-  /// Every check says first which fields the input has, in the order of the contract: of all their numbers the first
-  /// that is not finite is refused before any other rule.
+  /// Every check first lists the fields of the input, in the order of the contract: the first number that is not finite
+  /// is refused before any other rule.
   void inputs(std::initializer_list<const char*> names) const;
   void answers(std::initializer_list<const char*> names) const { only(truth, "truth", names); }
   std::string word(const char* name) const;
   std::string kind() const;
   void expect_kind(const char* only) const { expect(kind() == only, wrong_kind); }
-  /// Says which facts the certificate holds beside its kind.
+  /// Lists the facts of the certificate besides its kind.
   void facts(std::initializer_list<const char*> names) const;
   Rational single(const char* name) const;
   Pair pair(const char* name) const;
   std::vector<Rational> list(const char* name) const;
 };
 
-/// Returns where the certificate proves the truth and throws Refusal otherwise.
+/// Returns if the certificate proves the truth and throws Refusal otherwise.
 using Check = void (*)(const Claim&);
-/// By operation. A file check_NAME.cpp ends with `Checks checks_of_NAME()`: the build makes the table of all from that
-/// line.
+/// Checks by operation. A file check_NAME.cpp ends with `Checks checks_of_NAME()`: the build generates the table of all
+/// from that line.
 using Checks = std::map<std::string, Check>;
 
 }  // namespace touchstone::certify

@@ -6,7 +6,7 @@
 namespace touchstone::certify {
 namespace {
 
-/// One component is negated, the others stay; so kinetic energy is kept.
+/// One component is negated, the others stay; so kinetic energy is conserved.
 void check_reflect_wall(const Claim& claim) {
   claim.inputs({"velocity", "axis"});
   const Triple before = point_in_space(claim.input["velocity"], "velocity");
@@ -25,7 +25,7 @@ void check_reflect_wall(const Claim& claim) {
          "truth: velocity is wrong");
 }
 
-/// u is along n, w across it, and both make up v. So v' = w - k u is what the law says.
+/// u is along n, w perpendicular to it, and their sum is v. So v' = w - k u follows from the law.
 void check_decomposition(const Claim& claim, const Triple& v, const Triple& n, const Rational& k) {
   const Triple none{0, 0, 0};
   claim.answers({"velocity"});
@@ -50,7 +50,7 @@ void check_damped_reflection(const Claim& claim) {
   check_decomposition(claim, v, n, number(claim.input["k"], "k"));
 }
 
-/// Momentum is kept, and only one velocity is common to both.
+/// Momentum is conserved, and only one velocity is common to both.
 void check_inelastic_collision(const Claim& claim) {
   claim.inputs({"masses", "velocities"});
   const std::vector<Body> before = two_bodies(claim);
@@ -62,8 +62,8 @@ void check_inelastic_collision(const Claim& claim) {
   expect(Rational(first.mass + second.mass) * after == p, "truth: momentum is not kept");
 }
 
-/// Both velocities change along the normal, by opposite impulses, so momentum is kept and what is across the normal
-/// stays. Of all impulses one alone makes the relative velocity along the normal -e times what it was.
+/// Both velocities change along the normal, by opposite impulses, so momentum is conserved and the tangential parts
+/// stay. Only one impulse multiplies the relative velocity along the normal by -e.
 void check_impulse(const Claim& claim, const std::vector<Body>& before, const Triple& n, const Rational& e) {
   claim.answers({"velocities"});
   claim.expect_kind("impulse"), claim.facts({"impulse", "doubled_energies"});
@@ -107,7 +107,7 @@ void check_momentum(const Claim& claim) {
   expect(exact_triple(claim.truth["momentum"], "truth.momentum") == sum, "truth: momentum is wrong");
 }
 
-/// The energy is that of all mass at the centre's velocity, and what the bodies have as seen from there (Koenig); and
+/// The energy is that of the total mass at the centre's velocity plus that of the bodies relative to it (Koenig); and
 /// it is their sum.
 void check_kinetic_energy(const Claim& claim) {
   claim.inputs({"bodies"});
@@ -130,7 +130,7 @@ void check_kinetic_energy(const Claim& claim) {
   expect(Rational(2 * energy) == doubled && Rational(parts.x + parts.y) == doubled, "truth: energy is wrong");
 }
 
-/// The spring pulls from the point to its foot on the plane, the damper holds what is along the normal.
+/// The spring pulls from the point to its foot on the plane, and the damper opposes the velocity along the normal.
 void check_penalty_force(const Claim& claim) {
   claim.inputs({"point", "velocity", "plane", "stiffness", "damping"});
   const Triple none{0, 0, 0}, p = point_in_space(claim.input["point"], "point"),
@@ -170,7 +170,7 @@ void check_contact_state(const Claim& claim) {
          "truth: state is wrong");
 }
 
-/// Of all impulses at the contact along the normal one alone makes the relative velocity along it -e times what it was.
+/// Only one impulse at the contact along the normal multiplies the relative velocity along it by -e.
 void check_rigid_body_collision(const Claim& claim) {
   claim.inputs({"a", "b", "point", "normal", "e"});
   const RigidBody a = rigid_body(claim.input["a"], "a"), b = rigid_body(claim.input["b"], "b");

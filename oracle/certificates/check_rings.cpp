@@ -12,7 +12,7 @@ bool beyond(const Ends& a, const Ends& b) {
   return std::max(a.a.x, a.b.x) < std::min(b.a.x, b.b.x) || std::max(a.a.y, a.b.y) < std::min(b.a.y, b.b.y);
 }
 
-/// Whether an edge and the next have more in common than the vertex between them; neither has length zero.
+/// True if an edge and the next have more in common than the vertex between them; neither has length zero.
 bool turns_back(const Ends& e, const Ends& next) {
   return side(e, next.b) == 0 && sgn(dot(e.b - e.a, next.b - next.a)) < 0;
 }

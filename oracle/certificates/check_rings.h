@@ -6,7 +6,7 @@
 
 #include "oracle/certificates/check_reading.h"
 
-/// What the checks of polygons share.
+/// Shared by the checks of polygons.
 namespace touchstone::certify {
 
 /// The vertices of a closed ring.
@@ -18,23 +18,23 @@ Ends edge(const Ring& ring, std::size_t i);
 /// 1, 0, -1: p lies to the left of the directed line through the ends, on it, to the right.
 int side(const Ends& line, const Pair& p);
 
-/// No two neighbours are one point, and not all vertices are on one line: with different neighbours some three of them
-/// turn.
+/// Requires that no two neighbours are equal, and not all vertices are collinear: with different neighbours some three
+/// of them turn.
 void expect_not_degenerate(const Ring& ring);
 
-/// Whether two edges have a common point: unless all of one lies strictly on one side of the other's line, or further
+/// True if two edges have a common point: unless all of one lies strictly on one side of the other's line, or further
 /// along in x or in y.
 bool meet(const Ends& a, const Ends& b);
 
-/// Edges i <= j, the first of all: i has length zero, and j is the same; or else i meets j elsewhere than in a vertex
-/// that neighbours share. Edges of length zero come before all others, then the least i, then the least j.
+/// The first defect of all, edges i <= j: i has length zero, and j is the same; or i meets j at a point other than a
+/// vertex that neighbours share. Edges of length zero come before all others, then the least i, then the least j.
 std::optional<std::pair<std::size_t, std::size_t>> defect(const Ring& ring);
 
-/// The input's ring `what` has no defect.
+/// Requires that the input's ring `what` has no defect.
 void expect_simple(const Ring& ring, const std::string& what);
 void expect_no_edge_of_length_zero(const Ring& ring, const std::string& what);
 
-/// A number of the certificate that says which vertex.
+/// A number of the certificate that is the index of a vertex.
 std::size_t vertex(const Rational& index, const Ring& ring);
 
 }  // namespace touchstone::certify

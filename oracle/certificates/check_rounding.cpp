@@ -19,7 +19,7 @@ long ulp_exponent(const Rational& value) {
   return std::clamp(order - 52, -1074L, 971L);
 }
 
-/// The nearest whole number, ties to even; everything from 2^53 on is infinite alike.
+/// The nearest integer, ties to even; everything from 2^53 on is infinite alike.
 Integer nearest_whole(const Rational& ulps) {
   const Rational size(abs(ulps));
   const Integer whole(size.get_num() / size.get_den());

@@ -5,7 +5,7 @@
 
 namespace touchstone::certify {
 
-/// The true number called `name` is irrational and somewhere in [low, high]: the claimed one is there too, rounds to
+/// Requires for the irrational true number called `name` in [low, high] that the claimed one is also there, rounds to
 /// the same double, with the same sign, and is within 2^-60 units in the last place.
 void expect_rounds_alike(const std::string& name, const Rational& claimed, const Rational& low, const Rational& high);
 

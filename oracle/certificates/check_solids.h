@@ -11,10 +11,11 @@ namespace touchstone::certify {
 /// A number of the certificate that counts from 0.
 std::size_t index(const Rational& value, std::size_t count);
 
-/// Every edge, a pair of vertices in whichever order, is in an even number of faces.
+/// Requires that every edge, an unordered pair of vertices, is in an even number of faces.
 void expect_even(const Mesh& mesh, const std::string& what);
 
-/// What a certificate of point_in_polyhedron proves of a point and such a mesh: inside, boundary or outside.
+/// The location that a certificate of point_in_polyhedron proves for a point and such a mesh: inside, boundary or
+/// outside.
 std::string proved_location(const Claim& proof, const Mesh& mesh, const Triple& p);
 
 }  // namespace touchstone::certify

@@ -5,7 +5,7 @@
 
 #include "oracle/certificates/check_reading.h"
 
-/// Shapes of space, and boxes of the plane, as claims write them, each with the rules of its shape.
+/// Shapes of space, and boxes of the plane, in the form of claims, each with the rules of its shape.
 namespace touchstone::certify {
 
 /// A position or a displacement.
@@ -51,12 +51,12 @@ struct Box {
   std::size_t axes() const { return min.size(); }
   bool holds(const std::vector<Rational>& p) const;
 };
-/// Strictly between min and max.
+/// Requires a point strictly between min and max.
 void expect_inside(const Box& box, const std::vector<Rational>& p);
-/// The fact `axis` names one on which min = max.
+/// Requires that the fact `axis` names one on which min = max.
 void expect_flat_axis(const Claim& claim, const Box& box);
 
-/// Input, by the field's name; `what` is how the field is called in a refusal.
+/// Input, by the field's name; `what` names the field in a refusal.
 /// The coordinates of a point of the plane or of space.
 std::vector<Rational> two_or_three(const json& value, const std::string& what);
 Triple point_in_space(const json& value, const std::string& what);
@@ -65,7 +65,7 @@ Plane plane(const json& value, const std::string& what);
 std::vector<Triple> points_in_space(const json& value, const std::string& what);
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what);
 Ball ball(const json& value, const std::string& what);
-/// Of the plane or of space; so the next.
+/// Shapes of the plane or of space, also the next.
 BallOrDisc ball_or_disc(const json& value, const std::string& what);
 Box box(const json& value, const std::string& what);
 Box box_in_space(const json& value, const std::string& what);
@@ -73,7 +73,7 @@ Box box_in_space(const json& value, const std::string& what);
 /// Exact values of the truth and of the certificate.
 Triple exact_triple(const json& value, const std::string& what);
 Triple triple(const Claim& claim, const char* name);
-/// The points of a list that a fact names by their places.
+/// The points of a list that a fact names by index.
 std::vector<Triple> named(const Claim& claim, const char* fact, const std::vector<Triple>& points);
 
 }  // namespace touchstone::certify

@@ -30,19 +30,19 @@ std::vector<Plane> planes(const json& value) {
 namespace {
 
 struct Settings {
-  Triple fall;  ///< what gravity adds to a velocity in a step
+  Triple fall;  ///< the change of velocity by gravity in a step
   std::string motion;
   Rational restitution, timestep;
   bool before_move;
 };
-/// Of a body with another, or with a wall: other is then beyond the bodies.
+/// A body and another, or a wall: then `other` is after the bodies.
 struct Met {
   std::size_t body, other;
   Triple normal;
   Rational parting;
 };
 
-/// One of the words.
+/// One of the enumerators.
 std::string choice(const json& value, const std::string& what, std::initializer_list<const char*> words) {
   bool known = false;
   for (const char* word : words) known = known || (value.is_string() && value == word);
@@ -113,8 +113,8 @@ void expect_listed(const Claim& claim, const std::vector<Met>& contacts) {
   expect(same, "truth.contacts: not those of this step");
 }
 
-/// The conditions of Karush, Kuhn and Tucker, which for a convex quadratic program are enough: velocities become what
-/// the impulses make, which only push, and only where the demand is met without a surplus.
+/// The conditions of Karush, Kuhn and Tucker, which are sufficient for a convex quadratic program: the impulses produce
+/// the velocities, they only push, and only where the demand is met without a surplus.
 void push(const Claim& claim, const std::vector<Met>& contacts, std::vector<Mover>& bodies, const Rational& e) {
   const std::vector<Rational> impulses = claim.list("impulses");
   expect(impulses.size() == contacts.size(), "certificate.impulses: one for each contact");

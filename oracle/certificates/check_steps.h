@@ -3,7 +3,7 @@
 
 #include "oracle/certificates/check_bodies.h"
 
-/// Balls and walls before a step, as claims write them, each with the rules of its shape.
+/// Balls and walls before a step, in the form of claims, each with the rules of its shape.
 namespace touchstone::certify {
 
 struct Mover {

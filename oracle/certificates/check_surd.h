@@ -13,7 +13,7 @@ struct Surd {
 /// -1, 0, 1; by squares.
 int sign(const Surd& x);
 
-/// The claim's kind is "root", or "irrational_root" where no rational number is the root.
+/// Requires that the claim's kind is "root", or "irrational_root" if no rational number is the root.
 void expect_kind_of_root(const Claim& claim, bool rational);
 
 /// Sums, and products of two over the same r.

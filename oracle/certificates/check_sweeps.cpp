@@ -7,8 +7,8 @@ namespace {
 
 const char* const no_proof = "certificate: the kind does not hold";
 
-/// |c + t v|^2 - r^2 for the position c and velocity v of a as b sees them and the sum r of the radii: at most 0 where
-/// the balls meet.
+/// |c + t v|^2 - r^2 for the position c and velocity v of a relative to b and the sum r of the radii: at most 0 if the
+/// balls meet.
 Quadratic squared_gap(const Claim& claim) {
   const Ball a = ball(claim.input["a"], "a"), b = ball(claim.input["b"], "b");
   const Triple velocity_a = point_in_space(claim.input["velocity_a"], "velocity_a"),
@@ -18,7 +18,7 @@ Quadratic squared_gap(const Claim& claim) {
   return {Rational(dot(c, c) - r * r), Rational(2 * dot(c, v)), dot(v, v)};
 }
 
-/// The truth is the first zero in [0, 1] of f, which is recomputed; 0 where f(0) <= 0.
+/// Requires that the truth is the first zero in [0, 1] of f, which is recomputed; 0 if f(0) <= 0.
 void prove_first_zero(const Claim& claim, const Quadratic& f) {
   const std::string relation = claim.word("relation"), kind = claim.kind();
   expect(relation == "hit" || relation == "never", "truth: relation is wrong");
@@ -39,7 +39,7 @@ void prove_first_zero(const Claim& claim, const Quadratic& f) {
   }
   expect(kind == "first_root", wrong_kind);
   expect(sgn(f.constant) > 0, no_proof);
-  // f' grows and is at most 0 at t, so f falls all the way to its zero at t: before, it is positive.
+  // f' grows and is at most 0 at t, so f falls until its zero at t: before, it is positive.
   const bool first = sign(t) > 0 && sign(t + Rational(-1)) <= 0 && sign(f.at(t)) == 0 && sign(f.slope_at(t)) <= 0;
   expect(first, "truth: t is wrong");
 }
@@ -49,7 +49,7 @@ void check_swept_sphere_sphere(const Claim& claim) {
   prove_first_zero(claim, squared_gap(claim));
 }
 
-/// E^2 - r^2 N . N for the height E = N . (c + t v) + d of the center: at most 0 where ball and plane meet.
+/// E^2 - r^2 N . N for the height E = N . (c + t v) + d of the center: at most 0 if ball and plane meet.
 void check_swept_sphere_plane(const Claim& claim) {
   claim.inputs({"sphere", "velocity", "plane"});
   const Ball sphere = ball(claim.input["sphere"], "sphere");

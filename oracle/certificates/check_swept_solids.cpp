@@ -36,7 +36,8 @@ void check_swept_aabb_aabb(const Claim& claim) {
   prove_first_contact(claim, a, b, v);
 }
 
-/// The convex hull of the vertices, and what the planes of the faces enclose: both are the same, see check_meshes.h.
+/// The convex hull of the vertices, and the solid that the planes of the faces enclose: both are the same, see
+/// check_meshes.h.
 struct MeshSolid : Solid {
   MeshSolid(const Claim& claim, const char* name)
       : surface(mesh(claim.input[name], name)), planes(outward_planes(surface, name)) {}

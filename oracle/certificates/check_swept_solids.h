@@ -5,14 +5,14 @@
 
 #include "oracle/certificates/check_reading.h"
 
-/// What the checks of convex solids that move along straight lines share.
+/// Shared by the checks of convex solids that move along straight lines.
 namespace touchstone::certify {
 
 using Coordinates = std::vector<Rational>;
 
 Rational dot(const Coordinates& p, const Coordinates& q);
 
-/// A convex solid, as far as a claim needs to know it.
+/// A convex solid, reduced to what a claim needs.
 struct Solid {
   virtual ~Solid() = default;
   virtual bool holds(const Coordinates& p) const = 0;
@@ -21,11 +21,11 @@ struct Solid {
   Rational lowest(Coordinates normal) const;
 };
 
-/// The truth, `relation` and `t`, of a moving with that velocity while b rests.
+/// Checks the truth, `relation` and `t`, for a moving with that velocity while b rests.
 ///
-/// start: `point` is in both, t is 0. first_contact: `point` less t velocity is in a, the point in b, 0 < t <= 1; along
-/// `normal` a ends at t no higher than where b begins, and rises with t: before, it was lower, so nothing was common.
-/// separating_axis: along `normal` a ends below where b begins at t = 0 and at t = 1, and so in between.
+/// start: `point` is in both, t is 0. first_contact: `point` minus t velocity is in a, the point in b, 0 < t <= 1;
+/// along `normal` a ends at t no higher than where b begins, and rises with t: before, it was lower, so nothing was
+/// common. separating_axis: along `normal` a ends below where b begins at t = 0 and at t = 1, and so in between.
 void prove_first_contact(const Claim& claim, const Solid& a, const Solid& b, const Coordinates& velocity);
 
 }  // namespace touchstone::certify

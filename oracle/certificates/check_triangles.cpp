@@ -75,7 +75,7 @@ void check_segment_triangle(const Claim& claim) {
   expect(!one_point, "certificate: a segment of length zero is one point");
 }
 
-/// How many of the displacements are independent.
+/// The number of independent displacements.
 std::size_t rank(const std::vector<Triple>& displacements) {
   std::vector<Triple> independent;
   const Triple zero{0, 0, 0};
@@ -95,7 +95,7 @@ std::vector<Triple> ways(const std::vector<Triple>& points) {
   return found;
 }
 
-/// What of the corners is in the plane; `side` times the others' heights is positive.
+/// The corners in the plane; `side` times the others' heights is positive.
 std::vector<Triple> in_plane(const Plane& plane, int side, const std::vector<Triple>& corners) {
   std::vector<Triple> kept;
   for (const Triple& p : corners) {
@@ -106,8 +106,8 @@ std::vector<Triple> in_plane(const Plane& plane, int side, const std::vector<Tri
   return kept;
 }
 
-/// What is common lies in each of the planes, so what is left of both holds it, and with it the planes, lines or points
-/// that they span.
+/// The intersection lies in each of the planes, so the remaining corners of both contain it, and so do the planes,
+/// lines or points that they span.
 std::size_t most_dimensions(const std::vector<Triple>& a, const std::vector<Triple>& b) {
   std::vector<Triple> both = ways(a);
   for (const Triple& way : ways(b)) both.push_back(way);

@@ -5,10 +5,10 @@
 
 #include "oracle/certificates/check_space.h"
 
-/// Segments and triangles of space, as claims write them, and what is checked of them.
+/// Segments and triangles of space, in the form of claims, and their checks.
 namespace touchstone::certify {
 
-/// Two points are the ends of a segment, three the corners of a triangle: all that is between them.
+/// Two points are the ends of a segment, three the corners of a triangle, representing their hull.
 template <std::size_t count>
 std::array<Triple, count> points(const json& value, const std::string& what) {
   expect(value.is_array() && value.size() == count, what + ": a list of " + (count == 2 ? "two" : "three"));
@@ -19,11 +19,11 @@ std::array<Triple, count> points(const json& value, const std::string& what) {
 using Ends3 = std::array<Triple, 2>;
 using Corners = std::array<Triple, 3>;
 
-/// The point with these weights, which follow from place `from` on.
+/// The point with these weights, which begin at index `from`.
 Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from);
 
-/// A plane with none of the triangle in front of it, `end` in front and x not behind: so is all from the end to x, but
-/// x itself.
+/// Requires a plane with no part of the triangle in front of it, `end` in front and x not behind: so is everything from
+/// the end to x, except x itself.
 void expect_nothing_before(const std::vector<Rational>& plane, const Corners& corners, const Triple& end,
                            const Triple& x);
 

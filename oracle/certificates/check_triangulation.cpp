@@ -5,16 +5,15 @@
 
 #include "oracle/certificates/check_rings.h"
 
-/// A simple polygon cut into convex pieces. What is checked, and why that proves it:
+/// A simple polygon cut into convex pieces. The checks, and why they prove it:
 ///
-/// Every piece is a convex ring, counter-clockwise and of positive area, so it winds once round each point inside it
-/// and not at all round those outside. Each edge of the polygon, taken counter-clockwise, is an edge of exactly one
-/// piece, and every other edge of a piece is one of exactly one other piece, the other way round. So the edges of all
-/// pieces together are those of the polygon and pairs that cancel, and round any point off all edges the winding
-/// numbers of the pieces add up to that of the polygon. That is 1 inside it and 0 outside, because it is simple and
-/// counter-clockwise. Hence each point inside is in exactly one piece and each point outside in none: the pieces are
-/// the polygon, no two interiors meet, and every diagonal is inside. (The areas then add up; that they do is checked
-/// besides.)
+/// Every piece is a convex ring, counter-clockwise and of positive area, so its winding number is 1 for each point
+/// inside and 0 for those outside. Each edge of the polygon, taken counter-clockwise, is an edge of exactly one piece,
+/// and every other edge of a piece is, reversed, an edge of exactly one other piece. So the edges of all pieces
+/// together are those of the polygon and pairs that cancel, and for any point off all edges the winding numbers of the
+/// pieces add up to that of the polygon. That is 1 inside it and 0 outside, because it is simple and counter-clockwise.
+/// Hence each point inside is in exactly one piece and each point outside in none: the pieces are the polygon, no two
+/// interiors meet, and every diagonal is inside. (The areas then add up; this is also checked.)
 namespace touchstone::certify {
 namespace {
 
@@ -41,8 +40,8 @@ std::vector<Piece> pieces(const Claim& claim, const char* name, const Ring& ring
   return found;
 }
 
-/// Every vertex is on the left of every edge or on it, and some vertex is not on it. So each edge lies on the boundary
-/// of the convex hull, in its direction, and because no vertex comes twice the ring goes round once.
+/// Requires that every vertex is on the left of every edge or on it, and some vertex is not on it. So each edge lies on
+/// the boundary of the convex hull, in its direction, and because no vertex repeats the ring makes one turn.
 void expect_convex(const Ring& ring, const Piece& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Ends e{ring[piece[i]], ring[piece[(i + 1) % piece.size()]]};
@@ -107,7 +106,7 @@ void check_triangulate_polygon(const Claim& claim) {
   for (const Piece& piece : proved(claim, "triangles", ring)) expect(piece.size() == 3, "truth: not a triangle");
 }
 
-/// A cut takes a reflex angle away from at most two vertices, so r of them need r / 2 + 1 pieces; 2 r + 1 are fewer
+/// A cut removes a reflex angle at no more than two vertices, so r of them need r / 2 + 1 pieces; 2 r + 1 are fewer
 /// than four times that.
 void check_convex_partition(const Claim& claim) {
   claim.inputs({"polygon"});

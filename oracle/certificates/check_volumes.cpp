@@ -26,7 +26,7 @@ bool holds_inside(const Box& box, const std::vector<Rational>& point) {
   return true;
 }
 
-/// Every point of one box is below the value on that axis, every point of the other above.
+/// Requires that every point of one box is below the value on that axis, every point of the other above.
 void check_separated(const Claim& claim, const Box& a, const Box& b) {
   claim.expect_kind("separating_axis"), claim.facts({"axis", "value"});
   const std::size_t k = axis_of(claim, a);
@@ -35,7 +35,7 @@ void check_separated(const Claim& claim, const Box& a, const Box& b) {
          "certificate: the axis does not separate");
 }
 
-/// A common point, and an axis on which no number is strictly between min and max of both boxes.
+/// Requires a common point, and an axis on which no number is strictly between min and max of both boxes.
 void check_touching(const Claim& claim, const Box& a, const Box& b) {
   const bool flat = claim.kind() == "flat_axis";
   expect(flat || claim.kind() == "supporting_axis", wrong_kind), claim.facts({"point", "axis"});
@@ -68,7 +68,7 @@ void check_aabb_aabb(const Claim& claim) {
   }
 }
 
-/// Why nothing in the box is nearer than x stands in nearest_in_interval.h: the conditions of Karush, Kuhn and Tucker.
+/// nearest_in_interval.h explains why nothing in the box is nearer than x: the conditions of Karush, Kuhn and Tucker.
 void check_closest_point_on_aabb(const Claim& claim) {
   claim.inputs({"point", "aabb"});
   const std::vector<Rational> p = two_or_three(claim.input["point"], "point");
@@ -91,7 +91,7 @@ void check_closest_point_on_aabb(const Claim& claim) {
   }
 }
 
-/// Of two positions.
+/// The squared distance of two positions.
 Rational squared_distance(const std::vector<Rational>& p, const std::vector<Rational>& q) {
   Rational sum;
   for (std::size_t k = 0; k < p.size(); ++k) sum += (p[k] - q[k]) * (p[k] - q[k]);
@@ -135,8 +135,8 @@ void check_sphere_sphere(const Claim& claim) {
   }
 }
 
-/// No point of the box is nearer to p than x, a point of the box: from x, the way to p leads out of the box on each
-/// axis on which it leads anywhere.
+/// True if no point of the box is nearer to p than x, a point of the box: from x, the displacement to p leads out of
+/// the box on each axis on which it is not 0.
 bool is_nearest(const Box& box, const std::vector<Rational>& p, const std::vector<Rational>& x) {
   for (std::size_t k = 0; k < box.axes(); ++k)
     if ((p[k] < x[k] && x[k] != box.min[k]) || (p[k] > x[k] && x[k] != box.max[k])) return false;

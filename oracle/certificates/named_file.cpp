@@ -18,7 +18,7 @@ bool is_name(std::string_view text) {
   return !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == text.npos;
 }
 
-/// Whether a file lies below a folder, links followed.
+/// True if a file lies below a folder, after following links.
 bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& file) {
   std::error_code unknown;
   const auto outer = std::filesystem::canonical(folder, unknown);
@@ -34,7 +34,7 @@ std::optional<std::string> text_of_named_file(const std::string& folder, const s
   const bool whole = text.starts_with(before) && text.size() > before.size() + behind.size();
   expect(whole && is_name(std::string_view(text).substr(before.size(), text.size() - before.size() - behind.size())),
          field + ": a file meshes/NAME.json, NAME of small letters, digits and _");
-  // Of a folder without a name, the current one, there is no canonical path.
+  // A folder without a name, the current one, has no canonical path.
   const std::filesystem::path place = folder.empty() ? "." : folder, path = place / text;
   std::error_code none;
   std::ifstream file;

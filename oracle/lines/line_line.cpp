@@ -60,7 +60,7 @@ Lines<Value> intersect(const LineLineScale<Number>& n) {
 Int128 narrow(const Wide& value) { return static_cast<Int128>(value.low); }
 const Integer& narrow(const Integer& value) { return value; }
 
-/// t of p + t (q - p) = (x/w, y/w) by one coordinate that moves: x - p.x w is a multiple of q.x - p.x there.
+/// t of p + t (q - p) = (x/w, y/w) by one coordinate that varies: x - p.x w is a multiple of q.x - p.x there.
 template <class Value, class Coordinate>
 Rational parameter_line_line(const Coordinate& meet, const Value& w, const Value& from, const Value& to) {
   const ExactDivision<Value> divide(Value(to - from));

@@ -13,7 +13,7 @@ Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 template <Exact Number>
 Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p);
 
-/// The answer of `orientation` alone by elimination (oracle/exact/systems/elimination.h), in 128-bit integers where the
+/// The answer of `orientation` alone by elimination (oracle/exact/systems/elimination.h), in 128-bit integers if the
 /// coordinates allow it.
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p);
 

@@ -15,8 +15,8 @@ Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segmen
 template <Exact Number>
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b);
 
-/// The relation alone, by another method: elimination (oracle/exact/systems/elimination.h), in 128-bit integers where
-/// the coordinates allow it. Second truth, and several times faster; the tests hold it equal to the linear program.
+/// The relation alone, by another method: elimination (oracle/exact/systems/elimination.h), in 128-bit integers if the
+/// coordinates allow it. A second truth, several times faster; the tests hold it equal to the linear program.
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
 
 }  // namespace touchstone::oracle

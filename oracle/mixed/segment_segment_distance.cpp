@@ -31,7 +31,7 @@ Truth<ClosestPair3<Surd>> truth_of_segment_segment_distance(const Segment3<Numbe
   return proved(ClosestPair3<Surd>{in_space(nearest.on_a), in_space(nearest.on_b), {}, {}}, nearest);
 }
 
-/// The point of a; the way to that of b is the same for all.
+/// The point of a; the displacement to that of b is the same for all.
 template <class Segment, class Pair, class Point>
 std::pair<Point3<Rational>, Vector3<Rational>> moved_along(const Segment& a, const Segment& b, const Pair& truth,
                                                            const Point& on_a) {

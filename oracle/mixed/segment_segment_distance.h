@@ -22,7 +22,7 @@ Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Number>& a, co
 template <Exact Number>
 Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b);
 
-/// Of all pairs of points that are as near as those of the truth, the one whose point of a is nearest to `on_a`. No
+/// Among all pairs of points that are as near as those of the truth, the one whose point of a is nearest to `on_a`. No
 /// other truth rests on it.
 ClosestPair2<Surd> as_near(const Segment2d& a, const Segment2d& b, const ClosestPair2<Surd>& truth,
                            const Point2d& on_a);

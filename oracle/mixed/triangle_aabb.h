@@ -15,9 +15,9 @@ namespace touchstone::oracle {
 /// Margin: a length, the magnitude of that: overlapping, how far every face has to be moved inwards until they only
 /// touch; disjoint, outwards, which is their distance in the maximum norm.
 ///
-/// Certificate: disjoint: "separating_plane" (`normal`, `offset`), the triangle below it and the box above. Else the
-/// `weights` of a common point: "supporting_plane", or "flat_axis" (the `axis` on which the box is flat), where they
-/// touch; "common_interior_point" where they overlap.
+/// Certificate: disjoint: "separating_plane" (`normal`, `offset`), the triangle below it and the box above. Otherwise
+/// the `weights` of a common point: "supporting_plane", or "flat_axis" (the `axis` on which the box is flat), where
+/// they touch; "common_interior_point" where they overlap.
 Truth<Contact> triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb);
 template <Exact Number>
 Truth<Contact> triangle_aabb(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb);

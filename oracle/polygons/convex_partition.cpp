@@ -31,7 +31,7 @@ std::vector<Index> merged(const std::vector<Index>& a, const std::vector<Index>&
   return {};
 }
 
-/// Until no two pieces can be merged. A diagonal that is needed once stays needed, because angles only grow.
+/// Merges until no two pieces can be merged. A diagonal that is needed once stays needed, because angles only grow.
 IndexLists partition(const WholeRing& ring) {
   IndexLists pieces = triangulated(ring);
   for (bool merging = true; merging;) {

@@ -24,7 +24,7 @@ bool certain(const AngleBetween& angle) {
          binary_order(Rational(angle.high - angle.low)) < ulp_exponent(angle.high) - closeness;
 }
 
-/// What MPFR says, and as much again on both sides, so that the ends are told from the angle with few more bits.
+/// MPFR's enclosure, widened by as much again on both sides, so that a few more bits separate the ends from the angle.
 AngleBetween enclosed(const Integer& x, const Integer& y) {
   for (int bits = 128;; bits += bits / 2) {
     AngleBetween angle = angle_between(x, y, bits);

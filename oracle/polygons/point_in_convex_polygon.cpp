@@ -14,14 +14,15 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The ring, with the point as one more vertex behind the last.
+/// The ring, with the point as one more vertex after the last.
 struct Whole {
   Polygon2<Integer> ring;
   Point2<Integer> point;
   Rational unit;
 };
 
-/// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
+/// Refuses rings that are not convex: accepts a simple polygon of some area without a turn against the sign of its
+/// area.
 void validate_convex(const WholeRing& ring) {
   const auto defect = ring_defect(ring);
   if (defect && defect->first == defect->second) validation::refuse("polygon", *defect, ring.size());
@@ -61,7 +62,7 @@ std::vector<Triangle> fan(const Whole& w) {
   for (std::size_t i = 1; i + 1 < w.ring.size(); ++i) {
     const Point2<Integer>&a = w.ring[0], &b = w.ring[i], &c = w.ring[i + 1];
     const int side = sgn(WholeRing::area(a, b, c));
-    if (side == 0) continue;  // flat vertices beside vertex 0
+    if (side == 0) continue;  // flat vertices next to vertex 0
     const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) {
       return Integer(side * WholeRing::area(q, r, w.point));
     };
@@ -75,8 +76,8 @@ struct Found {
   std::optional<Triangle> triangle;
 };
 
-/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, but for the
-/// first side of the first triangle and the last of the last.
+/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, except for
+/// the first side of the first triangle and the last of the last.
 Found located(const Whole& w) {
   const std::vector<Triangle> triangles = fan(w);
   for (const Triangle& t : triangles) {
@@ -106,7 +107,7 @@ Certificate certificate_point_in_convex_polygon(const Whole& w, const std::optio
   }
 }
 
-/// In squared units.
+/// The least distance in squared units.
 Rational least_distance(const Whole& w) {
   std::optional<Rational> least;
   for (std::size_t i = 0; i < w.ring.size(); ++i) {

@@ -15,7 +15,7 @@ using Ring = Polygon2<Integer>;
 
 Vector2<Integer> place(const Point2<Integer>& p) { return {p.x, p.y}; }
 
-/// The polygon in integers as the point sees it: the point at the origin.
+/// The polygon in integers relative to the point: the point is the origin.
 struct Around {
   Ring ring;
   Rational unit;
@@ -34,7 +34,7 @@ Around validated_point_in_polygon(const Polygon2<Number>& polygon, const Point2<
   return {std::move(whole.ring), std::move(whole.unit)};
 }
 
-/// The first edge that holds the origin.
+/// The first edge that contains the origin.
 std::optional<std::size_t> edge_through_origin(const Ring& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector2<Integer> a = place(ring[i]), b = place(ring.next(i));
@@ -43,7 +43,7 @@ std::optional<std::size_t> edge_through_origin(const Ring& ring) {
   return std::nullopt;
 }
 
-/// A ray from the origin that misses every vertex, backwards too; and on which side of it each vertex lies.
+/// A ray from the origin that misses every vertex, backwards too; and the side of it on which each vertex lies.
 struct Ray {
   Vector2<Integer> direction;
   std::vector<Integer> sides;
@@ -62,7 +62,7 @@ Ray missing_ray(const Ring& ring, bool quarter_turn) {
   }
 }
 
-/// Where a ray meets an edge that has one end on either side of its line: at t direction.
+/// The crossing of a ray and an edge that has one end on either side of its line: at t direction.
 struct Crossing {
   std::size_t edge;
   Fraction<Integer> t;

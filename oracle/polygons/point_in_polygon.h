@@ -6,16 +6,16 @@
 
 namespace touchstone::oracle {
 
-/// Truth: `boundary` by definition, every edge asked. Else the parity of the crossings of a ray in a direction that is
-/// parallel to no line through the point and a vertex; two such rays have to agree. Margin: the least squared distance
-/// of the point from an edge.
+/// Truth: `boundary` by definition, every edge asked. Otherwise the parity of the crossings of a ray in a direction
+/// that is parallel to no line through the point and a vertex; two such rays have to agree. Margin: the least squared
+/// distance of the point from an edge.
 Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point);
 template <Exact Number>
 Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point);
 
 /// The answer of `point_in_polygon` alone by the winding number, counted in quarter turns without an angle: its parity
-/// is that of the crossings. The ring as the point sees it, the point at the origin. With |coordinate| < 2^k, Word
-/// needs k + 1 bits and Wide 2k + 3.
+/// is that of the crossings. The ring is relative to the point at the origin. With |coordinate| < 2^k, Word needs k + 1
+/// bits and Wide 2k + 3.
 template <class Wide, class Word>
 Location location_by_winding(const Polygon2<Word>& around) {
   const Word zero(0);
@@ -34,7 +34,7 @@ Location location_by_winding(const Polygon2<Word>& around) {
   return quarters / 4 % 2 != 0 ? Location::inside : Location::outside;
 }
 
-/// The same on doubles.
+/// The same for doubles.
 Location point_in_polygon_location(const Polygon2d& polygon, const Point2d& point);
 
 }  // namespace touchstone::oracle

@@ -39,14 +39,14 @@ bool on_one_line(const WholeRing& r) {
 struct Straddled {
   Index edge, left, right;
 };
-/// The greatest of the normal form u x (p - a) over a box, times `sign`, is positive.
+/// True if the greatest of the normal form u x (p - a) over a box, times `sign`, is positive.
 bool may_lie_beside(const Segment2<Integer>& line, int sign, const Boxes::Box& box) {
   const Vector2<Integer> u = Integer(sign) * (line.b - line.a);
   const Integer &x = sgn(u.y) > 0 ? *box.left : *box.right, &y = sgn(u.x) > 0 ? *box.top : *box.bottom;
   return u.x * (y - line.a.y) > u.y * (x - line.a.x);
 }
 
-/// The first such edge, and of the vertices the last on each side.
+/// The first such edge, and the last vertex on each side.
 std::optional<Straddled> straddled(const WholeRing& r) {
   const std::vector<Segment2<Integer>> edges = r.edges();
   const Boxes boxes(edges);
@@ -74,7 +74,7 @@ Rational room(const WholeRing& r, bool convex, int winding) {
   for (Index i = 0; i < r.size(); ++i) {
     const Integer turn = r.area(r.before(i), i, r.after(i));
     const Vector2<Integer> base = r.ring.next(i) - r.ring.previous(i);
-    // Neighbours of a simple ring's vertex may coincide no more than it may be a spike: the base is not 0.
+    // In a simple ring the neighbours of a vertex cannot coincide, nor can the vertex be a spike: the base is not 0.
     const SquaredLength<Integer> height{Integer(turn * turn), dot(base, base)};
     if (convex && (!clearance || height < *clearance)) clearance = height;
     if (sgn(turn) * winding < 0 && (!greatest_dent || *greatest_dent < height)) greatest_dent = height;
@@ -97,8 +97,8 @@ std::optional<SquaredLength<Integer>> least_end_distance_beyond(const SquaredLen
   return least;
 }
 
-/// In squared units; the ring is not simple. Two edges that meet in a point have an end within half the length of
-/// either edge from the other: so the longest come first, and those that are too short for more do not come at all.
+/// In squared units, for a ring that is not simple. Two edges that meet in a point have an end within half the length
+/// of either edge from the other: so the longest come first, and those that are too short for more are skipped.
 Rational depth(const WholeRing& r) {
   const std::vector<Segment2<Integer>> edges = r.edges();
   const Boxes boxes(edges);
@@ -125,13 +125,13 @@ Rational depth(const WholeRing& r) {
   return quotient(deepest.numerator, deepest.denominator);
 }
 
-/// Where point p stands on a segment that holds it.
+/// The parameter of point p on a segment that contains it.
 Rational parameter(const Point2<Rational>& p, const Segment2<Rational>& s) {
   const Vector2<Rational> along = s.b - s.a, to = p - s.a;
   return Rational(dot(to, along) / dot(along, along));
 }
 
-/// Two edges and the parameters of a common point that is no vertex shared by neighbours.
+/// Two edges and the parameters of a common point that is not a vertex shared by neighbours.
 template <class Number>
 Certificate common_point_polygon_convexity(const validation::RingDefect& defect, const Segment2<Number>& a,
                                            const Segment2<Number>& b) {

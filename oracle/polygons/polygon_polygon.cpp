@@ -19,7 +19,7 @@ namespace {
 using Point = Point2<Rational>;
 using Edge = Segment2<Integer>;
 
-/// Both rings in whole numbers of one unit.
+/// Both rings in integers of one unit.
 struct Rings {
   std::vector<Edge> a, b;
   Rational unit;
@@ -58,7 +58,7 @@ bool lies_on(const Point2<Integer>& p, const Edge& e) {
 
 Point rational(const Point2<Integer>& p) { return {Rational(p.x), Rational(p.y)}; }
 
-/// A common point of two edges; the only one where their directions differ.
+/// A common point of two edges; the only one if their directions differ.
 std::optional<Point> common_point_polygon_polygon(const Edge& e, const Edge& f) {
   if (boxes_apart(e, f)) return std::nullopt;
   const Vector2<Integer> u = e.b - e.a, v = f.b - f.a, w = f.a - e.a;
@@ -101,7 +101,7 @@ Arrangement arrangement_of(const std::vector<Edge>& a, const std::vector<Edge>& 
   return made;
 }
 
-/// The edges of a ring that a line crosses which moves from slab to slab, between two cuts next to each other.
+/// The edges of a ring that a line crosses as it moves from slab to slab, between two adjacent cuts.
 class Crossed {
  public:
   explicit Crossed(const std::vector<Edge>& ring) : waiting_(ring.size()) {
@@ -109,7 +109,7 @@ class Crossed {
     std::sort(waiting_.begin(), waiting_.end(), [](const Edge* e, const Edge* f) { return left(*e) > left(*f); });
   }
 
-  /// Where the vertical line at x meets the edges, from below; x is not that of a vertex, and it ascends.
+  /// The points where the vertical line at x meets the edges, from below; x is not that of a vertex, and it ascends.
   std::vector<Rational> heights(const Rational& x) {
     for (; !waiting_.empty() && left(*waiting_.back()) < x; waiting_.pop_back()) crossed_.push_back(waiting_.back());
     std::erase_if(crossed_, [&x](const Edge* e) { return right(*e) < x; });

@@ -29,14 +29,14 @@ Integer determinant(const Vector3<Integer>& u, const Vector3<Integer>& v, const 
   return dot(u, cross(v, w));
 }
 
-/// The tetrahedron of vertex 0 and a face that holds the point: the weights of its corners times `whole` > 0.
+/// The tetrahedron of vertex 0 and a face that contains the point: the weights of its corners times `whole` > 0.
 struct Tetrahedron {
   std::array<Index, 4> corners;
   std::array<Integer, 4> weights;
   Integer whole;
 };
 
-/// By Cramer's rule: the point less vertex 0 as a sum of multiples of the other three corners less vertex 0.
+/// By Cramer's rule: the point minus vertex 0 as a sum of multiples of the other three corners minus vertex 0.
 std::optional<Tetrahedron> holding(const Question& q, const Face& face) {
   const auto& vertices = q.mesh.vertices;
   const Point3<Integer>& apex = vertices[0];

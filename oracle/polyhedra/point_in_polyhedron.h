@@ -7,7 +7,7 @@
 
 namespace touchstone::oracle {
 
-/// Truth: `boundary` if barycentric coordinates in a face give the point. Else the parity of the faces that a ray
+/// Truth: `boundary` if barycentric coordinates in a face give the point. Otherwise the parity of the faces that a ray
 /// crosses whose line misses every edge, as is made sure of each; three such rays in directions far from one another
 /// have to agree. Margin: the least squared distance of the point from a face.
 ///

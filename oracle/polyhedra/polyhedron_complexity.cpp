@@ -21,7 +21,7 @@ namespace {
 
 using Edge = std::set<Index>;
 
-/// Whether all elements are reached from the first, each step leading from one to its neighbours.
+/// True if all elements are reached from the first, each step leading from one to its neighbours.
 template <class Element, class Neighbours>
 std::set<Element> reached(const Element& first, const Neighbours& neighbours) {
   std::set<Element> seen{first};
@@ -39,7 +39,7 @@ std::set<Element> reached(const Element& first, const Neighbours& neighbours) {
 /// The corners of a face in order, as it is named.
 using Corners = std::vector<Index>;
 
-/// A corner of a face, and what lies there.
+/// A corner of a face, and its surroundings.
 struct Corner {
   std::size_t face;
   Index before, vertex, after;
@@ -59,7 +59,7 @@ struct Surface {
       }
     }
   }
-  /// Whether the corners, at one vertex, are ends of one edge.
+  /// True if the corners, at one vertex, are ends of one edge.
   bool share_an_edge(std::size_t one, std::size_t other) const {
     const Corner &c = all[one], &d = all[other];
     return c.before == d.before || c.before == d.after || c.after == d.before || c.after == d.after;
@@ -76,7 +76,7 @@ struct Surface {
   std::map<Edge, std::vector<std::size_t>> at_edge;     // corners from which it is run along
 };
 
-/// The places of the faces of each component, in the order of their first ones.
+/// The indices of the faces of each component, in the order of their first ones.
 std::vector<std::set<std::size_t>> components(const Surface& surface) {
   std::set<std::size_t> left;
   for (std::size_t i = 0; i < surface.faces.size(); ++i) left.insert(i);
@@ -93,7 +93,7 @@ std::vector<std::set<std::size_t>> components(const Surface& surface) {
   return found;
 }
 
-/// The corners at the vertex are neighbours of neighbours of one of them, by edges that end there.
+/// True if all corners at the vertex are reached from one of them, by edges that end there.
 bool one_fan(const Surface& surface, Index vertex) {
   const auto& corners = surface.at_vertex.at(vertex);
   return reached(corners.front(), [&](std::size_t corner) {
@@ -111,7 +111,7 @@ void note(std::optional<Witness>& first, const Witness& witness) {
   if (!first) first = witness;
 }
 
-/// What the indices tell.
+/// The properties that follow from the indices.
 PolyhedronComplexityAnswer counted(const Surface& surface) {
   PolyhedronComplexityAnswer found{};
   for (const auto& [edge, users] : surface.at_edge) {
@@ -146,13 +146,13 @@ Cuts cuts_of(const Mesh<Number>& mesh) {
   return cuts;
 }
 
-/// The normals of planes between pairs of triangles that need one; of the pair that meets the weights of a common
-/// point, and its places.
+/// The normals of planes between pairs of triangles that need one; for the pair that meets the weights of a common
+/// point, and its indices.
 struct Pairs {
   std::vector<Rational> normals, weights, triangles;
 };
 
-/// The middle of two vertices that both triangles name, where one of their faces has no edge between these.
+/// The middle of two vertices that both triangles use, if one of their faces has no edge between these.
 std::optional<std::array<std::array<Rational, 3>, 2>> shared_diagonal(const Surface& surface, std::size_t one,
                                                                       const Face& f, std::size_t other, const Face& g) {
   const std::array<Index, 3> of_f{f.a, f.b, f.c}, of_g{g.a, g.b, g.c};
@@ -170,7 +170,7 @@ std::optional<std::array<std::array<Rational, 3>, 2>> shared_diagonal(const Surf
   return std::nullopt;
 }
 
-/// All faces have areas, and the boxes of two triangles meet. Whether the triangles do; if not, they may get a normal.
+/// Returns whether two triangles meet; all faces have areas, and their boxes meet. If not, they may get a normal.
 bool meet_polyhedron_complexity(const std::vector<Face>& list, const WholeCloud& cloud, const Surface& surface,
                                 const IndexPair& faces, const IndexPair& pair, Pairs& pairs) {
   const Face &f = list[pair.i], &g = list[pair.j];
@@ -193,7 +193,7 @@ bool meet_polyhedron_complexity(const std::vector<Face>& list, const WholeCloud&
   return false;
 }
 
-/// Pairs of faces in the order of their places, of each the pairs of their triangles, up to the first that meets.
+/// Pairs of faces in the order of their indices, for each the pairs of their triangles, up to the first that meets.
 Pairs paired(const std::vector<Face>& list, const std::vector<Index>& named, const Cuts& cuts, const WholeCloud& cloud,
              const Surface& surface, PolyhedronComplexityAnswer& found) {
   const auto near = later_triangles_near(cloud, list);
@@ -236,7 +236,7 @@ void look_for_splitting_face(const std::vector<Face>& list, const Cuts& cuts, co
   }
 }
 
-/// Six times the volume: of each face the doubled area seen from above, times the sum of the heights of its corners.
+/// Six times the volume: for each face the doubled area seen from above, times the sum of the heights of its corners.
 VolumeSign sign_of_volume(const std::vector<Face>& list, const WholeCloud& cloud) {
   Integer sum;
   for (const Face& f : list) sum += cloud.normal(f.a, f.b, f.c).z * (cloud[f.a].z + cloud[f.b].z + cloud[f.c].z);
@@ -257,7 +257,7 @@ Solid solid_of(const std::vector<Face>& triangles, const WholeCloud& cloud) {
   return Solid(std::move(vertices), std::move(faces), cloud.unit);
 }
 
-/// Of a closed embedded mesh. Returns the directions of the rays, one after the other.
+/// For a closed embedded mesh. Returns the directions of the rays, one after the other.
 std::vector<Rational> nest(const std::vector<Face>& list, const Cuts& cuts,
                            const std::vector<std::set<std::size_t>>& components, const WholeCloud& cloud,
                            PolyhedronComplexityAnswer& found) {

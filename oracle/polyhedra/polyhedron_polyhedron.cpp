@@ -31,7 +31,7 @@ void validate_solid(const std::string& field, const Mesh<Number>& mesh) {
   validate_closed(field, mesh);
 }
 
-/// Both in integers, which count units.
+/// Both in integers, in units.
 struct Solids {
   template <class Number>
   Solids(const Mesh<Number>& a, const Mesh<Number>& b) {
@@ -72,7 +72,7 @@ struct Box {
   }
 };
 
-/// How far two boxes are apart along each axis; the other way about what they have in common there.
+/// The gap of two boxes along each axis; negative: their common extent there.
 std::array<Integer, 3> gaps(const Box& a, const Box& b) {
   std::array<Integer, 3> found;
   for (std::size_t i = 0; i < 3; ++i) found[i] = std::max(Integer(a.low[i] - b.high[i]), Integer(b.low[i] - a.high[i]));
@@ -92,7 +92,7 @@ Integer squared_distance_polyhedron_polyhedron(const Box& a, const Box& b) {
   return sum;
 }
 
-/// Of two that have no common point.
+/// For two that have no common point.
 Rational squared_distance_polyhedron_polyhedron(const Triangle& a, const Triangle& b) {
   std::vector<Rational> ways;
   for (const auto& [t, other] : {std::pair{&a, &b}, {&b, &a}})
@@ -107,7 +107,7 @@ std::vector<Box> boxes_of(const std::vector<Triangle>& faces) {
   return boxes;
 }
 
-/// All corners of the other triangle are on one side of the plane of a triangle.
+/// True if all corners of the other triangle are on one side of the plane of a triangle.
 bool beside(const Triangle& t, const Triangle& other) {
   const Vector3<Integer> normal = cross(t.b - t.a, t.c - t.a);
   const auto side = [&](const Point3<Integer>& p) { return sgn(dot(normal, p - t.a)); };
@@ -115,7 +115,7 @@ bool beside(const Triangle& t, const Triangle& other) {
   return first != 0 && side(other.b) == first && side(other.c) == first;
 }
 
-/// On a face of each.
+/// A point on a face of each.
 std::optional<Point> common_point_of_faces(const FacesOfBoth& faces) {
   const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
   for (std::size_t i = 0; i < boxes_a.size(); ++i) {
@@ -132,7 +132,7 @@ std::optional<Point> common_point_of_faces(const FacesOfBoth& faces) {
   return std::nullopt;
 }
 
-/// Of the faces of one from those of the other, where none has a common point.
+/// The distance of the faces of one from those of the other, if none has a common point.
 Rational least_squared_distance(const FacesOfBoth& faces) {
   const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
   struct Pair {
@@ -163,7 +163,7 @@ std::vector<Certificate> certificates_of(const std::vector<Located>& located) {
 
 void append(std::vector<Rational>& list, const Point& p) { list.insert(list.end(), {p.x, p.y, p.z}); }
 
-/// Cells and a proof of each that its point is outside.
+/// Cells, with a proof for each that its point is outside.
 struct Proved {
   SpacePartition partition;
   std::vector<Located> outside;
@@ -191,7 +191,7 @@ Proved cut(const Solids& s, Cells cells) {
   return {std::move(partition), std::move(outside)};
 }
 
-/// Where the vertices that faces name lie in the other solid: those of a first.
+/// The locations of the vertices that faces use in the other solid: those of a first.
 struct Vertices {
   explicit Vertices(const Solids& s) {
     std::vector<Point> points;  // of the proofs
@@ -231,8 +231,8 @@ struct Vertices {
     certificate.parts.emplace_back("vertices", certificates_of(proofs));
   }
 
-  std::vector<Rational> farthest_in;  ///< the solid and the place of the vertex that is farthest inside, or nothing
-  std::vector<Located> proofs;        ///< of that vertex, or of all
+  std::vector<Rational> farthest_in;  ///< the solid and the index of the vertex that is farthest inside, or empty
+  std::vector<Located> proofs;        ///< for that vertex, or for all
   std::optional<Rational> margin;
 };
 
@@ -245,7 +245,7 @@ PolyhedronPolyhedronAnswer apart_by_boxes(const Solids& s, const Box& a, const B
           }};
 }
 
-/// The margin is that of the faces or, if it is less, what the boxes have in common along an axis.
+/// The margin is that of the faces or, if it is less, the common extent of the boxes along an axis.
 PolyhedronPolyhedronAnswer disjoint(const Solids& s, const FacesOfBoth& faces, const Integer& common_length,
                                     Proved proved) {
   const Rational least = std::min(least_squared_distance(faces), Rational(Integer(common_length * common_length)));

@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 
 /// Truth: boxes by comparing; space is cut by planes into convex cells, until each is outside of one solid
 /// (oracle/exact/solids/space_partition.h). Where that can be done with closed cells, no point is common; where it can
-/// be done with open cells, no interior point is; else a cell is found that is inside of both. The step by asking
+/// be done with open cells, no interior point is; otherwise a cell is found that is inside of both. The step by asking
 /// point_in_polyhedron about every vertex that a face names. Margin: as the contract says, from the squared distances
 /// of faces, or of vertices from faces.
 ///

@@ -8,7 +8,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The velocity of the point that moves with a body and is at the origin now, and the turn around it.
+/// The velocity of the point that moves with a body and is now at the origin, and the rotation around it.
 struct Twist {
   Vector3<Rational> of_origin, turn;
 

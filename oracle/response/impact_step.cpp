@@ -34,7 +34,7 @@ void validate_all_impact_step(const std::vector<StepBody<Number>>& bodies, const
   validation::require_timestep(sgn(exact(timestep)) > 0, "timestep");
 }
 
-/// The nearest number of 53 binary digits, ties to the even one.
+/// The nearest number of 53 binary digits, ties to even.
 Rational of_53_digits(const Surd& x) {
   if (sgn(x) == 0) return 0;
   for (long bits = 64;; bits *= 2) {
@@ -56,7 +56,7 @@ struct Flight {
   ImpactStepPosition at;
   ImpactStepVelocity velocity;
 };
-/// place: that in the answer; b: the same, or for a wall the place after the last body.
+/// place: the index in the answer; b: the same, or for a wall the index after the last body.
 struct Met {
   Index a, b, place;
   Vector3<OverRoot> normal;
@@ -115,7 +115,7 @@ class ImpactStepStep {
  private:
   bool movable(Index body) const { return body < flights_.size() && sgn(flights_[body].inverse_mass) != 0; }
   Index ground() const { return static_cast<Index>(flights_.size()); }
-  /// visit(a, b, place) for every pair that may collide in what is left of the step.
+  /// Calls visit(a, b, place) for every pair that may collide in the rest of the step.
   template <class Visit>
   void visit_pairs(const Visit& visit) const {
     for (Index i = 0; i < ground(); ++i) {
@@ -174,7 +174,7 @@ class ImpactStepStep {
     return least;
   }
 
-  /// The contacts of a moment that hang together with one that collides, by groups.
+  /// The contacts at one time that are connected to one that collides, by groups.
   std::vector<std::vector<Met>> groups_at(const OverRoot& t) const {
     std::vector<Met> met;
     visit_pairs([&](Index a, Index b, Index place_of_b) {
@@ -218,7 +218,7 @@ class ImpactStepStep {
     return result;
   }
 
-  /// How the impulse of one contact parts another.
+  /// The separation at one contact due to the impulse of another.
   OverRoot effect(const Met& c, const Met& d) const {
     const auto mass = [&](Index body, Index pushed, Index pushed_back) -> Rational {
       if (!movable(body)) return 0;

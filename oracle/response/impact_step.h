@@ -11,8 +11,8 @@ namespace touchstone::oracle {
 /// `simultaneous_collisions` at a rational moment, and at others by the conditions of Karush, Kuhn and Tucker, tried
 /// for each set of contacts that may push. No margin: moments, distances and speeds have no common unit.
 ///
-/// Certificate: "moments": for each moment that is answered one of the kind "pushes". r is the radicand of its t, 0
-/// where that is rational. `impulses` and `impulses_of_root`, a and b of a + b sqrt(r), one for each contact; `clock`;
+/// Certificate: "moments": for each moment that is answered one of the kind "pushes". r is the radicand of its t, 0 if
+/// that is rational. `impulses` and `impulses_of_root`, a and b of a + b sqrt(r), one for each contact; `clock`;
 /// `states`, position and velocity of each movable body in a contact, in ascending order, each number rounded.
 Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
                                     double restitution, double timestep);

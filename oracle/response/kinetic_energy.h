@@ -8,8 +8,8 @@
 
 namespace touchstone::oracle {
 
-/// Truth: by Koenig's theorem, the energy of all mass at the velocity of its centre and, beside it, what the bodies
-/// have as seen from there. Nothing is decided: there is no margin.
+/// Truth: by Koenig's theorem, the energy of all mass at the velocity of its centre plus the energy of the bodies
+/// relative to it. Nothing is decided: there is no margin.
 ///
 /// Certificate: "centre": the `mass` of all, the `velocity` of their centre and `doubled_energies`: of all mass there,
 /// and of the bodies as seen from it. None have the velocity 0.

@@ -22,7 +22,7 @@ ExactBody exact_body(const RigidBody<Number>& body) {
           exact_vector(body.angular_velocity)};
 }
 
-/// w with I w = l, by elimination; of a positive definite matrix no pivot is 0.
+/// w with I w = l, by elimination; a positive definite matrix has no zero pivot.
 Vector3<Rational> turned_by(const Inertia<Rational>& inertia, const Vector3<Rational>& l) {
   const auto& [x, y, z] = inertia;
   std::array<std::array<Rational, 4>, 3> rows{{{x.x, x.y, x.z, l.x}, {y.x, y.y, y.z, l.y}, {z.x, z.y, z.z, l.z}}};
@@ -39,7 +39,7 @@ Vector3<Rational> angular_momentum(const Inertia<Rational>& inertia, const Vecto
   return {dot(inertia.x, w), dot(inertia.y, w), dot(inertia.z, w)};
 }
 
-/// A body and what a unit of impulse along the normal, or against it, adds to its motion.
+/// A body and the change of its motion by a unit of impulse along the normal, or against it.
 struct Struck {
   ExactBody body;
   Vector3<Rational> arm;

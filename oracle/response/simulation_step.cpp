@@ -29,7 +29,7 @@ SimulationStepVelocity exact_vector(const Vector3<Number>& v) {
   return {exact(v.x), exact(v.y), exact(v.z)};
 }
 
-/// The question in rationals, and the state as the step goes on.
+/// The question in rationals, and the current state of the step.
 class SimulationStepStep {
  public:
   template <class Number>
@@ -99,7 +99,7 @@ class SimulationStepStep {
       }
     }
   }
-  /// b: the place among bodies, all walls being the one after the last; place: that in the answer.
+  /// b: the index among bodies, with all walls being the one after the last; place: the index in the answer.
   void take_unless_parting(Index a, Index b, Index place, const SimulationStepVelocity& normal) {
     const bool wall = b == movers_.size();
     const bool one_moves = movable(a) || (!wall && movable(b));
@@ -122,7 +122,7 @@ class SimulationStepStep {
   StepMotion motion_;
   StepTurn turn_;
   Rational timestep_, restitution_;
-  SimulationStepVelocity fall_;  ///< what gravity adds to a velocity in a step
+  SimulationStepVelocity fall_;  ///< the change of velocity by gravity in a step
   std::vector<SimulationStepPosition> start_, end_;
   std::vector<Rational> radii_;
   std::vector<PointBody<Rational>> movers_;

@@ -11,7 +11,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// A contact with its normal counted in a unit of its own.
+/// A contact with its normal in a unit of its own.
 struct WholeContact {
   Index a, b;
   Vector3<Integer> normal;
@@ -69,7 +69,7 @@ class System {
   Vector3<Integer> velocity(Index body) const {
     return {speeds_.whole[3 * body], speeds_.whole[3 * body + 1], speeds_.whole[3 * body + 2]};
   }
-  /// How the impulse of one contact parts another, or itself.
+  /// The separation at one contact due to the impulse of another, or of itself.
   Integer effect(const WholeContact& c, const WholeContact& d) const {
     const auto signed_mass = [this](Index body, Index pushed, Index pushed_back) {
       if (body == pushed) return inverse_masses_.whole[body];
@@ -78,7 +78,7 @@ class System {
     const Integer mass = signed_mass(c.a, d.a, d.b) + signed_mass(c.b, d.b, d.a);
     return sgn(mass) == 0 ? Integer(0) : Integer(mass * dot(c.normal, d.normal));
   }
-  /// The constants are what each contact has beyond its demand if nothing pushes, times the denominator of e.
+  /// The constants are the surplus of each contact over its demand if nothing pushes, times the denominator of e.
   Complementary problem() const {
     Complementary result;
     const Integer one = restitution_.get_den(), one_and_e = one + restitution_.get_num();
@@ -118,7 +118,7 @@ class System {
       result.push_back(actual(found.numerators[i], below) / (inverse_masses_.unit * contacts_[i].unit));
     return result;
   }
-  /// Of the sum 1.
+  /// Scaled to the sum 1.
   std::vector<Rational> weights(const Complement& found) const {
     std::vector<Rational> result;
     Rational sum;

@@ -9,7 +9,7 @@ namespace {
 const Integer* lesser(const Integer& a, const Integer& b) { return b < a ? &b : &a; }
 const Integer* greater(const Integer& a, const Integer& b) { return a < b ? &b : &a; }
 
-/// How far a number is outside an interval.
+/// The distance of a number from an interval.
 Integer outside(const Integer& number, const Integer& low, const Integer& high) {
   return number < low ? Integer(low - number) : number > high ? Integer(number - high) : Integer(0);
 }

@@ -10,12 +10,12 @@
 
 namespace touchstone::oracle {
 
-/// Edges one after another along a ring, under boxes: each box holds a run of edges, and two halves of a run have boxes
-/// of their own. What the oracle asks of all edges by definition it asks here of all but those whose box tells.
+/// Consecutive edges of a ring, under boxes: each box contains a run of edges, and two halves of a run have boxes of
+/// their own. Tests that the oracle defines for all edges run here for all except those that their box decides.
 class Boxes {
  public:
   struct Box {
-    const Integer *left, *right, *bottom, *top;  ///< coordinates of the edges, which stay where they are
+    const Integer *left, *right, *bottom, *top;  ///< coordinates of the edges, in their original order
   };
 
   /// At least one edge; they have to outlive this.
@@ -26,13 +26,13 @@ class Boxes {
   }
   static Box box_of(const Segment2<Integer>& edge);
 
-  /// Calls visit(i) for edges from `first` on, in ascending order, but none in a box for which may(box) is false; until
-  /// a visit returns true, which is then returned.
+  /// Calls visit(i) for edges from `first` on, in ascending order, skipping boxes for which may(box) is false; until a
+  /// visit returns true, which is then returned.
   template <class May, class Visit>
   bool ascending(std::size_t first, const May& may, const Visit& visit) const {
     return walk<true>(0, 0, edges_.size(), first, may, visit);
   }
-  /// The same of all edges in descending order.
+  /// The same for all edges in descending order.
   template <class May, class Visit>
   bool descending(const May& may, const Visit& visit) const {
     return walk<false>(0, 0, edges_.size(), 0, may, visit);
@@ -48,7 +48,7 @@ class Boxes {
   static std::size_t middle(std::size_t first, std::size_t last) { return first + (last - first) / 2; }
 
   void build(std::size_t node, std::size_t first, std::size_t last);
-  /// Of the box of a node from a point: no edge in it is nearer.
+  /// The distance of the box of a node from a point: no edge in it is nearer.
   Integer squared_distance_of(std::size_t node, const Point2<Integer>& p) const;
 
   template <bool upwards, class May, class Visit>

@@ -5,11 +5,11 @@
 #include "geometry/validation.h"
 #include "oracle/rings/triangulation.h"
 
-/// The definition, part by part: every piece a convex ring of vertices of the polygon, their interiors apart, their
-/// areas those of the polygon in sum, their other edges inside the polygon.
+/// The definition, part by part: every piece is a convex ring of vertices of the polygon, their interiors are disjoint,
+/// their areas add up to that of the polygon, and their other edges are inside the polygon.
 ///
-/// Nothing wrong passes. An edge inside the polygon leaves every piece inside it; pieces inside, apart and of its area
-/// in sum are all of it.
+/// No defect passes. An edge inside the polygon keeps every piece inside it; disjoint pieces inside it with its total
+/// area are all of it.
 namespace touchstone::oracle {
 namespace {
 
@@ -27,8 +27,8 @@ std::string indices_defect(const WholeRing& ring, const IndexLists& pieces) {
   return "";
 }
 
-/// Every vertex on the left of every edge or on it, and not all on one line. (Then each edge lies on the hull's
-/// boundary in its direction, and different vertices cannot go round twice.)
+/// True if every vertex is on the left of every edge or on it, and not all are collinear. (Then each edge lies on the
+/// hull's boundary in its direction, and different vertices cannot make two turns.)
 bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Index p = piece[i], q = piece[(i + 1) % piece.size()];
@@ -43,7 +43,7 @@ bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
   return true;
 }
 
-/// Whether an edge of a has all of b on its right or on it: with convex pieces, whether it keeps their interiors apart.
+/// True if an edge of a has all of b on its right or on it: for convex pieces, if it separates their interiors.
 bool parted(const WholeRing& ring, const std::vector<Index>& a, const std::vector<Index>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Index p = a[i], q = a[(i + 1) % a.size()];
@@ -58,8 +58,8 @@ bool on_segment(const WholeRing& ring, Index a, Index b, Index p) {
          std::min(s.y, t.y) <= r.y && r.y <= std::max(s.y, t.y);
 }
 
-/// Whether the open segment from vertex a to vertex b, no edge, lies inside the ring, which is simple: it starts within
-/// the angle at a, and no edge that does not end in a or b comes near it, nor does a neighbour of a or b lie on it.
+/// True if the open segment from vertex a to vertex b, not an edge, lies inside the ring, which is simple: it starts
+/// within the angle at a, no edge that does not end in a or b meets it, and no neighbour of a or b lies on it.
 bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
   const Index next = counter_clockwise ? ring.after(a) : ring.before(a),
               last = counter_clockwise ? ring.before(a) : ring.after(a);

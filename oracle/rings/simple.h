@@ -8,7 +8,7 @@
 
 namespace touchstone::oracle {
 
-/// The first defect of a ring by definition: every pair of edges whose boxes meet, asked for its common points. Empty:
+/// The first defect of a ring by definition: every pair of edges whose boxes meet is tested for common points. nullopt:
 /// the ring is simple.
 std::optional<validation::RingDefect> ring_defect(const WholeRing& ring);
 

@@ -33,9 +33,9 @@ std::vector<Index> counter_clockwise(const WholeRing& ring) {
 }
 
 /// A ring of more than three vertices has a diagonal at its first vertex v in the order of the plane, where it turns
-/// left. With u and w before and after v: uw if the closed triangle uvw holds no other vertex, else vz to the one held
-/// that is farthest from uw on v's side, because no edge can reach into the part of the triangle beyond z without
-/// ending there.
+/// left. With u and w before and after v: uw if the closed triangle uvw contains no other vertex, otherwise vz to the
+/// contained vertex that is farthest from uw on v's side, because no edge can reach into the part of the triangle
+/// beyond z without ending there.
 IndexLists triangulated(const WholeRing& ring) {
   IndexLists triangles, rings{counter_clockwise(ring)};
   while (!rings.empty()) {

@@ -11,10 +11,10 @@
 /// Triangulations and partitions of simple rings, on integers.
 namespace touchstone::oracle {
 
-/// Lists of places in a ring.
+/// Lists of indices in a ring.
 using IndexLists = std::vector<std::vector<Index>>;
 
-/// The ring in integers; what is not a simple polygon is refused.
+/// The ring in integers; refuses rings that are not simple polygons.
 WholeRing simple_ring(const Polygon2d& polygon);
 WholeRing simple_ring(const Polygon2<Rational>& polygon);
 
@@ -24,12 +24,12 @@ std::vector<Index> counter_clockwise(const WholeRing& ring);
 /// A triangulation of a simple ring, diagonal by diagonal.
 IndexLists triangulated(const WholeRing& ring);
 
-/// The truth that a ring can be cut into these pieces: the margin is the least size of twice the area of three
+/// The truth that a ring can be cut into these pieces: the margin is the least magnitude of twice the area of three
 /// consecutive vertices, the certificate "pieces" has the `doubled_area` of the ring.
 Truth<IndexLists> cut(WholeRing ring, IndexLists pieces);
 
-/// What is wrong with the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals;
-/// "" if it is right.
+/// The defect of the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals; "" if
+/// it is right.
 std::string partition_defect(const Polygon2d& polygon, const IndexLists& pieces);
 
 }  // namespace touchstone::oracle

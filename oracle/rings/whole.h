@@ -23,23 +23,23 @@ class WholeRing {
   Index after(Index i) const { return i + 1 == size() ? 0 : i + 1; }
   Index before(Index i) const { return i == 0 ? size() - 1 : i - 1; }
 
-  /// Twice the area of the triangle of three vertices, positive where it turns left, in squares of the unit; and its
-  /// sign, which is had faster.
+  /// Twice the area of the triangle of three vertices, positive if it turns left, in squares of the unit; and its sign,
+  /// which is faster.
   static Integer area(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r);
   Integer area(Index i, Index j, Index k) const { return area(ring[i], ring[j], ring[k]); }
   int turn(Index i, Index j, Index k) const;
   int turn_at(Index i) const { return turn(before(i), i, after(i)); }
 
-  /// Twice the area, positive counter-clockwise, of the ring through these vertices; of the whole ring.
+  /// Twice the area, positive counter-clockwise, of the ring through these vertices; of the entire ring.
   Integer area(const std::vector<Index>& piece) const;
   Integer area() const;
 
-  /// What a value in squared units is.
+  /// Converts a value in squared units.
   Rational actual_area(const Rational& value) const { return Rational(value * unit * unit); }
 
   Polygon2<Integer> ring;
   Rational unit;
-  /// The same integers where all fit 61 bits, so that Int128 holds a difference of two products of differences; else
+  /// The same integers if all fit 61 bits, so that Int128 holds a difference of two products of differences; otherwise
   /// empty.
   std::vector<Point2<std::int64_t>> words;
 

@@ -13,7 +13,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// Five numbers an axis, as AxisMotion has them.
+/// Five numbers for each axis, in the form of AxisMotion.
 template <class Number>
 CommonScale<Number, 10> scale_of(const Aabb2<Number>& a, const Aabb2<Number>& b, const Vector2<Number>& v) {
   return CommonScale<Number, 10>({a.min.x, a.max.x, b.min.x, b.max.x, v.x, a.min.y, a.max.y, b.min.y, b.max.y, v.y});
@@ -76,7 +76,7 @@ class SweptAabbAabbProgram {
   Rational variable(std::size_t i) const {
     return quotient(program_.numerator(static_cast<int>(i)), program_.denominator());
   }
-  /// Of a program that is contradicted: what the sum of the rows has of p - t velocity being in a.
+  /// For a contradictory program: the coefficient in the sum of the rows of p - t velocity being in a.
   Rational normal(std::size_t axis) const {
     const auto& y = program_.farkas();
     return rational(Value(y[3 * axis + 3] - y[3 * axis + 2]));
@@ -88,7 +88,7 @@ class SweptAabbAabbProgram {
   bool hits_;
 };
 
-/// height + t slope <= 0 wants one axis.
+/// Requires height + t slope <= 0 on one axis.
 struct Line {
   Integer height, slope;
   std::size_t axis;

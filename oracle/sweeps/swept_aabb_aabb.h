@@ -15,8 +15,8 @@ namespace touchstone::oracle {
 /// axis, low - t v <= 0 or t v - high <= 0, is a line over t. Where two lines of different axes, one of which falls and
 /// the other rises, meet, neither is lower than that before and after; the least value in [0, 1] of a line alone counts
 /// too. The greatest of all these values is positive where the boxes never meet, and then it is their least distance;
-/// else its magnitude is the way out. (Two lines of one axis meet half of both extents below 0, where only invalid
-/// boxes would get.)
+/// otherwise its magnitude is the distance to leave. (Two lines of one axis meet half of both extents below 0, where
+/// only invalid boxes would get.)
 ///
 /// Certificate: hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and
 /// approaches it ("first_contact"). never: a `normal` along which a is before b at the start and at the end

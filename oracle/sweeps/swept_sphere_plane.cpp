@@ -11,7 +11,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// E at the start, what it gains in a step, r^2 and N . N.
+/// E at the start, its change in a step, r^2 and N . N.
 struct Approach {
   Rational height, rise, squared_radius, squared_normal;
 

@@ -9,7 +9,7 @@
 namespace touchstone::oracle {
 
 /// Truth: with c and v the position and velocity of a as b sees them, f(t) = |c + t v|^2 - (ra + rb)^2, an integer
-/// polynomial over the common scale. 0 where f(0) <= 0; else Sturm's chain of f counts its zeros in (0, 1] by changes
+/// polynomial over the common scale. 0 if f(0) <= 0; otherwise Sturm's chain of f counts its zeros in (0, 1] by changes
 /// of sign, and the first is the smaller root, an exact surd. Margin: the absolute value of the least f(t) of all t in
 /// [0, 1], where the vertex of f or an end of the step is: a difference of squared lengths, the least squared distance
 /// of the centers minus the squared sum of the radii. 0 for a sweep that is tangent, a touch at the start that parts, a

@@ -22,7 +22,7 @@ CommonScale<Number, 12> scale_of_aabb_aabb(const Aabb3<Number>& a, const Aabb3<N
       {a.min.x, a.max.x, b.min.x, b.max.x, a.min.y, a.max.y, b.min.y, b.max.y, a.min.z, a.max.z, b.min.z, b.max.z});
 }
 
-/// What is asked of a common point's coordinate on one axis, in units of the scale.
+/// The conditions on a common point's coordinate on one axis, in units of the scale.
 template <class Value>
 struct Inequalities {
   Value a_min, a_max, b_min, b_max;
@@ -31,7 +31,7 @@ struct Inequalities {
   Value low() const { return std::max(a_min, b_min); }
   Value high() const { return std::min(a_max, b_max); }
   bool hold(const Value& x) const { return a_min <= x && x <= a_max && b_min <= x && x <= b_max; }
-  /// Of the middle between low and high.
+  /// Tests the middle between low and high.
   bool hold_strictly() const {
     const Value twice(low() + high());
     return 2 * a_min < twice && twice < 2 * a_max && 2 * b_min < twice && twice < 2 * b_max;
@@ -57,7 +57,7 @@ Contact contact_of(const Axes& axes) {
   return inside ? Contact::overlapping : Contact::touching;
 }
 
-/// The axis of the least difference: what decides.
+/// The axis of the least difference, which decides.
 template <class Axes>
 std::size_t deciding_aabb_aabb(const Axes& axes) {
   const auto least = std::min_element(axes.begin(), axes.end(), [](const auto& first, const auto& second) {
@@ -66,8 +66,8 @@ std::size_t deciding_aabb_aabb(const Axes& axes) {
   return static_cast<std::size_t>(least - axes.begin());
 }
 
-/// The axes of valid boxes; refuses others. (Validation itself builds the names of fields, which costs more than all
-/// else here.)
+/// The axes of valid boxes; refuses others. (The validation itself builds the names of fields, which costs more than
+/// everything else here.)
 template <class Value, class Box, class Scale>
 auto validated_aabb_aabb(const Scale& n, const Box& a, const Box& b) {
   const auto validate = [&a, &b] {

@@ -28,7 +28,7 @@ std::vector<Column> columns(const std::vector<Point3<Number>>& points) {
   return all;
 }
 
-/// The places of the least number and of the greatest.
+/// The indices of the least number and of the greatest.
 std::pair<std::size_t, std::size_t> ends(const Column& numbers) {
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -41,7 +41,7 @@ struct Extents {
   std::function<Certificate()> certificate;
 };
 
-/// Refuses what is not valid.
+/// Refuses invalid input.
 template <class Points>
 Extents extents(const Points& points) {
   validation::validate_points("points", points);

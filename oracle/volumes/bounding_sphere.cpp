@@ -16,7 +16,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The points counted in units.
+/// The points in units.
 struct Counted {
   WholePoints points;
   Rational unit;
@@ -30,14 +30,14 @@ struct Counted {
   Point3<Rational> actual(const Point3<Integer>& n, const Integer& d) const {
     return {actual(n.x, d), actual(n.y, d), actual(n.z, d)};
   }
-  /// Of a number that counts squares of units.
+  /// Converts a number in squares of units.
   Rational squared(const Integer& n, const Integer& d) const {
     const Integer square(d * d);
     return Rational(actual(n, square) * unit);
   }
 };
 
-/// So that the unit is no smaller than it need be: points times a power of two have the same integers.
+/// Keeps the unit as large as possible: points times a power of two have the same integers.
 void without_common_twos(WholeList& list) {
   mp_bitcnt_t twos = ~mp_bitcnt_t{0};
   for (const Integer& n : list.whole)
@@ -47,7 +47,7 @@ void without_common_twos(WholeList& list) {
   list.unit *= Rational(Integer(1) << twos);
 }
 
-/// Refuses what is not valid.
+/// Refuses invalid input.
 template <class Number>
 Counted counted(const std::vector<Point3<Number>>& points) {
   if constexpr (std::is_same_v<Number, double>) validation::validate_points("points", points);
@@ -91,8 +91,8 @@ WholeBall around_middle(const WholePoints& points, SphereMethod method) {
   return reaching_farthest(sum, Integer(static_cast<unsigned long>(points.size())), points);
 }
 
-/// Binary digits of ritter's ball below the unit: what a point beside one far away changes is often as much smaller as
-/// the square of what it is beside that.
+/// Binary digits of ritter's ball below the unit: the effect of a point near another, compared with a distant one, is
+/// often as small as the square of their ratio.
 unsigned digits_below(const WholePoints& points) {
   std::size_t most = 0;
   for (const auto& p : points)
@@ -136,7 +136,7 @@ Truth<Sphere3<Surd>> truth_of_bounding_sphere(const std::vector<Point3<Number>>&
 
 Rational power_of_two(int exponent) { return scaled(Rational(1), exponent); }
 
-/// How many units in the last place a ball of this method may be too large.
+/// The number of units in the last place by which a ball of this method may be too large.
 long most_units(SphereMethod method, std::size_t points) {
   const long n = static_cast<long>(points);
   return method == SphereMethod::centroid ? n + 4 : method == SphereMethod::ritter ? 4 * n + 4 : 4;
@@ -148,7 +148,7 @@ std::string written(double value) {
   return text;
 }
 
-/// The point that is farthest outside of the ball, and how far.
+/// The point that is farthest outside of the ball, and its distance.
 std::string lost(const std::vector<Point3d>& points, const Sphere3d& ball) {
   const Rational radius = exact(ball.radius), square(radius * radius);
   Rational greatest = square;

@@ -25,7 +25,7 @@ Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3d>& points, SphereM
 template <Exact Number>
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method);
 
-/// What is wrong with a ball that is said to be the method's, in the words of the contract
+/// The defect of a ball that is claimed to be the method's, in the words of the contract
 /// (reference/volumes/bounding_sphere.h); "" if it is right, ours or not.
 std::string bounding_sphere_defect(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball);
 

@@ -22,7 +22,7 @@ CommonScale<Number, 9> scale_of_closest_point_on_aabb(const Point3<Number>& p, c
 
 using Nearest = NearestInInterval<Rational>;
 
-/// Refuses what is not valid.
+/// Refuses invalid input.
 template <class Point, class Box>
 auto nearest_by_axis(const Point& point, const Box& aabb) {
   const auto n = scale_of_closest_point_on_aabb(point, aabb);

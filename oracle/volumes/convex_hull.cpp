@@ -21,10 +21,10 @@ Integer greatest(const Vector3<Integer>& v) {
   return std::max({Integer(abs(v.x)), Integer(abs(v.y)), Integer(abs(v.z))});
 }
 
-/// Of the faces; none where all points are in one plane.
+/// The rings of the faces; empty if all points are coplanar.
 using Rings = std::vector<std::vector<Index>>;
 
-/// In units to the third power.
+/// The margin in units to the third power.
 std::optional<Integer> margin_of_convex_hull(const WholeCloud& cloud, const Rings& rings) {
   if (cloud.size() == 1) return std::nullopt;
   const Integer width = greatest(cloud.between(0, 1));
@@ -63,7 +63,7 @@ ConvexHull hull_of_convex_hull(const WholeCloud& cloud, const std::vector<Index>
   return {3, {}, {}, {}, faces};
 }
 
-/// The places that an answer names, each once; empty where its fields are not those of its dimension.
+/// The distinct indices of an answer; empty if its fields are not those of its dimension.
 std::vector<Index> named_by_convex_hull(const ConvexHull& hull) {
   if (hull.point.has_value() != (hull.dimension == 0) || hull.segment.has_value() != (hull.dimension == 1) ||
       hull.polygon.has_value() != (hull.dimension == 2) || hull.faces.has_value() != (hull.dimension == 3)) {
@@ -100,8 +100,8 @@ Truth<ConvexHull> truth_convex_hull(const std::vector<Point3<Number>>& points) {
 
 std::string outside(Index p) { return "outside is point " + std::to_string(p); }
 
-/// A ring that turns left about the normal of its plane, which holds all points, with every point on the left of every
-/// edge or on it: as in convex_hull_2d.cpp.
+/// Requires a ring that turns left about the normal of its plane, which contains all points, with every point on the
+/// left of every edge or on it: as in convex_hull_2d.cpp.
 std::string polygon_defect(const WholeCloud& cloud, const std::vector<Index>& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return "fewer than three vertices";
@@ -118,10 +118,10 @@ std::string polygon_defect(const WholeCloud& cloud, const std::vector<Index>& ri
   return "";
 }
 
-/// Whether the normals of the faces at a corner span space: then it is the one point that all their planes have in
+/// True if the normals of the faces at a corner span space: then it is the one point that all their planes have in
 /// common.
 bool is_extreme(const std::vector<Vector3<Integer>>& normals) {
-  std::optional<Vector3<Integer>> across;  // the direction of the planes that have been seen
+  std::optional<Vector3<Integer>> across;  // the direction of the planes so far
   for (const Vector3<Integer>& n : normals) {
     if (across && sgn(dot(*across, n)) != 0) return true;
     if (!across && !zero(cross(normals[0], n))) across = cross(normals[0], n);

@@ -13,12 +13,12 @@ namespace {
 
 bool before(const Point2<Integer>& p, const Point2<Integer>& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
-/// Seen from p, where q and r lie in one direction.
+/// True if q is farther from p than r, which lies in the same direction.
 bool farther(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
   return abs(q.x - p.x) + abs(q.y - p.y) > abs(r.x - p.x) + abs(r.y - p.y);
 }
 
-/// Seen from an extreme point all others lie within less than half a turn: turns from one to another order them.
+/// As seen from an extreme point all others lie within less than half a turn: turns from one to another order them.
 std::vector<Index> wrapped(const WholeRing& points) {
   Index least = 0;
   for (Index i = 1; i < points.size(); ++i) {
@@ -38,7 +38,8 @@ std::vector<Index> wrapped(const WholeRing& points) {
   }
 }
 
-/// Of an edge of the ring and a point that is no end of it, over all of them. No point lies on the right of an edge.
+/// The least value over an edge of the ring and a point that is not its end, over all of them. No point lies on the
+/// right of an edge.
 template <class Value, class Point>
 Value least_area(const std::vector<Point>& points, const std::vector<Index>& ring) {
   std::optional<Value> least;
@@ -89,7 +90,7 @@ Truth<ConvexHull2> truth_convex_hull_2d(const std::vector<Point2<Number>>& point
           }};
 }
 
-/// The places that an answer names; empty where its fields are not those of its dimension.
+/// The indices of an answer; empty if its fields are not those of its dimension.
 std::vector<Index> named_by_convex_hull_2d(const ConvexHull2& hull) {
   if (hull.point.has_value() != (hull.dimension == 0) || hull.segment.has_value() != (hull.dimension == 1) ||
       hull.polygon.has_value() != (hull.dimension == 2)) {

@@ -20,7 +20,7 @@ struct Meeting {
     return std::min(
         {Rational(a_max - a_min), Rational(a_max - b_min), Rational(b_max - a_min), Rational(b_max - b_min)});
   }
-  /// Of what both have in common; between them where they have nothing.
+  /// A value in the intersection; between them if it is empty.
   Rational middle() const { return Rational((std::max(a_min, b_min) + std::min(a_max, b_max)) / 2); }
 };
 

@@ -21,7 +21,7 @@ struct Height {
   Rational value, size;
 };
 
-/// Of all points over one normal, and their places from the least value to the greatest.
+/// The heights of all points over one normal, and their indices from the least value to the greatest.
 struct Heights {
   std::vector<Height> of;
   std::vector<std::size_t> order;
@@ -29,7 +29,7 @@ struct Heights {
   const Rational& greatest() const { return of[order.back()].value; }
 };
 
-/// For every normal; refuses what is not valid.
+/// For every normal; refuses invalid input.
 template <class Number>
 std::vector<Heights> heights(const std::vector<Point3<Number>>& points, const std::vector<Vector3<Number>>& normals) {
   validation::validate_numbers("points", points), validation::validate_numbers("normals", normals);
@@ -70,7 +70,7 @@ Truth<std::vector<Slab<Rational>>> truth_kdop_of_points(const std::vector<Point3
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// "2.776e-17", also where a double would be 0.
+/// "2.776e-17", even if a double would be 0.
 std::string decimal(const Rational& value) {
   std::array<char, 64> text{};
   const mpf_class rounded(value, 128);
@@ -78,7 +78,7 @@ std::string decimal(const Rational& value) {
   return text.data();
 }
 
-/// How far outwards an end may be of the exact one, the contract's t, and S + t.
+/// The allowed distance of an end outwards from the exact one, the contract's t, and S + t.
 struct Allowance {
   Rational t, reach;
   explicit Allowance(const Heights& heights) {
@@ -89,7 +89,7 @@ struct Allowance {
   }
 };
 
-/// Of an upper end; a lower one is one of the opposite normal. `greatest` is the exact one.
+/// The defect of an upper end; a lower one is that of the opposite normal. `greatest` is the exact one.
 std::string defect_of_end(double end, const Rational& greatest, const Allowance& allowed) {
   const Rational largest = exact(std::numeric_limits<double>::max());
   if (end == infinity) return greatest > largest || allowed.reach > largest ? "" : "infinite, which is too far out";

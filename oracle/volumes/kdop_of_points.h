@@ -20,8 +20,8 @@ template <Exact Number>
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Number>>& points,
                                                   const std::vector<Vector3<Number>>& normals);
 
-/// What is wrong with slabs in doubles: the point that is farthest outside of the first slab that loses one, and how
-/// far; else the end that is too far out, or that is no number. "" if they are right, ours or not.
+/// The defect of slabs in doubles: the point that is farthest outside of the first slab that loses one, and its
+/// distance; otherwise the end that is too far out, or not a number. "" if they are right, ours or not.
 std::string kdop_of_points_defect(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals,
                                   const std::vector<Slabd>& slabs);
 

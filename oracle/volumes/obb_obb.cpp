@@ -8,7 +8,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The half axes of both as edges, and the way from a's center to b's, in units of the scale.
+/// The half axes of both as edges, and the displacement from a's center to b's, in units of the scale.
 template <class Number>
 struct ObbObbPair {
   CommonScale<Number, 24> scale;
@@ -36,7 +36,7 @@ ObbObbPair<Number> validated_obb_obb(const Obb3<Number>& a, const Obb3<Number>& 
 Certificate certificate_obb_obb(const Zonotope::Held& held, const Vector3<Integer>& n) {
   const std::pair<std::string, std::vector<Rational>> normal{"normal", {Rational(n.x), Rational(n.y), Rational(n.z)}};
   if (held.growth > 1) return {"separating_axis", {normal}};
-  // a's center and its half axes times these make the same point as b's center less its half axes times the others.
+  // a's center plus its half axes times these is the same point as b's center minus its half axes times the others.
   const auto& r = held.coefficients;
   Certificate found{"common_interior_point",
                     {{"on_a", {r[0], r[1], r[2]}}, {"on_b", {Rational(-r[3]), Rational(-r[4]), Rational(-r[5])}}}};

@@ -15,7 +15,7 @@ namespace touchstone::oracle {
 /// face: overlapping, from the nearest (the shortest way that parts the boxes, squared); disjoint, from the farthest of
 /// those that it lies beyond (so the boxes are no nearer than that).
 ///
-/// Certificate: disjoint: "separating_axis" (`normal`). Else a common point by its coefficients `on_a`, `on_b`;
+/// Certificate: disjoint: "separating_axis" (`normal`). Otherwise a common point by its coefficients `on_a`, `on_b`;
 /// overlapping: "common_interior_point"; touching: "supporting_axis" (`normal` on which the boxes have no more than a
 /// point in common).
 Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b);

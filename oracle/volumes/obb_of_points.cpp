@@ -54,7 +54,7 @@ Rational simplest(const Rational& low, const Rational& high) {
   return Rational(floor + 1 / simplest(Rational(1 / Rational(high - floor)), Rational(1 / Rational(low - floor))));
 }
 
-/// Nearly the direction of a vector that is not 0, as small integers; those themselves that it has, if they are small.
+/// Approximates the direction of a nonzero vector by small integers; exact if it has small ones.
 Way shortened(const Way& v) {
   const std::array<Integer, 3> part = parts(v);
   const Integer greatest = std::max({Integer(abs(v.x)), Integer(abs(v.y)), Integer(abs(v.z))});
@@ -74,13 +74,13 @@ Way shortened(const Way& v) {
   return {whole(0), whole(1), whole(2)};
 }
 
-/// Without a common factor.
+/// Divides by the common factor.
 Way primitive(const Way& v) {
   Integer common = gcd(Integer(gcd(v.x, v.y)), v.z);
   return {Integer(v.x / common), Integer(v.y / common), Integer(v.z / common)};
 }
 
-/// The direction in which a symmetric matrix without negative eigenvalues, which is not 0, stretches the most.
+/// The direction that a nonzero symmetric matrix without negative eigenvalues stretches the most.
 Way greatest_stretch(Matrix m) {
   for (int time = 0; time < 12; ++time) {
     m = product(m, m);
@@ -97,23 +97,23 @@ Way greatest_stretch(Matrix m) {
   return shortened({m[0][k], m[1][k], m[2][k]});
 }
 
-/// n . n times what a vector has across n.
+/// n . n times the part of a vector perpendicular to n.
 Way across(const Way& n, const Way& v) { return dot(n, n) * v - dot(n, v) * n; }
 
-/// Some vector at a right angle to n, not 0.
+/// Some nonzero vector perpendicular to n.
 Way beside(const Way& n) {
   const Integer x = abs(n.x), y = abs(n.y), z = abs(n.z);
   if (x <= y && x <= z) return cross(n, Way{1, 0, 0});
   return y <= z ? cross(n, Way{0, 1, 0}) : cross(n, Way{0, 0, 1});
 }
 
-/// The same of n, near v if that is possible.
+/// The same for n, near v if that is possible.
 Way beside(const Way& n, const Way& v) {
   const Way found = across(n, v);
   return zero(found) ? beside(n) : found;
 }
 
-/// At right angles, none of them 0.
+/// Perpendicular axes, none of them 0.
 std::array<Way, 3> axes_of(const WholeCloud& cloud) {
   const auto with = [](const Way& one, const Way& other) -> std::array<Way, 3> {
     const Way a = primitive(one), b = primitive(other);
@@ -139,9 +139,9 @@ std::array<Way, 3> axes_of(const WholeCloud& cloud) {
   return with(first, beside(first, greatest_stretch(product(project, product(spread, project)))));
 }
 
-/// Along one axis.
+/// The ends along one axis.
 struct Ends {
-  std::size_t least = 0, most = 0;  ///< places of points
+  std::size_t least = 0, most = 0;  ///< indices of points
   Integer low, high;
   Ends(const WholeCloud& cloud, const Way& axis) : low(cloud.along(axis, 0)), high(low) {
     for (Index i = 1; i < cloud.size(); ++i) {

@@ -22,8 +22,8 @@ Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points);
 template <Exact Number>
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points);
 
-/// What is wrong with a box, in the words of the contract (reference/volumes/obb_of_points.h): first of all the point
-/// that is farthest outside, and how far. "" if it is right, ours or not.
+/// The defect of a box, in the words of the contract (reference/volumes/obb_of_points.h): first of all the point that
+/// is farthest outside, and its distance. "" if it is right, ours or not.
 std::string obb_of_points_defect(const std::vector<Point3d>& points, const Obb3d& box);
 std::string obb_of_points_defect(const std::vector<Point3d>& points, const Obb3<Rational>& box);
 

@@ -11,13 +11,13 @@
 namespace touchstone::oracle {
 namespace {
 
-/// What one slab says of the point.
+/// The location of the point in one slab.
 struct Depth {
   Rational squared;  ///< the distance from the nearer plane, squared, negative beyond it
   Rational value;    ///< N . P
 };
 
-/// Of all slabs; refuses what is not valid.
+/// The least depth over all slabs; refuses invalid input.
 template <class Number>
 std::vector<Depth> depths(const Kdop3<Number>& kdop, const Point3<Number>& point) {
   validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),

@@ -9,7 +9,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// The solid around its center, and the way from there to the point, in units of the scale.
+/// The solid around its center, and the displacement from there to the point, in units of the scale.
 template <class Number>
 struct Question {
   CommonScale<Number, 15> scale;

@@ -56,7 +56,7 @@ BallAndBox<Value, N / 3> solids_of(const CommonScale<Number, N>& n) {
   return solids;
 }
 
-/// The solids; refuses what is not valid.
+/// The solids; refuses invalid input.
 template <class Value, class Scale, class Ball, class Box>
 auto validated_sphere_aabb(const Scale& n, const Ball& sphere, const Box& aabb) {
   const auto validate = [&] {
@@ -70,9 +70,10 @@ auto validated_sphere_aabb(const Scale& n, const Ball& sphere, const Box& aabb) 
   return solids;
 }
 
-/// From the nearest point x a part t of the way w to the middle of the box: inside it for t > 0, because on each axis
-/// the middle is. The squared distance from the center grows by 2 t (x - c) . w + t^2 w . w, which is less than the
-/// depth for t = depth / (depth + 2 (x - c) . w + w . w) <= 1; (x - c) . w is not negative, since x is nearest.
+/// From the nearest point x a fraction t of the displacement w to the middle of the box: inside it for t > 0, because
+/// on each axis the middle is. The squared distance from the center grows by 2 t (x - c) . w + t^2 w . w, which is less
+/// than the depth for t = depth / (depth + 2 (x - c) . w + w . w) <= 1; (x - c) . w is not negative, since x is
+/// nearest.
 template <class Solids>
 std::vector<Rational> common_interior_point(const Solids& solids) {
   const Rational depth = rational(solids.depth());

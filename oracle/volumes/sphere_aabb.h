@@ -13,8 +13,8 @@ namespace touchstone::oracle {
 /// there are interior points of the box. On integers.
 ///
 /// Margin: with S the squared distance of the center from the box and R the square of the radius, S - R where they are
-/// disjoint; else the lesser of R - S and of the least squared extent of the box: 0 for a tangent ball, a point, and a
-/// flat box that meets the ball.
+/// disjoint; otherwise the lesser of R - S and of the least squared extent of the box: 0 for a tangent ball, a point,
+/// and a flat box that meets the ball.
 ///
 /// Certificate: disjoint: "nearest_point" (`point` of the box, farther than the radius). overlapping:
 /// "common_interior_point" (`point`). touching: a common `point`, and why there is no interior one: "tangent" (it is

@@ -25,7 +25,7 @@ CommonScale<Number, 8> scale_of_sphere_sphere(const Sphere3<Number>& a, const Sp
 /// In units of the scale.
 template <class Value, std::size_t Axes>
 struct SphereSpherePair {
-  std::array<Value, Axes> from, between;  ///< the center of a; the way from there to the center of b
+  std::array<Value, Axes> from, between;  ///< the center of a; the displacement from there to the center of b
   Value r, s;
 
   Value squared_distance() const {
@@ -34,7 +34,7 @@ struct SphereSpherePair {
     return sum;
   }
   Value squared_reach() const { return Value((r + s) * (r + s)); }
-  /// Its sign tells the contact.
+  /// Its sign determines the contact.
   Value depth() const { return Value(squared_reach() - std::max({squared_distance(), Value(r * r), Value(s * s)})); }
 };
 
@@ -49,7 +49,7 @@ SphereSpherePair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
   return pair;
 }
 
-/// Refuses what is not valid.
+/// Refuses invalid input.
 template <class Scale, class Solid>
 void validate_sphere_sphere(const Scale& n, const Solid& a, const Solid& b) {
   if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius))
@@ -61,7 +61,8 @@ template <class Scale, class SphereSpherePair>
 Certificate certificate_sphere_sphere(const Scale& n, const SphereSpherePair& pair) {
   const auto distance = pair.squared_distance(), reach = pair.squared_reach();
   if (distance > reach) return {"distance", {{"squared_distance", {n.actual(rational(distance), 2)}}}};
-  // It divides the way from center to center as the radii do, so it is in both, and inside where that can be.
+  // It divides the line between the centers in the ratio of the radii, so it is in both, and inside if that is
+  // possible.
   const Rational share =
       sgn(reach) == 0 ? Rational(0) : Rational(rational(pair.r) / (rational(pair.r) + rational(pair.s)));
   std::vector<Rational> point;

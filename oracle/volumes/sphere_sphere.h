@@ -9,7 +9,7 @@ namespace touchstone::oracle {
 
 /// Truth: let d be the distance of the centers and r, s the radii, all of them lengths of segments. The balls have a
 /// common point exactly if (r + s)^2 >= d^2, and a common interior point exactly if neither is a point, r + s > r and
-/// r + s > s, and r + s > d. So all is told by the sign of (r + s)^2 - max(d^2, r^2, s^2); the last two squares are
+/// r + s > s, and r + s > d. So the sign of (r + s)^2 - max(d^2, r^2, s^2) decides; the last two squares are
 /// never greater than the first. On integers.
 ///
 /// Margin: the magnitude of that, a difference of squared lengths. The balls are disjoint where it is negative,

@@ -71,7 +71,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
                          ? refused
                          : InvalidInput(refused.field(), refused.rule() + " (did you mean " + option + "?)"));
     } catch (const std::bad_alloc&) {
-      refuse(number, InvalidInput("line", "answered in the memory there is"));
+      refuse(number, InvalidInput("line", "out of memory"));
     }
   };
   const std::uint64_t lines = command.geojson ? each_json_text(file, answer) : each_line(file, answer);

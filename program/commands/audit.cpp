@@ -52,7 +52,7 @@ Limits limits_named(const std::string& text) {
   return {*least, *most};
 }
 
-/// The directory of the report is made, and can be written into, before the first question.
+/// Creates the report's directory, and checks that it is writable, before the first question.
 void require_directory(const std::string& directory, double seconds) {
   if (directory.empty() && seconds > 0)
     throw UsageError("--report-seconds: expected --report too, whose maps it limits");
@@ -68,7 +68,7 @@ void require_directory(const std::string& directory, double seconds) {
 std::optional<Tally> earlier_audit(const AuditCommand& command) {
   if (command.before.empty()) return std::nullopt;
   if (command.report_directory.empty())
-    throw UsageError("--before " + command.before + ": expected --report too, which shows the two beside each other");
+    throw UsageError("--before " + command.before + ": expected --report too, which shows the two side by side");
   const std::string text = text_of_file(command.before, "--before");
   try {
     return read_tally(text);
@@ -77,7 +77,7 @@ std::optional<Tally> earlier_audit(const AuditCommand& command) {
   }
 }
 
-/// What makes an audit this one.
+/// The parameters that identify this audit.
 Json named(const AuditCommand& command, const Shard& shard) {
   return {{"audit", command.operations}, {"engine", command.engine}, {"families", command.families},
           {"cases", command.cases},      {"seed", command.seed},     {"seconds", written(command.seconds)},
@@ -85,7 +85,7 @@ Json named(const AuditCommand& command, const Shard& shard) {
           {"shard", shard.text()}};
 }
 
-/// What cannot be written is said of --report.
+/// Attributes write errors to --report.
 void reporting(const std::function<void()>& write) {
   try {
     write();
@@ -100,7 +100,7 @@ constexpr const char* how_to_see_more =
 
 int exit_code(const Tally& tally, bool failed, std::ostream& err) {
   if (tally.interrupted) {
-    err << "touchstone: interrupted; what had been counted until then is what was written\n";
+    err << "touchstone: interrupted; the results so far were written\n";
     return interrupted;
   }
   if (failed) return findings;
@@ -185,7 +185,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   else readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
   if (tally.interrupted && shard.named()) {
     err << "touchstone: interrupted, nothing is written"
-        << (checkpoint.file().empty() ? "" : "; the same command goes on from ") << checkpoint.file() << '\n';
+        << (checkpoint.file().empty() ? "" : "; the same command resumes from ") << checkpoint.file() << '\n';
     return interrupted;
   }
   const GateResult result = finish_gate(command.gate, gate, tally, readable);

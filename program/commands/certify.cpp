@@ -9,7 +9,8 @@
 namespace touchstone::program {
 namespace {
 
-/// Why the claim is not about these meshes or not proved. Where its input lacks one of their fields, it is the mesh.
+/// The reason why the claim is not about these meshes or not proved. If its input lacks one of their fields, the mesh
+/// is inserted.
 std::optional<std::string> refuse_about(const FileMeshes& meshes, const std::string& text) {
   nlohmann::json claim = nlohmann::json::parse(text, nullptr, false);
   if (!claim.is_object() || !claim.contains("input") || !claim["input"].is_object()) return certify::refuse(claim);

@@ -22,7 +22,7 @@ std::string shown(const Json& value) { return excerpt(one_line(value), most_show
 
 bool is_wrong(Verdict verdict) { return is_finding(verdict) || verdict == Verdict::tolerance; }
 
-/// What the engine says to the easy questions of one operation.
+/// The engine's answers to the easy questions of one operation.
 struct Connection {
   struct Wrong {
     Json input, expected, got;
@@ -30,7 +30,7 @@ struct Connection {
   };
   std::size_t asked = 0, right = 0, declined = 0;
   std::vector<Wrong> wrong;
-  std::map<std::string, std::string> said;  ///< truth's enumerator -> the answer's; empty where that differs
+  std::map<std::string, std::string> said;  ///< truth's enumerator -> the answer's; empty if that varies
 };
 
 Connection connection_of(Engine& engine, const Operation& operation) {
@@ -59,7 +59,7 @@ Connection connection_of(Engine& engine, const Operation& operation) {
   return connection;
 }
 
-/// "left is said for right, right is said for left", where every answer is right but for names that are exchanged.
+/// "left is said for right, right is said for left", if every answer is right except that names are exchanged.
 std::string exchanged_names(const Connection& connection) {
   std::string text;
   for (const auto& [truth, said] : connection.said) {
@@ -72,7 +72,7 @@ std::string exchanged_names(const Connection& connection) {
   return text;
 }
 
-/// The answers are of the kind that is asked for, but some are wrong: a bug of the engine, not of its connection.
+/// The answers have the right form, but some are wrong: a bug of the engine, not of its connection.
 bool is_connected(const Connection& connection) {
   const bool malformed = std::any_of(connection.wrong.begin(), connection.wrong.end(), [](const auto& wrong) {
     return wrong.judgement.verdict == Verdict::invalid || wrong.judgement.verdict == Verdict::tolerance;
@@ -116,7 +116,7 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
   PipeLimits limits;
   limits.timeout = command.timeout;
   limits.start_timeout = 2 * command.timeout;
-  limits.timeouts = 1;  // what is silent once is not connected
+  limits.timeouts = 1;  // an engine that times out once is not connected
   limits.restarts_in_a_row = 2;
   PipeEngine engine(command.engine, limits, nullptr, &notes);
   const Declaration& declared = engine.declaration();

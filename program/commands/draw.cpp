@@ -11,7 +11,8 @@ namespace {
 
 using Visit = std::function<void(const std::string& family, std::uint64_t index, const Examination&)>;
 
-/// So many questions of a family in a row outside the contract, or not of ordinary size, mean that it has no others.
+/// After this many questions in a row that are outside the contract, or not of ordinary magnitude, a family is given
+/// up.
 constexpr std::uint64_t most_refused = 1000;
 
 /// One family's questions within the contract, in the order in which an audit of the same seed asks them.
@@ -20,7 +21,7 @@ class Questions {
   Questions(const Operation& operation, std::size_t family, const DrawCommand& command)
       : operation_(&operation), family_(family), command_(&command) {}
 
-  /// Whether there was one: false where a thousand in a row are not wanted.
+  /// Returns whether there was one: false after a thousand unwanted ones in a row.
   bool visit_next(const Visit& visit) {
     for (std::uint64_t refused = 0; refused < most_refused; ++refused) {
       const std::uint64_t index = index_++;
@@ -42,7 +43,7 @@ class Questions {
   }
 
  private:
-  /// nullptr where the oracle refuses the question.
+  /// nullptr if the oracle refuses the question.
   std::unique_ptr<Examination> within_the_contract(const Question& question) const {
     try {
       return operation_->examine(question);
@@ -92,7 +93,7 @@ void draw_questions(const DrawCommand& command, const Visit& visit) {
     } else if (!chosen.empty() || families.size() == 1) {
       throw UsageError(families[turn].refusal());
     } else {
-      families.erase(families.begin() + static_cast<std::ptrdiff_t>(turn));  // nobody asked for it by name
+      families.erase(families.begin() + static_cast<std::ptrdiff_t>(turn));  // it was not requested by name
     }
   }
 }

@@ -16,12 +16,11 @@
 namespace touchstone::program {
 namespace {
 
-/// The configurations of a grid, asked by one job: our reference, or an engine that is asked many at a time, and
-/// robust.
+/// The configurations of a grid for one job: asked of our reference, or of an engine, many at a time, and of robust.
 class Job {
  public:
   using Start = std::function<std::unique_ptr<Engine>()>;
-  /// The engine is started when it is first needed.
+  /// The engine is started on first use.
   Job(const Operation& operation, const ExhaustCommand& command, Start start)
       : operation_(operation), grid_(command.grid), list_length_(command.list_length), start_(std::move(start)) {}
 
@@ -30,7 +29,7 @@ class Job {
     for (std::uint64_t i = share.first; i < share.last; ++i) examine(i);
     ask();
   }
-  /// Since they were last taken.
+  /// The answers since the last call.
   Cell take_answers() { return std::exchange(answers_, {}); }
   Cell take_robust() { return std::exchange(robust_, {}); }
 
@@ -100,7 +99,7 @@ int examinations(const Operation& operation, const ExhaustCommand& command, cons
   GridRun run(operation, command, shard, err);
   EngineNotes notes;
   const auto start = [&] { return engine_for(operation, command.engine, command.timeout, notes); };
-  const std::unique_ptr<Engine> first = start();  // what is wrong with it is said before anything is asked
+  const std::unique_ptr<Engine> first = start();  // reports its defects before anything is asked
   Tally tally;
   tally.declaration = first != nullptr ? first->declaration() : reference_declaration();
   tally.cases = run.total();
@@ -129,7 +128,7 @@ int examinations(const Operation& operation, const ExhaustCommand& command, cons
   write_file("--json", command.json_file, tally_json(tally));
   run.finish();
   if (tally.has_findings()) return findings;
-  if (shard.of > 1 || sum_of(tally.operations).cases() > 0) return nothing_found;  // a shard of many may be empty
+  if (shard.of > 1 || sum_of(tally.operations).cases() > 0) return nothing_found;  // one of many shards may be empty
   err << "touchstone: nothing was judged: no configuration on this grid is within the contract\n";
   return bad_usage;
 }
@@ -191,7 +190,7 @@ int exhaust_command(const ExhaustCommand& asked, std::ostream& out, std::ostream
   const Shard shard = shard_of(command.shard);
   require_writable("--json", command.json_file);
   if (command.decisions && !command.engine.empty())
-    throw UsageError("--decisions: expected without --engine, whose answers are no decisions alone");
+    throw UsageError("--decisions cannot be combined with --engine: an engine returns full answers");
   tell(shard, err);
   const auto run = command.decisions ? decisions : examinations;
   return run(operation, command, shard, out, err);

@@ -11,7 +11,7 @@
 namespace touchstone::program {
 namespace {
 
-/// The fields that are meshes, whichever of its alternatives a question takes.
+/// The fields that are meshes in every alternative of a question.
 std::vector<std::string> mesh_fields(const Shape& question) {
   std::vector<std::string> fields;
   for (const Shape::Part& part : question.parts) {

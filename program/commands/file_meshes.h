@@ -14,26 +14,26 @@
 
 namespace touchstone::program {
 
-/// The meshes that a command line names for fields of every question.
+/// The meshes that a command line gives for fields of every question.
 class FileMeshes {
  public:
-  /// named: "field=FILE", or FILE where the operation has one field that is a mesh. Throws UsageError for other words
-  /// and a field named twice, InvalidInput as reading and preparing do.
+  /// named: "field=FILE", or FILE if the operation has exactly one mesh field. Throws UsageError for other words and a
+  /// field named twice, and InvalidInput like reading and preparing.
   FileMeshes(const std::vector<std::string>& named, const Preparation& how, const Operation* operation = nullptr);
 
-  /// The fields with their meshes, as a parsed line has them.
+  /// The fields with their meshes, in the form of a parsed line.
   const Json& fields() const { return fields_; }
   /// The same, as the program writes them.
   const Json& written() const { return written_; }
-  /// What was read and done, on lines of their own.
+  /// Prints how they were read and prepared, one line each.
   void tell(std::ostream& err) const;
-  /// The members `places`, of one mesh, and `meshes`, what was done and would help, where there are such.
+  /// Adds the members `places`, for one mesh, and `meshes`, the preparation and hints, if there are any.
   void add_to(Json& line) const;
-  /// Writes the names of the files for the meshes.
+  /// Replaces the meshes by the names of their files.
   void name_in(Json& input) const;
-  /// The file of a field that one of them is for.
+  /// The file that gives a field.
   std::string file_of(const std::string& field) const;
-  /// A refusal of one of the fields as one of its file, with what would help.
+  /// Turns a refusal of one of the fields into one of its file, with hints.
   std::optional<InvalidInput> in_file(const InvalidInput& refused) const;
 
  private:

@@ -37,7 +37,7 @@ void collect(const Json& value, const std::string& path, Json& geometries) {
   else geometries.push_back(value);
 }
 
-/// What a field takes.
+/// The geometry that a field accepts.
 struct Wanted {
   std::string type;
   std::size_t axes = 0;
@@ -60,7 +60,7 @@ Wanted wanted_by(const Shape& shape) {
 
 /// Positions have as many numbers as the shape has axes.
 void require_axes(const Json& coordinates, std::size_t axes, const std::string& field) {
-  if (!coordinates.is_array() || coordinates.empty()) return;  // what the field's shape refuses
+  if (!coordinates.is_array() || coordinates.empty()) return;  // refused by the field's shape
   if (coordinates[0].is_array()) {
     for (const Json& inner : coordinates) require_axes(inner, axes, field);
   } else if (coordinates.size() > axes) {
@@ -71,7 +71,7 @@ void require_axes(const Json& coordinates, std::size_t axes, const std::string& 
   }
 }
 
-/// Of a MultiPolygon.
+/// The only polygon of a MultiPolygon.
 Json only_part(const Json& geometry, const std::string& field) {
   const Json& parts = part(geometry, field, "coordinates");
   if (!parts.is_array() || parts.size() != 1)
@@ -99,8 +99,8 @@ Json value_of(const Json& geometry, const Shape& shape, const std::string& field
   return coordinates[0];
 }
 
-/// In the order of the fields, where each field takes a kind that no other takes, and there is one geometry of each;
-/// else as they are.
+/// In the order of the fields, if each field accepts a kind that no other accepts, and there is one geometry of each;
+/// otherwise unchanged.
 Json in_order_of(const std::vector<const Shape::Part*>& fields, const Json& geometries) {
   Json ordered = Json::array();
   for (const Shape::Part* field : fields) {
@@ -141,7 +141,7 @@ Json geometries_of_geojson(const std::string& text) {
   return geometries;
 }
 
-/// Of several alternatives the first that takes the geometries, and none else says why.
+/// Among several alternatives the first that accepts the geometries; if none does, the error says why.
 Json input_of(const Operation& operation, const Json& geometries, const Json& given) {
   const Shape& question = operation.question_shape();
   if (question.kind != Shape::Kind::choice) return input_of_fields(question, geometries, given);

@@ -5,31 +5,31 @@
 #include "program/terminal/each_line.h"
 #include "program/terminal/uses.h"
 
-/// Questions as WKT and GeoJSON write them: a geometry for each field of the operation, in the order of the fields.
+/// Questions in WKT and GeoJSON: a geometry for each field of the operation, in the order of the fields.
 namespace touchstone::program {
 
-/// The geometries of a line of WKT, separated by semicolons, as GeoJSON writes geometries. Throws InvalidInput naming
-/// the column.
+/// The geometries of a line of WKT, separated by semicolons, in the form of GeoJSON. Throws InvalidInput naming the
+/// column.
 Json geometries_of_wkt(const std::string& line);
 
-/// Those of one GeoJSON text, which is a geometry, a GeometryCollection, a Feature or a FeatureCollection; properties
-/// and what else there may be are passed over. Throws InvalidInput naming the place.
+/// The geometries of one GeoJSON text, which is a geometry, a GeometryCollection, a Feature or a FeatureCollection;
+/// properties and other members are skipped. Throws InvalidInput naming the position.
 Json geometries_of_geojson(const std::string& text);
 
-/// The input with these geometries as its fields, but for those that are given already: in the order of the fields, or
-/// in any order where all fields take different kinds. A point takes a Point, a list of points a MultiPoint, a segment
+/// The input with these geometries as its fields, except those that are already given: in the order of the fields, or
+/// in any order if all fields accept different kinds. A point accepts a Point, a list of points a MultiPoint, a segment
 /// or line a LineString, a polygon a Polygon without holes or a MultiPolygon of one, in space with Z. Throws
 /// InvalidInput naming the field.
 Json input_of(const Operation& operation, const Json& geometries, const Json& given);
 
-/// The input of a question in text: JSON, or WKT or GeoJSON where one of these is said. `meshes`: fields from mesh
+/// The input of a question in text: JSON, or WKT or GeoJSON if one of these is selected. `meshes`: fields from mesh
 /// files. Throws InvalidInput.
 Json input_in(const std::string& text, bool wkt, bool geojson, const Operation& operation, const Json& meshes);
 
-/// The option for text that is WKT or GeoJSON by the look of it: "--wkt", "--geojson"; else empty.
+/// The option for text that looks like WKT or GeoJSON: "--wkt", "--geojson"; otherwise "".
 std::string option_for(const std::string& text);
 
-/// How deep a JSON text is within brackets after the lines so far.
+/// The nesting depth of a JSON text after the lines so far.
 class OpenBrackets {
  public:
   void read(const std::string& line);
@@ -39,8 +39,8 @@ class OpenBrackets {
   int depth_ = 0;
 };
 
-/// Calls visit(number of the first line, text) for each JSON text of a file, each of one line or more, as each_line
-/// does for lines.
+/// Calls visit(number of the first line, text) for each JSON text of a file, each of one line or more, like each_line
+/// for lines.
 template <class Visit>
 std::uint64_t each_json_text(const std::string& file, const Visit& visit) {
   std::string text;

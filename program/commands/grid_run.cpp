@@ -14,7 +14,7 @@
 namespace touchstone::program {
 namespace {
 
-/// So often it is seen how far the run is.
+/// The interval at which progress is checked.
 constexpr double seconds_of_a_round = 0.5;
 
 std::uint64_t configurations(const Operation& operation, const ExhaustCommand& command) {
@@ -70,7 +70,7 @@ bool GridRun::run(const std::function<void(std::size_t, Share)>& work, const std
   if (next_ == share_.last) return true;
   checkpoint_.keep_now(kept());
   err_ << "touchstone: interrupted, nothing is written"
-       << (checkpoint_.file().empty() ? "" : "; the same command goes on from ") << checkpoint_.file() << '\n';
+       << (checkpoint_.file().empty() ? "" : "; the same command resumes from ") << checkpoint_.file() << '\n';
   return false;
 }
 

@@ -12,22 +12,22 @@
 
 namespace touchstone::program {
 
-/// One shard of the configurations of a grid, from where a run that was stopped had come to.
+/// One shard of the configurations of a grid, continuing where an interrupted run ended.
 class GridRun {
  public:
   GridRun(const Operation& operation, const ExhaustCommand& command, const Shard& shard, std::ostream& err);
 
-  /// What the run that was stopped had counted; null if there is none.
+  /// The counts of the interrupted run; null if there is none.
   Json counted() const;
 
-  /// Calls work(job, share) until all is done, and state() where it is time to keep what has been counted. False where
+  /// Calls work(job, share) until everything is done, and state() when it is time to save the counts. Returns false if
   /// it was interrupted.
   bool run(const std::function<void(std::size_t, Share)>& work, const std::function<Json()>& state);
-  /// The result is written.
+  /// Called when the result is written.
   void finish() const { checkpoint_.remove(); }
 
   std::uint64_t total() const { return total_; }
-  /// The indices that are done.
+  /// The finished indices.
   Share done() const { return {share_.first, next_}; }
   std::size_t jobs() const { return static_cast<std::size_t>(jobs_); }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t gap = 16, scale = 2;
 
-/// The first map, of our reference, only stands next to an engine's.
+/// The first map, of our reference, is only for comparison with an engine's.
 bool shows_findings(const std::vector<FailureMap>& maps, bool of_engine) {
   for (std::size_t i = of_engine ? 1 : 0; i < maps.size(); ++i) {
     for (const MapClass& entry : maps[i].classes) {

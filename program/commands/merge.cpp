@@ -12,9 +12,10 @@
 namespace touchstone::program {
 namespace {
 
-/// That what was asked is what belongs to the shards: of a grid all of it, of drawn cases no more than that.
+/// Requires that the questions asked are those of the shards: for a grid all of them, for drawn cases no more than
+/// those.
 void require_shares(const Tally& tally) {
-  if (!tally.logs.empty()) return;  // a log tells how long it is where it ends
+  if (!tally.logs.empty()) return;  // the length of a log is only known at its end
   std::uint64_t share = 0;
   for (const std::uint64_t shard : tally.grid.done) share += share_of(tally.cases, {shard, tally.grid.shards}).size();
   for (const OperationTally& operation : tally.operations) {
@@ -26,7 +27,7 @@ void require_shares(const Tally& tally) {
   }
 }
 
-/// What the files hold together, of one kind.
+/// The combined content of files of one kind.
 struct Merged {
   std::optional<Tally> tally;
   std::optional<CountedRun> counted;

@@ -24,10 +24,10 @@ void require_other_file(const std::string& option, const std::string& written, c
     throw UsageError(option + ": " + written + ": is the mesh that is read");
 }
 
-/// What a file turned out to be.
+/// The result for one file.
 struct Row {
   MeshFile file;
-  std::optional<Diagnosis> diagnosis;  ///< empty where the file cannot be read
+  std::optional<Diagnosis> diagnosis;  ///< nullopt if the file cannot be read
 };
 
 void print_words(const Row& row, std::ostream& out) {
@@ -55,7 +55,7 @@ void print_repair(const MeshCommand& command, const MeshFile& file, const Repair
   out << "After that: " << defects_in_short(repair.left) << '\n';
 }
 
-/// Columns as wide as they have to be, numbers to the right.
+/// Columns as narrow as possible, with numbers right-aligned.
 void print_table(const std::vector<Row>& rows, std::ostream& out) {
   using Cells = std::array<std::string, 6>;
   std::vector<Cells> cells{Cells{"file", "vertices", "faces", "parts", "solid", "the worst"}};
@@ -79,7 +79,7 @@ void print_table(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
-/// What is left is that of the file as it reads back: STL has triangles alone, and vertices of its own.
+/// The result is diagnosed as it reads back: STL has only triangles, with separate vertices.
 void write_repaired(const std::string& name, Repaired& repair, const TellStep& tell) {
   const std::string text = text_of_mesh(repair.mesh, name);
   write_file("--repair", name, text);
@@ -100,10 +100,10 @@ Json json_of(const Row& row, const MeshCommand& command, const std::optional<Rep
 void require_usage(const MeshCommand& command) {
   for (const auto& [option, written] : {std::pair{"--repair", &command.repair}, std::pair{"--page", &command.page}}) {
     if (written->empty()) continue;
-    if (command.files.size() > 1) throw UsageError(std::string(option) + ": of one mesh, and there are several files");
+    if (command.files.size() > 1) throw UsageError(std::string(option) + ": expected one mesh, got several files");
     require_other_file(option, *written, command.files[0]);
   }
-  if (!command.repair.empty()) text_of_mesh({}, command.repair);  // refuses a name that it does not know
+  if (!command.repair.empty()) text_of_mesh({}, command.repair);  // refuses an unknown ending
   if (!command.repair.empty() && command.repair == command.page)
     throw UsageError("--page: " + command.page + ": is the file of --repair");
 }
@@ -144,7 +144,7 @@ int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& er
       print_words(row, words);
       if (repair) print_repair(command, row.file, *repair, words);
     }
-    MeshFile named;  // what the table needs
+    MeshFile named;  // the data for the table
     named.name = row.file.name;
     row.file = std::move(named);
   }

@@ -31,7 +31,7 @@ closed sets, degenerate inputs, errors - is its contract, the comment at its nam
   formula, and of that formula. Where nothing is said, a question has no lists.
 )";
 
-/// Words of an answer that mean "no common point".
+/// Collects enumerators of an answer that mean "no common point".
 void plain_words(const Shape& shape, std::vector<std::string>& found) {
   if (shape.kind == Shape::Kind::word && shape.no >= 0)
     found.push_back(shape.words[static_cast<std::size_t>(shape.no)]);
@@ -44,7 +44,7 @@ std::string in_code(const std::vector<std::string>& words) {
   return text;
 }
 
-/// JSON as people space it: `{"a": [1, 2]}`.
+/// JSON with conventional spacing: `{"a": [1, 2]}`.
 std::string spaced(const Json& json) {
   std::string text;
   bool quoted = false;
@@ -56,7 +56,7 @@ std::string spaced(const Json& json) {
   return text;
 }
 
-/// "`robust` n log n, oracle n^2, `ask` n^2, formula n^2"; empty where there are no lists.
+/// "`robust` n log n, oracle n^2, `ask` n^2, formula n^2"; empty if there are no lists.
 std::string time_in_words(const Operation& operation) {
   if (elements_of_lists(operation.question_shape(), operation.zeros(1)) == 0) return "";
   const Time& time = operation.metadata().time;

@@ -32,7 +32,7 @@ std::string all_fields(const Metadata& metadata) {
 
 using Line = std::array<std::string, 6>;
 
-/// Columns as wide as what stands in them.
+/// Columns as wide as their content.
 void print(const std::vector<Line>& lines, std::ostream& out) {
   std::array<std::size_t, 6> widths{};
   for (const Line& line : lines)

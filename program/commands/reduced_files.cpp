@@ -18,7 +18,7 @@
 namespace touchstone::program {
 namespace {
 
-/// A longer certificate stands in a file of its own alone.
+/// A longer certificate is only in a file of its own.
 constexpr std::size_t longest_claim = 4000;
 
 Finding finding_of(const Smallest& smallest) {
@@ -40,7 +40,7 @@ std::string picture(const Smallest& smallest) {
                                  "</main>");
 }
 
-/// What was answered, as `ask` prints it; null where nobody was asked.
+/// The answer, as `ask` prints it; null if nothing was asked.
 Json said_in(const Smallest& smallest) {
   if (smallest.declaration == nullptr) return nullptr;
   Json said = Json::object();

@@ -62,7 +62,7 @@ std::vector<std::string> runs_named(const std::string& names) {
   return runs;
 }
 
-/// Nothing is written over the scene, nor the page over the trajectory.
+/// Ensures that the outputs overwrite neither the scene nor each other.
 void require_apart(const SimulateCommand& command) {
   const auto same = [](const std::string& one, const std::string& other) {
     std::error_code error;
@@ -81,7 +81,7 @@ class Trajectory {
  public:
   explicit Trajectory(const std::string& file) : file_(file), csv_(file.size() > 4 && file.ends_with(".csv")) {}
 
-  /// Reads what the file holds, sets the simulation to its last step, and cuts off a line that is not whole.
+  /// Reads the file's content, sets the simulation to its last step, and truncates an incomplete last line.
   void resume(Simulation& simulation, const std::function<void(const Frame&)>& visit) {
     if (csv_ || file_.empty() || is_standard_output(file_))
       throw UsageError("--resume: needs --trajectory with a file of JSON lines");
@@ -131,7 +131,7 @@ int simulate_command(const SimulateCommand& command, std::ostream& out, std::ost
   const auto scene = read_or_refuse(command.file, [&] { return simulate::read_scene(json); });
   require_apart(command);
   Simulation simulation(scene, runs_named(command.runs));
-  if (command.resume && !command.engines.empty()) throw UsageError("--resume: an engine cannot go on from a file");
+  if (command.resume && !command.engines.empty()) throw UsageError("--resume: an engine cannot resume from a file");
   for (const std::string& engine : command.engines)
     simulation.add(engine_run(engine_lines(engine, command.timeout), engine, scene, simulation.names()));
   Trajectory trajectory(command.trajectory);

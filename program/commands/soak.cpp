@@ -18,11 +18,11 @@
 namespace touchstone::program {
 namespace {
 
-/// An operation's turn, in seconds: in a short run, too, each has some.
+/// The length of an operation's turn in seconds: short runs reach every operation, too.
 constexpr double turn = 0.25;
 
-/// Questions to robust and the oracle alone. Where the oracle has a quick decision, decisions are compared, and about
-/// every 16th answer as a whole; half of the answers are asked in any of the floating-point environments.
+/// Questions to robust and the oracle alone. If the oracle has a quick decision, decisions are compared, and about
+/// every 16th answer in full; half of the answers are computed in any of the floating-point environments.
 class Soaked {
  public:
   Soaked(const Operation& operation, std::uint64_t seed) : operation_(operation), seed_(seed) {}
@@ -50,7 +50,7 @@ class Soaked {
   }
 
  private:
-  /// Empty where there is none.
+  /// "" if there is none.
   std::string difference(const Question& question, std::size_t environment, bool as_a_whole,
                          std::string& outcome) const {
     const RowFunctions& row = operation_.row();
@@ -101,7 +101,7 @@ class Soak {
   }
   Json state() const { return {{"run", json_of(run_)}, {"spent", spent_ + time()}}; }
 
-  /// False where it was interrupted.
+  /// Returns false if it was interrupted.
   bool run(Checkpoint& checkpoint, Progress& progress) {
     for (bool left = true; left;) {
       left = false;
@@ -134,7 +134,7 @@ class Soak {
   }
   bool over() const { return seconds_ > 0 && spent_ + time() >= seconds_; }
 
-  /// Whether the operation has something left to ask.
+  /// Returns whether the operation has anything left to ask.
   bool take_turn(std::size_t i) {
     Counts& counts = run_.operations[i];
     const std::uint64_t next = counts.counted.empty() ? share_.first : counts.counted.back().last;
@@ -147,7 +147,7 @@ class Soak {
   }
 
   double seconds_, spent_ = 0, began_ = TimeLimit::seconds_of_machine();
-  std::uint64_t before_ = 0;  ///< asked by the run that was stopped
+  std::uint64_t before_ = 0;  ///< asked by the interrupted run
   int jobs_ = 1;
   Share share_;
   std::vector<const Operation*> operations_;
@@ -183,7 +183,7 @@ int soak_command(const SoakCommand& asked, std::ostream& out, std::ostream& err)
                      grouped(static_cast<std::uint64_t>(static_cast<double>(soak.asked_now()) / soak.time())));
   if (!finished) {
     checkpoint.keep_now(soak.state());
-    err << "touchstone: interrupted" << (checkpoint.file().empty() ? "" : "; the same command goes on from ")
+    err << "touchstone: interrupted" << (checkpoint.file().empty() ? "" : "; the same command resumes from ")
         << checkpoint.file() << '\n';
     return interrupted;
   }

@@ -34,7 +34,7 @@ int vectors_write_command(const std::string& directory, const std::string& opera
   write_text(folder / "schema.json", vector_schema().dump(1) + "\n");
   for (const NamedFile& file : named_files()) write_text(folder / file.name, file.text);
   for (const Operation* operation : chosen) {
-    if (operation->metadata().is_implementation()) continue;  // the vectors of the operation itself serve
+    if (operation->metadata().is_implementation()) continue;  // it uses the vectors of the operation itself
     const Vectors vectors = vectors_of(*operation, seed);
     std::string text;
     for (const std::string& line : vectors.lines) text += line + "\n";

@@ -21,7 +21,7 @@
 namespace touchstone::program {
 namespace {
 
-/// What an engine answered to the vectors of many files.
+/// An engine's answers to the vectors of many files.
 class EngineResult {
  public:
   EngineResult(const VectorsCheckCommand& command, Engine& engine, std::ostream& out)
@@ -48,7 +48,7 @@ class EngineResult {
 
   void not_declared(const std::string& operation) { tally_.undeclared.push_back(operation); }
 
-  /// Tells the sum.
+  /// Prints the sum.
   const Tally& finish() {
     for (const Operation* operation : all_operations()) {
       const auto counted = cells_.find(operation->name());
@@ -83,7 +83,7 @@ class EngineResult {
   }
 
  private:
-  /// What an audit's files say of a finding, below file, line and verdict.
+  /// Prints the details of a finding as in an audit's files, below file, line and verdict.
   void tell(const std::string& file, const VectorQuestions::Answered& vector) {
     Finding finding;
     finding.question = vector.question, finding.vector = vector.id;
@@ -102,7 +102,7 @@ class EngineResult {
   std::map<std::string, std::map<std::string, Cell>> cells_;  ///< by operation and family
 };
 
-/// The files of vectors that were asked for, in the order of their names.
+/// The requested files of vectors, sorted by name.
 std::vector<std::string> files_of(const VectorsCheckCommand& command) {
   const std::string& directory = command.directory;
   if (!std::filesystem::is_directory(directory)) throw UsageError(directory + ": expected a directory of vectors");
@@ -138,7 +138,7 @@ int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out,
   for (const std::string& complaint : differences)
     err << "touchstone: " << excerpt((std::filesystem::path(directory) / complaint).string(), 1000) << '\n';
   for (const std::string& file : files) {
-    // A file of an operation that the engine does not have is none of its business.
+    // A file of an operation that the engine does not have is skipped.
     const Operation* const operation = find_operation(std::filesystem::path(file).stem().string());
     if (engine && operation != nullptr && !engine->supports(operation->name())) {
       result->not_declared(operation->name());

@@ -8,7 +8,7 @@
 namespace touchstone::program {
 namespace {
 
-/// Reads WKT and writes the same as JSON, in which every number is as it was typed.
+/// Reads WKT and returns the same as JSON, in which every number is as it was typed.
 class Wkt {
  public:
   explicit Wkt(const std::string& text) : text_(text) {}
@@ -33,7 +33,7 @@ class Wkt {
                                    " at column " + std::to_string(first + 1) + ": coordinates are taken as they are");
   }
 
-  /// The next character that is no space; 0 at the end.
+  /// The next character that is not a space; 0 at the end.
   char peek() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
     return at_ < text_.size() ? text_[at_] : '\0';
@@ -44,7 +44,7 @@ class Wkt {
     return true;
   }
 
-  /// In capitals; empty where the next character is no letter.
+  /// A word in upper case; empty if the next character is not a letter.
   std::string word() {
     std::string found;
     for (peek(); at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0; ++at_)
@@ -113,7 +113,7 @@ class Wkt {
     return found + "]";
   }
 
-  /// As JSON writes it: without a plus, with a digit on either side of the point. What is no number is refused where
+  /// In JSON's form: without a plus, with a digit on either side of the point. Text that is not a number is refused if
   /// its field is known.
   std::string number() {
     static const std::string signs = "+-.";
@@ -136,7 +136,7 @@ class Wkt {
     return found;
   }
 
-  /// The brackets of a geometry that no field takes.
+  /// Skips the brackets of a geometry that no field accepts.
   void pass_over() {
     int depth = 0;
     do {

@@ -29,7 +29,7 @@ Gate gate_of(const GateCommand& command) {
   }
   if (!command.baseline.empty()) gate.baseline = read_from(command.baseline);
   gate.max_rate = command.max_rate.value_or(0);
-  // The baseline that is read may be the one that is written.
+  // The baseline to read may be the one to write.
   if (command.write_baseline != command.baseline) require_writable("--write-baseline", command.write_baseline);
   require_writable("--junit", command.junit_file);
   require_writable("--sarif", command.sarif_file);
@@ -41,7 +41,7 @@ GateResult finish_gate(const GateCommand& command, Gate gate, const Tally& tally
   if (!gate.baseline && !command.write_baseline.empty()) gate.baseline = found;
   GateResult result = held_against(tally, gate);
   if (command.decides()) out << gate_in_words(tally, result) << std::flush;
-  // Of an interrupted audit nothing would be known of what it had not come to.
+  // From an interrupted audit the operations that it did not reach would be missing.
   if (!tally.interrupted) write_file("--write-baseline", command.write_baseline, baseline_json(found));
   write_file("--junit", command.junit_file, junit_xml(tally, result));
   write_file("--sarif", command.sarif_file, sarif_json(tally, gate, result, command.source));

@@ -12,7 +12,7 @@
 namespace touchstone::program {
 namespace {
 
-/// What is lost is at most an eighth of the time spent, or that.
+/// At most an eighth of the time spent is lost, or this much.
 constexpr std::chrono::milliseconds least{500}, most{30'000};
 
 }  // namespace
@@ -37,7 +37,7 @@ Checkpoint::Checkpoint(const std::string& file, Json run, std::ostream& err) {
   if (of != run_)
     throw UsageError(part_ + ": expected the state of this run, " + run_ + ", or no such file; it is of " +
                      excerpt(of, 500));
-  err << "touchstone: goes on from " << part_ << '\n';
+  err << "touchstone: resumes from " << part_ << '\n';
 }
 
 void Checkpoint::keep(const std::function<Json()>& state) {

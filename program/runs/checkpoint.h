@@ -11,20 +11,20 @@
 
 namespace touchstone::program {
 
-/// The state of a long run in FILE.part, beside FILE, its result: replaced by rename every few seconds and removed once
-/// the result is there. The same run started again goes on from it, however it was stopped.
+/// The state of a long run in FILE.part, next to FILE, its result: replaced by rename every few seconds and removed
+/// once the result exists. The same run continues from it when restarted, however it was interrupted.
 class Checkpoint {
  public:
-  /// `run`: what makes a run this one, its options and the program's version. Without a file nothing is kept. Throws
-  /// UsageError where FILE.part is not of this run.
+  /// `run`: identifies the run by its options and the program's version. Without a file nothing is kept. Throws
+  /// UsageError if FILE.part belongs to another run.
   Checkpoint(const std::string& file, Json run, std::ostream& err);
 
-  /// The state of the run that was stopped, with numbers as parse_line reads them; null if there is none.
+  /// The state of the interrupted run, with numbers as parse_line reads them; null if there is none.
   const Json& found() const { return found_; }
-  /// Where it is kept; empty: nowhere.
+  /// The file that holds it; empty: none.
   const std::string& file() const { return part_; }
 
-  /// Keeps the state if it is time to.
+  /// Saves the state if it is time to.
   void keep(const std::function<Json()>& state);
   void keep_now(const Json& state) const;
   void remove() const;

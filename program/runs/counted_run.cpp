@@ -41,7 +41,7 @@ Counts read_counts(const Place& place) {
   if (sum != counts.cases()) throw InvalidInput(place.at("outcomes").path, "as many as were counted");
   if (counts.wrong > sum) throw InvalidInput(place.at("wrong").path, "no more than were counted");
   if (place.value.contains("first_wrong") != (counts.wrong > 0))
-    throw InvalidInput(place.path + ".first_wrong", "there where something is wrong, and only there");
+    throw InvalidInput(place.path + ".first_wrong", "present if and only if an answer is wrong");
   if (counts.wrong > 0) {
     counts.first_wrong = plain(place.at("first_wrong").value);
     counts.first_wrong["index"] = place.at("first_wrong").at("index").count();
@@ -63,7 +63,7 @@ void Counts::add(const Counts& other) {
   std::vector<Share> joined;
   for (const Share& share : counted) {
     if (!joined.empty() && share.first < joined.back().last)
-      throw InvalidInput("counted", fmt::format("every case once ({} is there twice)", share.first));
+      throw InvalidInput("counted", fmt::format("duplicate case {}", share.first));
     if (!joined.empty() && share.first == joined.back().last) joined.back().last = share.last;
     else joined.push_back(share);
   }
@@ -98,8 +98,7 @@ void CountedRun::merge(const CountedRun& other) {
     same("operations", operations[i].operation, other.operations[i].operation);
   for (const std::uint64_t shard : other.done) {
     const auto at = std::lower_bound(done.begin(), done.end(), shard);
-    if (at != done.end() && *at == shard)
-      throw InvalidInput("done", fmt::format("every shard once ({} is there twice)", shard));
+    if (at != done.end() && *at == shard) throw InvalidInput("done", fmt::format("duplicate shard {}", shard));
     done.insert(at, shard);
   }
   for (std::size_t i = 0; i < operations.size(); ++i) operations[i].add(other.operations[i]);
@@ -123,7 +122,7 @@ void require_shares(const CountedRun& run) {
       found += of_it;
     }
     if (found != counts.cases())
-      throw InvalidInput("counted", fmt::format("of {} only what belongs to the shards done", counts.operation));
+      throw InvalidInput("counted", fmt::format("for {} only cases of the shards done", counts.operation));
   }
 }
 

@@ -25,7 +25,7 @@ Shard parsed(const std::string& text) {
   return shard;
 }
 
-/// Empty where the variable is not set, or to nothing.
+/// nullopt if the variable is not set, or empty.
 std::optional<std::uint64_t> number_in(const Variable& variable, const std::string& name) {
   const char* const value = variable(name.c_str());
   if (value == nullptr || *value == 0) return std::nullopt;
@@ -33,11 +33,11 @@ std::optional<std::uint64_t> number_in(const Variable& variable, const std::stri
   std::uint64_t number = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || rest != text.data() + text.size())
-    throw UsageError(name + ": expected a whole number, got " + excerpt(text, 60));
+    throw UsageError(name + ": expected an integer, got " + excerpt(text, 60));
   return number;
 }
 
-/// Task `index` of those that a launcher counts from `least`.
+/// Task `index` of a launcher that counts from `least`.
 Shard counted_from(std::uint64_t least, std::uint64_t index, std::uint64_t of, const std::string& from) {
   if (index < least || index - least >= of)
     throw UsageError(fmt::format("{}: expected an index from {} and below {} + {}, got {}; or give --shard I/N", from,
@@ -52,7 +52,7 @@ std::optional<Shard> of_slurm(const Variable& variable) {
   if (const auto total = number_in(variable, total_variable)) return counted_from(1, *id, *total, from);
   const std::uint64_t least = number_in(variable, "SLURM_ARRAY_TASK_MIN").value_or(0);
   const auto most = number_in(variable, "SLURM_ARRAY_TASK_MAX");
-  if (!most) throw UsageError("SLURM_ARRAY_TASK_MAX: expected beside SLURM_ARRAY_TASK_ID; or give --shard I/N");
+  if (!most) throw UsageError("SLURM_ARRAY_TASK_MAX: required with SLURM_ARRAY_TASK_ID; or give --shard I/N");
   const std::uint64_t count = number_in(variable, "SLURM_ARRAY_TASK_COUNT").value_or(*most - least + 1);
   if (*most < least || *most - least + 1 != count)
     throw UsageError(

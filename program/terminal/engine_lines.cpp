@@ -11,7 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using simulate::EngineFailure;
 
-constexpr double time_to_start = 30;           // seconds: an interpreter on a busy machine
+constexpr double time_to_start = 30;           // seconds: allows for an interpreter on a busy machine
 constexpr std::size_t longest_line = 1 << 26;  // 10,000 bodies take less than 2 MiB
 
 class ProcessLines : public simulate::EngineLines {

@@ -13,7 +13,7 @@ std::string spelled_number(double number) {
   return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
 
-/// A value as C++ with `using namespace touchstone` reads it.
+/// A value as a C++ expression under `using namespace touchstone`.
 std::string spelled_in_cpp(const Shape& shape, Cursor<double>& at) {
   std::string parts;
   const auto add = [&](const Shape& part) { parts += (parts.empty() ? "" : ", ") + spelled_in_cpp(part, at); };

@@ -8,7 +8,7 @@
 
 namespace touchstone::program {
 
-/// SIGINT and SIGTERM end the asking instead of the program, for as long as this lives.
+/// While this lives, SIGINT and SIGTERM stop the run instead of the program.
 class Interruptible {
  public:
   Interruptible();
@@ -16,7 +16,7 @@ class Interruptible {
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /// Whether one of them came, since the program began.
+  /// True if one of them has arrived since the program began.
   static const std::atomic<bool>& stopped();
 
  private:

@@ -61,7 +61,7 @@ std::ifstream opened_to_read(const std::string& file, const std::string& option)
   std::ifstream opened(file, std::ios::binary);
   int error = opened ? 0 : errno;
   std::error_code unknown;
-  if (opened && std::filesystem::is_directory(file, unknown)) error = EISDIR;  // it opens, and holds no text
+  if (opened && std::filesystem::is_directory(file, unknown)) error = EISDIR;  // a directory opens, and holds no text
   if (!opened || error != 0)
     throw UsageError((option.empty() ? "" : option + " ") + file + ": cannot be read: " + why_of(error));
   return opened;

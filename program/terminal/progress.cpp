@@ -14,7 +14,7 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 
 constexpr Seconds rewritten_after{0.1}, line_after{10};
-/// Before that an estimate of the time left is a guess.
+/// Before that an estimate of the remaining time is a guess.
 constexpr Seconds least_known{2};
 constexpr double least_done = 0.01;
 

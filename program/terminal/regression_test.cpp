@@ -7,15 +7,15 @@
 namespace touchstone::program {
 namespace {
 
-/// How Python or JavaScript writes what JSON writes otherwise.
+/// The literals that differ from JSON in Python or JavaScript.
 struct Literals {
   const char *yes, *no, *infinity;
 };
 constexpr Literals python{"True", "False", "float(\"inf\")"}, javascript{"true", "false", "Infinity"};
 
-/// Stands before a number's digits; no enumerator begins so.
+/// Precedes a number's digits; no enumerator begins with it.
 constexpr char number_mark = '#';
-/// A number with its point: Python keeps integers apart, and their arithmetic is another.
+/// A number with its point: Python distinguishes integers, and their arithmetic differs.
 Json marked(const double& number) {
   const std::string text = decimal(number);
   const bool whole = text.find_first_of(".ein") == std::string::npos;  // not inf, nor nan
@@ -39,7 +39,7 @@ std::string literal(const Json& value, const Literals& literals) {
   return value.is_object() ? "{" + parts + "}" : "[" + parts + "]";
 }
 
-/// A right answer in doubles, as Examination::rounded_truth writes it.
+/// A right answer in doubles, in the form of Examination::rounded_truth.
 const EncodedValue<double>& right_answer(const Examination& examination) {
   const auto defect = examination.row().defect;
   const bool nearest = defect == nullptr || defect(examination.question(), examination.nearest_truth()).empty();
@@ -84,7 +84,7 @@ std::string comments(const Examination& examination, const Json& engine, const s
   return text;
 }
 
-/// The fields of a question as a function takes them by name; together where its alternatives have their own.
+/// The fields of a question as named parameters; combined if its alternatives have different ones.
 std::string parameters(const Operation& operation, bool pytest) {
   if (!operation.metadata().other_fields.empty()) return pytest ? "**question" : "...question";
   const Json described = operation.question_description();
@@ -132,7 +132,7 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
   Json expected = json_of<double>(operation.answer_shape(), right_answer(examination), marked);
   const std::string bare = operation.metadata().answer;
   if (!bare.empty()) expected = Json{{bare, expected}};
-  // An engine that answers true or false is tested by that.
+  // An engine that answers true or false is tested for that.
   const auto plainly = yes_or_no(operation.answer_shape(), right_answer(examination).words);
   if (plainly && engine.is_object() && engine["answer"].is_boolean()) expected = *plainly;
   const std::string fields = parameters(operation, pytest);

@@ -12,18 +12,18 @@ namespace touchstone::program {
 
 inline constexpr std::array<const char*, 4> test_frameworks{"catch2", "gtest", "pytest", "jest"};
 
-/// What a file of tests is called: "test_catch2.cpp", "test_pytest.py".
+/// The name of a file of tests: "test_catch2.cpp", "test_pytest.py".
 std::string test_file(const std::string& framework);
 
-/// Questions as regression tests, text of one file: each calls a function my_OPERATION, whose body is the user's to
-/// write, with the exact input, and expects the truth in nearest doubles.
+/// Questions as regression tests, as the text of one file: each calls a function my_OPERATION, whose body is left to
+/// the user, with the exact input, and expects the truth in nearest doubles.
 class RegressionTests {
  public:
   /// One of test_frameworks.
   explicit RegressionTests(std::string framework) : framework_(std::move(framework)) {}
 
-  /// The next test, with what it needs and no earlier one needed. `engine`: what an engine answered to the question, as
-  /// `ask` prints it, or null.
+  /// The next test, with the declarations that it needs and no earlier test had. `engine`: an engine's answer to the
+  /// question, as `ask` prints it, or null.
   std::string next(const Examination& examination, const Json& engine);
 
  private:

@@ -5,7 +5,7 @@ namespace touchstone::catalogue {}
 namespace touchstone::audit {}
 namespace touchstone::report {}
 
-/// The names of the modules below, in which program is written.
+/// The names of lower modules that program uses.
 namespace touchstone::program {
 using namespace catalogue;
 using namespace audit;

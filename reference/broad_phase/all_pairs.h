@@ -23,7 +23,7 @@ bool pair_meets(const Aabb3<Real>& a, const Aabb3<Real>& b) {
          b.min.z <= a.max.z;
 }
 
-/// What is called for each node that a search in a structure looks at, with whether the search goes on to what is in
+/// Called for each node that a search in a structure visits, with a flag that tells whether the search continues inside
 /// it. This one does nothing.
 struct Unseen {
   template <class Node>
@@ -41,12 +41,12 @@ std::vector<IndexPair> pairs_that_meet(const std::vector<Solid>& solids) {
   return pairs;
 }
 
-/// Which of several solids meet: the broad phase without any structure, each solid against each other one.
+/// Finds which of several solids meet: the broad phase without any structure, each solid against each other one.
 ///
 /// Deck p. 55-56: n (n - 1) / 2 tests, spheres by the squared distance of their centres (p. 44), boxes by intervals (p.
 /// 45-47).
-/// spheres, boxes: any unit of length, the same for all. Answer: the pairs of places i < j in the list, sorted by i and
-/// then by j.
+/// spheres, boxes: any unit of length, the same for all. Answer: the pairs of indices i < j in the list, sorted by i
+/// and then by j.
 /// Closed sets: solids that touch meet. A sphere of radius 0 and a box with min = max are points; equal solids meet,
 /// and so does one within another. Fewer than two solids have no pairs; an empty list is valid.
 /// NaN or infinity: refused by robust and oracle (field "spheres[i].center[k]", "spheres[i].radius", "boxes[i].min[k]",

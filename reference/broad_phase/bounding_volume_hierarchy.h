@@ -9,7 +9,8 @@
 
 namespace touchstone::reference {
 
-/// A tree of boxes: each node around its bodies, which are halved by the middles of their boxes along the longest axis.
+/// A tree of boxes: each node encloses its bodies, which are split in half by the middles of their boxes along the
+/// longest axis.
 template <class Real>
 class BoxHierarchy {
  public:
@@ -54,13 +55,13 @@ class BoxHierarchy {
   std::vector<BoxHierarchy> children_;
 };
 
-/// What `broad_phase` asks, by a bounding volume hierarchy of boxes.
+/// Answers `broad_phase` by a bounding volume hierarchy of boxes.
 ///
-/// Deck p. 58-61: whatever does not meet a node's volume meets nothing below it. Input, answer and what is refused:
+/// Deck p. 58-61: whatever does not meet a node's volume meets nothing below it. Input, answer and refusals:
 /// reference/broad_phase/broad_phase.h.
 ///
 /// A node is compared and not computed with, and holds what is below it: boxes and points are answered right by the
-/// double version. Of a ray, the quotients of a node round no further in than those of what is in it: the double
+/// double version. For a ray, the quotients of a node round no further in than those of what is in it: the double
 /// version answers what `broad_phase` answers. In exact arithmetic it is right.
 template <class Real>
 Replies bounding_volume_hierarchy(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands) {

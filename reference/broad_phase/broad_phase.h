@@ -100,7 +100,7 @@ class PairLoop {
   }
 
  private:
-  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty where a body was removed
+  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty if a body was removed
 };
 
 template <class Real>
@@ -111,7 +111,7 @@ struct IndexedBox {
 template <class Real>
 using IndexedBoxes = std::vector<IndexedBox<Real>>;
 
-/// What is searched for in a structure.
+/// The query of a search in a structure.
 template <class Real>
 struct BoxQuery {
   Aabb3<Real> box;
@@ -125,7 +125,7 @@ struct RayQuery {
 
 /// Bodies in a structure, which is made of those that are there when something is asked. `Structure<Real>(bodies)` has
 /// `search(query, found, see)`, which calls found(body) for those that the query may meet, perhaps more than once, and
-/// see(node, entered) for each node that it looks at (`Unseen`, where it is left out).
+/// see(node, entered) for each node that it visits (`Unseen`, where it is left out).
 template <template <class> class Structure, class Real>
 class InStructure {
  public:
@@ -171,7 +171,7 @@ class InStructure {
     return met;
   }
 
-  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty where a body was removed
+  std::vector<std::optional<Aabb3<Real>>> boxes_;  ///< by index; empty if a body was removed
 };
 
 template <class Real>
@@ -186,8 +186,8 @@ Aabb3<Real> around(const IndexedBoxes<Real>& bodies) {
   return box;
 }
 
-/// Which bodies meet each other, a box, a point or a ray, while some come, move and go: the broad phase of a running
-/// simulation.
+/// Finds which bodies meet each other, a box, a point or a ray while bodies are added, moved and removed: the broad
+/// phase of a running simulation.
 ///
 /// Deck p. 55-56: the loop over all pairs, n (n - 1) / 2 tests by intervals (p. 45-47) for each query; the other
 /// queries, which no page asks, are n tests by the same intervals and, of a ray, by the parameters at which it is
@@ -210,7 +210,7 @@ Aabb3<Real> around(const IndexedBoxes<Real>& bodies) {
 /// commands, in theirs, a command's body before its box.
 ///
 /// In exact arithmetic the formula is always right. Boxes and points are compared and not computed with: there the
-/// double version is right too. Of a ray, in binary64 (to nearest, u = 2^-53), each parameter T carries the roundings
+/// double version is right too. For a ray, in binary64 (to nearest, u = 2^-53), each parameter T carries the roundings
 /// of a difference and a quotient: off by at most (2 + 3u) u |T| + 2^-1074, unless one overflows. So it is right of
 /// every box whose last entry and first exit, and in the right order of every two whose first parameters, differ by
 /// more than the sum of two such bounds.

@@ -8,7 +8,7 @@
 
 namespace touchstone::reference {
 
-/// Which sides of a plane something reaches.
+/// The sides of a plane that a shape reaches.
 struct Sides {
   bool front, back;
 };
@@ -39,8 +39,8 @@ Sides sides(const Plane<Real>& plane, const RayQuery<Real>& query) {
   return {start >= Real(0) || rise > Real(0), start <= Real(0) || rise < Real(0)};
 }
 
-/// A plane halfway between the middles of two bodies, and what it has in front and behind; who is on both sides is in
-/// both parts. Where that separates nobody, a leaf.
+/// A plane halfway between the middles of two bodies, and the bodies in front and behind; a body on both sides is in
+/// both parts. A leaf if that separates no bodies.
 template <class Real>
 class PlaneTree {
  public:
@@ -73,7 +73,7 @@ class PlaneTree {
   const std::vector<PlaneTree>& parts() const { return parts_; }  ///< in front of the plane and behind it; a leaf: none
 
  private:
-  /// Through the middle of both middles, with the way from one to the other as its normal.
+  /// The plane through the midpoint of both middles, with the displacement from one to the other as its normal.
   static Plane<Real> between(const Aabb3<Real>& a, const Aabb3<Real>& b) {
     const auto middle = [](const Aabb3<Real>& box) {
       return Point3<Real>{Real((box.min.x + box.max.x) / Real(2)), Real((box.min.y + box.max.y) / Real(2)),
@@ -89,11 +89,11 @@ class PlaneTree {
   std::vector<PlaneTree> parts_;
 };
 
-/// What `broad_phase` asks, by a tree of planes that partition space.
+/// Answers `broad_phase` by a tree of planes that partition space.
 ///
 /// Deck p. 63: what is in front of a plane does not meet what is behind it. The deck's planes are those of polygons;
-/// bodies have none, so each plane is halfway between two of them (p. 20-21: E = N . p + d). Input, answer and what is
-/// refused: reference/broad_phase/broad_phase.h.
+/// bodies have none, so each plane is halfway between two of them (p. 20-21: E = N . p + d). Input, answer and
+/// refusals: reference/broad_phase/broad_phase.h.
 ///
 /// Right in exact arithmetic. In binary64 a body and a query that touch on a plane, or near it, may round to different
 /// sides of it, and a body whose E is NaN is on neither: then it is lost (cause: rounding).

@@ -66,15 +66,15 @@ class CellTree {
 template <class Real>
 using Quadtree = CellTree<Real, false>;
 
-/// What `broad_phase` asks, by a quadtree over x and y; a cell is as high as all bodies.
+/// Answers `broad_phase` by a quadtree over x and y; a cell is as high as all bodies.
 ///
-/// Deck p. 62: a cell with many bodies is cut into four. Input, answer and what is refused:
+/// Deck p. 62: a cell with many bodies is cut into four. Input, answer and refusals:
 /// reference/broad_phase/broad_phase.h.
 ///
 /// Right in exact arithmetic. Two cells end in one number, however it was rounded, and bodies and queries are compared
 /// with it: boxes and points are answered right by the double version, unless a middle overflows and a cell begins
-/// beyond the range. Of a ray, both cells of a body may be missed where it passes between them and its parameters round
-/// (cause: rounding).
+/// beyond the range. For a ray, both cells of a body may be missed where it passes between them and its parameters
+/// round (cause: rounding).
 template <class Real>
 Replies quadtree(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands) {
   return replies(InStructure<Quadtree, Real>{}, boxes, commands);

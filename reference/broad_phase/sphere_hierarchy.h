@@ -34,7 +34,7 @@ Sphere3<Real> ball_around(const Sphere3<Real>& a, const Sphere3<Real>& b) {
   return {a.center + Real((radius - a.radius) / distance) * between, radius};
 }
 
-/// Solids below balls around them; who is not met by a ball is not met by what is in it.
+/// Solids in balls around them; a solid that misses a ball misses everything in it.
 template <class Real, class Solid>
 class SphereHierarchy {
  public:
@@ -81,15 +81,14 @@ std::vector<IndexPair> pairs_in_hierarchy(const std::vector<Solid>& solids) {
   return pairs;
 }
 
-/// What `all_pairs` asks, by a hierarchy of spheres.
+/// Answers `all_pairs` by a hierarchy of spheres.
 ///
 /// Deck p. 58-61: each node is a ball around two others, the list is halved in its order, and a solid is compared with
-/// what is below the balls that its own ball meets. Input, answer and what is refused:
-/// reference/broad_phase/all_pairs.h.
+/// what is below the balls that its own ball meets. Input, answer and refusals: reference/broad_phase/all_pairs.h.
 ///
 /// A radius is a root, rounded like any other: the ball of a node may not reach what it should hold, and solids that
 /// touch at its end are lost (cause: rounding). In exact arithmetic the roots of which not all digits can be written
-/// are rounded too, in the 9000th binary digit; else it is right.
+/// are rounded too, in the 9000th binary digit; otherwise it is right.
 template <class Real>
 std::vector<IndexPair> sphere_hierarchy(const std::vector<Sphere3<Real>>& spheres) {
   return pairs_in_hierarchy<Real>(spheres);

@@ -59,13 +59,12 @@ class Grid {
   std::vector<Cell> cells_;
 };
 
-/// What `broad_phase` asks, by a uniform grid.
+/// Answers `broad_phase` by a uniform grid.
 ///
-/// Deck p. 62: only bodies of one cell are compared. Input, answer and what is refused:
-/// reference/broad_phase/broad_phase.h.
+/// Deck p. 62: only bodies of one cell are compared. Input, answer and refusals: reference/broad_phase/broad_phase.h.
 ///
 /// Right in exact arithmetic. In binary64 the ends of cells round, and the last one may lie before the last body's:
-/// whoever is there is in no cell. Where the extent of all bodies overflows, the cells have no ends that could be
+/// a body there is in no cell. Where the extent of all bodies overflows, the cells have no ends that could be
 /// compared, and all are lost (cause: rounding).
 template <class Real>
 Replies uniform_grid(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands) {

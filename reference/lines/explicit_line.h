@@ -5,7 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Whether a point lies above, on or below the line y = slope x + intercept (y up).
+/// Decides whether a point lies above, on or below the line y = slope x + intercept (y up).
 ///
 /// Deck p. 8:
 ///     E = y - (m x + b);

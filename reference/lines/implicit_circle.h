@@ -5,7 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of the closed disc that a circle bounds.
+/// Locates a point relative to the closed disc that a circle bounds.
 ///
 /// Deck p. 8: x^2 + y^2 - r^2, here with the centre moved to the origin:
 ///     E = (x - cx)^2 + (y - cy)^2 - r^2;

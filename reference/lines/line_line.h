@@ -5,14 +5,14 @@
 
 namespace touchstone::reference {
 
-/// Where two lines cross, each given by two points.
+/// Finds where two lines cross, each given by two points.
 ///
 /// Deck p. 12: P_a(ta) = P_b(tb), two equations in ta and tb. With A = a.q - a.p, B = b.q - b.p, W = b.p - a.p and the
 /// cross product v.x w.y - v.y w.x, Cramer's rule gives
 ///     D = A x B,  ta = (W x B) / D,  tb = (W x A) / D;
 /// `crossing` with the point a.p + ta A, or `parallel` where D = 0. a, b: any unit of length, the same for both; ta,
-/// tb: pure numbers, counted in lengths of A and of B. Lines are unbounded, so there is nothing open or closed about
-/// them. NaN or infinity: refused by robust and oracle (field, "finite number"); so is a line with p == q ("two
+/// tb: pure numbers, in units of the lengths of A and of B. Lines are unbounded, so there is nothing open or closed
+/// about them. NaN or infinity: refused by robust and oracle (field, "finite number"); so is a line with p == q ("two
 /// distinct points").
 ///
 /// The slide does not ask whether the parallel lines are one and the same, so `same` is never answered: coincident

@@ -5,7 +5,7 @@
 
 namespace touchstone::reference {
 
-/// On which side of the directed line p0 -> p1 the point p lies (y up: `left` is counter-clockwise).
+/// Decides on which side of the directed line p0 -> p1 the point p lies (y up: `left` is counter-clockwise).
 ///
 /// Deck p. 16-17:
 ///     E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0);

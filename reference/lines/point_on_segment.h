@@ -5,12 +5,12 @@
 
 namespace touchstone::reference {
 
-/// Whether a point lies on a closed segment, by the slide's two parameters tx and ty.
+/// Decides whether a point lies on a closed segment, by the slide's two parameters tx and ty.
 ///
 /// Deck p. 10-11:
 ///     tx = (x - ax) / (bx - ax),  ty = (y - ay) / (by - ay);
-/// on where tx = ty and 0 <= tx <= 1, else off. point, segment: any unit of length, the same for both. Closed set: both
-/// ends are on. Returns t = tx where on. Degenerate: a segment of length 0 is the point a, and t is 0 on it.
+/// on where tx = ty and 0 <= tx <= 1, otherwise off. point, segment: any unit of length, the same for both. Closed set:
+/// both ends are on. Returns t = tx where on. Degenerate: a segment of length 0 is the point a, and t is 0 on it.
 /// NaN or infinity: refused by robust and oracle (field, "finite number").
 ///
 /// The formula divides by each extent of the segment. On a segment parallel to an axis or of length 0 one or both of

@@ -5,16 +5,16 @@
 
 namespace touchstone::reference {
 
-/// Whether a ray meets a closed segment, and where first.
+/// Decides whether a ray meets a closed segment, and where first.
 ///
 /// Deck p. 2, 14: the equations of p. 12 for P0 + t V = a + s (b - a), with t >= 0 and 0 <= s <= 1. With B = b - a, W =
 /// a - P0 and the cross product v.x w.y - v.y w.x, Cramer's rule gives
 ///     D = V x B,  t = (W x B) / D,  s = (W x V) / D;
-/// `point` at P0 + t V where 0 <= t and 0 <= s <= 1, else (also where D = 0) `none`. ray, segment: any unit of length,
-/// the same for both; t: a pure number, counted in lengths of V as given. Closed sets: the ray's origin and both ends
-/// of the segment belong to them. `overlap`: a common segment, its ends in order of t, and t that of the first; where
-/// the ray and a collinear segment share one point it is a `point`. Degenerate: a segment of length 0 is a point. NaN
-/// or infinity: refused by robust and oracle (field, "finite number"); so is a zero direction ("nonzero direction").
+/// `point` at P0 + t V where 0 <= t and 0 <= s <= 1, otherwise (also where D = 0) `none`. ray, segment: any unit of
+/// length, the same for both; t: a pure number, in units of V's length. Closed sets: the ray's origin and both ends of
+/// the segment belong to them. `overlap`: a common segment, its ends in order of t, and t that of the first; where the
+/// ray and a collinear segment share one point it is a `point`. Degenerate: a segment of length 0 is a point. NaN or
+/// infinity: refused by robust and oracle (field, "finite number"); so is a zero direction ("nonzero direction").
 ///
 /// The slide has no case for a segment along the ray: one that lies on it, touches its origin from behind or has length
 /// 0 is `none` even in exact arithmetic (cause: algorithm); `overlap` is never answered.

@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// Whether two closed segments meet, and where.
+/// Decides whether two closed segments meet, and where.
 ///
 /// Deck p. 12-13: the lines through the segments, solved for ta and tb; the segments meet in the point where
 ///     0 <= ta <= 1 and 0 <= tb <= 1,

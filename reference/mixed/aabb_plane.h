@@ -6,9 +6,10 @@
 
 namespace touchstone::reference {
 
-/// Whether an axis-aligned box and the half-space behind a plane, as closed solids, overlap, only touch, or neither.
+/// Decides whether an axis-aligned box and the half-space behind a plane, as closed solids, overlap, only touch, or
+/// neither.
 ///
-/// No page of the deck asks this. The formula puts two together: p. 45-47's box, min and max on each axis, and p. 22's
+/// No page of the deck asks this. The formula combines two: p. 45-47's box, min and max on each axis, and p. 22's
 ///     E(p) = N . p + d,
 /// the height over the plane in units of |N|. E is least at the corner that takes min where the normal's coordinate is
 /// not negative, and max where it is: they are disjoint where E of that corner is greater than 0, and `touching` where
@@ -22,7 +23,7 @@ namespace touchstone::reference {
 /// NaN or infinity: refused by robust and oracle (field "aabb.min[0]", "plane.offset" ..., "finite number"); so are min
 /// > max ("aabb.max[0]" ..., "min <= max") and N = 0 ("plane.normal", "nonzero normal").
 ///
-/// The formula takes for granted that the box has an interior. For a flat box that reaches behind the plane it answers
+/// The formula assumes that the box has an interior. For a flat box that reaches behind the plane it answers
 /// `overlapping`, in exact arithmetic too (cause: algorithm). For all other boxes it is right in exact arithmetic.
 ///
 /// Rounding (binary64, to nearest): the corner is exact. Its E, as computed, is off by at most e(E) of point_plane.h,

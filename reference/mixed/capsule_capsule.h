@@ -7,11 +7,11 @@
 
 namespace touchstone::reference {
 
-/// Whether two capsules, as closed solids, overlap, only touch, or neither. A capsule is all that is no farther than
-/// its radius from its segment.
+/// Decides whether two capsules, as closed solids, overlap, only touch, or neither. A capsule is the set of points no
+/// farther than its radius from its segment.
 ///
-/// No page of the deck asks this. The formula puts two together: the nearest points of segment_segment_distance, and p.
-/// 44's comparison of a squared distance with the square of the sum of the radii. Equal squares are `touching`.
+/// No page of the deck asks this. The formula combines two: the nearest points of segment_segment_distance, and p. 44's
+/// comparison of a squared distance with the square of the sum of the radii. Equal squares are `touching`.
 /// a, b: any unit of length, the same for both. Shapes are closed: where one only reaches the other they are
 /// `touching`. A capsule within the other overlaps it, touching it from inside or not.
 /// A radius of 0 (or -0) is valid: such a capsule is a segment, which has no interior, and the truth is `touching` at
@@ -19,9 +19,9 @@ namespace touchstone::reference {
 /// NaN or infinity: refused by robust and oracle (field "a.segment[0][0]" ..., "finite number"); so is a negative
 /// radius ("a.radius", "b.radius", "radius >= 0").
 ///
-/// The formula takes for granted that both have interiors: where one has not and they are nearer than the sum of the
-/// radii it answers `overlapping`, in exact arithmetic too; and of parallel segments, or one of length 0, it divides by
-/// 0, and mostly answers `touching` (cause of both: algorithm). Of all others it is right in exact arithmetic.
+/// The formula assumes that both have interiors: where one has not and they are nearer than the sum of the radii it
+/// answers `overlapping`, in exact arithmetic too; and of parallel segments, or one of length 0, it divides by 0, and
+/// mostly answers `touching` (cause of both: algorithm). For all others it is right in exact arithmetic.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): by the contract of segment_segment_distance each point as computed is,
 /// on each axis, within 5u (|p| + |q|) + 2^-1074 of a point of its segment from p to q; let e be the sum of these. So

@@ -17,11 +17,11 @@ Point nearest_between(const Point& p, const Point& a, const Point& b) {
   return a + (t < Real(0) ? Real(0) : t > Real(1) ? Real(1) : t) * v;
 }
 
-/// The point of a closed segment that is nearest to a point, and how far it is: the distance and its square. In the
-/// plane and in space.
+/// The point of a closed segment that is nearest to a point, its distance and the square of that. In the plane and in
+/// space.
 ///
-/// No page of the deck asks this. The formula puts two together: p. 9's line in parametric form, of which the foot of
-/// the perpendicular has
+/// No page of the deck asks this. The formula combines two: p. 9's line in parametric form, of which the foot of the
+/// perpendicular has
 ///     t = (p - a) . (b - a) / ((b - a) . (b - a));
 /// and p. 48-50's way to the nearest point of a box, by which t is moved to 0 or 1 if it lies outside of [0, 1].
 /// point, segment: any unit of length, the same for both; the squared distance is in its square. There is always

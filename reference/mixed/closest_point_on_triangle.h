@@ -9,7 +9,7 @@
 
 namespace touchstone::reference {
 
-/// What part of a whole a number is.
+/// The fraction of a total that a number is.
 struct ByQuotient {
   template <class Real>
   static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& whole) {
@@ -17,7 +17,7 @@ struct ByQuotient {
   }
 };
 
-/// By the region in which p lies: of a corner, of an edge, or of the face.
+/// Selects the region in which p lies: of a corner, of an edge, or of the face.
 template <class Real, class Division = ByQuotient>
 Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& triangle) {
   const auto& [a, b, c] = triangle;
@@ -40,14 +40,14 @@ Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& t
   return a + (to_b * ab + to_c * ac);
 }
 
-/// The point of a closed triangle in space that is nearest to a point, and how far it is: the distance and its square.
+/// The point of a closed triangle in space that is nearest to a point, its distance and the square of that.
 ///
 /// No page of the deck asks this. The formula is the textbook's (Ericson, Real-Time Collision Detection, 5.1.5): the
-/// scalar products of the edges from a with the ways from the corners to p tell whether p lies beyond a corner, whose
-/// point is the corner; then whether it lies beyond an edge, whose point divides it as in p. 9's parametric form; and
-/// else the point has the weights of the three areas into which it divides the triangle.
-/// point, triangle: any unit of length, the same for both; the squared distance is in its square. There is always
-/// exactly one nearest point, because a triangle is closed and convex. A point of the triangle is its own, at distance
+/// scalar products of the edges from a with the displacements from the corners to p tell whether p lies beyond a
+/// corner, whose point is the corner; then whether it lies beyond an edge, whose point divides it as in p. 9's
+/// parametric form; and else the point has the weights of the three areas into which it divides the triangle. point,
+/// triangle: any unit of length, the same for both; the squared distance is in its square. There is always exactly one
+/// nearest point, because a triangle is closed and convex. A point of the triangle is its own, at distance
 /// 0. Without area a triangle is the segment or the point that its corners span.
 /// NaN or infinity: refused by robust and oracle (field "point[0]", "triangle[0][0]" ..., "finite number").
 ///
@@ -59,8 +59,8 @@ Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& t
 /// So where (b - a) . (p - a) and (c - a) . (p - a), exactly, are below -e, the answer is a, as in exact arithmetic.
 /// Its squared distance is off by (5 + 11u) u of itself and 2^-1072 then. Nothing is promised of other regions: whether
 /// p is beyond an edge is the sign of a difference of products. ulps: 66 roundings behind the distance (9 differences
-/// of edges and 9 of ways, six scalar products of five, three areas of three, a sum, two quotients, twelve in the
-/// point, less what is shared; three differences, three squares, two sums, the root).
+/// of edges and 9 of displacements, six scalar products of five, three areas of three, a sum, two quotients, twelve in
+/// the point, less what is shared; three differences, three squares, two sums, the root).
 template <class Real>
 ClosestPoint3<Real> closest_point_on_triangle(const Point3<Real>& point, const Triangle3<Real>& triangle) {
   using std::sqrt;

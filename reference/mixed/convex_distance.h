@@ -10,7 +10,7 @@
 
 namespace touchstone::reference {
 
-/// A vertex of each polyhedron, and the way from b's to a's: a point of their Minkowski difference.
+/// A vertex of each polyhedron, and the displacement from b's to a's: a point of their Minkowski difference.
 template <class Real>
 struct SupportPair {
   Point3<Real> on_a, on_b;
@@ -59,7 +59,7 @@ std::vector<Real> weights_of_foot(const std::vector<SupportPair<Real>>& pairs) {
   return solved(dot(normal, g), {dot(cross(f, g), w), dot(cross(g, e), w), dot(normal, w)});
 }
 
-/// Of all faces of the simplex on which that foot has no negative weight, the one with the nearest.
+/// Among all faces of the simplex on which that foot has no negative weight, the one with the nearest foot.
 template <class Real>
 DistanceSimplex<Real> nearest_face(const std::vector<SupportPair<Real>>& pairs) {
   DistanceSimplex<Real> nearest;
@@ -88,8 +88,8 @@ SupportPair<Real> support_pair(const Mesh<Real>& a, const Mesh<Real>& b, const V
   return {lowest, highest, lowest - highest};
 }
 
-/// The simplex with the shortest way: the vertices that are farthest against each one found give the next, until
-/// nothing is farther, or the next is not shorter. Of four pairs: the polyhedra have a common inner point.
+/// The simplex with the shortest displacement: the vertices farthest against each one found give the next, until
+/// nothing is farther, or the next is not shorter. With four pairs the polyhedra have a common interior point.
 template <class Real>
 DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) {
   DistanceSimplex<Real> nearest = nearest_face<Real>({{a.vertices[0], b.vertices[0], a.vertices[0] - b.vertices[0]}});
@@ -107,39 +107,37 @@ DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) 
   return nearest;
 }
 
-/// Whether two convex polyhedra have a common point, and if not, points of both that are as near to each other as any,
-/// and how far that is: the distance and its square.
+/// Decides whether two convex polyhedra have a common point, and if not, points of both that are as near to each other
+/// as any, and how far that is: the distance and its square.
 ///
 /// No page of the deck asks this. The formula is that of Gilbert, Johnson and Keerthi (A fast procedure for computing
 /// the distance between complex objects in three-dimensional space, 1988; Ericson, Real-Time Collision Detection, 9.5),
 /// put together from p. 48-50's nearest point and p. 53-54's vertices, edges and faces: of the Minkowski difference,
-/// all ways from a point of b to one of a, the shortest is looked for, on simplices of at most four ways between
-/// vertices.
-/// a, b: meshes, any unit of length, the same for both; the squared distance is in its square. Closed sets: where they
-/// have a common point, touching included, the relation is `meeting`, both distances are 0 and no points are given.
-/// Where many pairs are as near, because faces or edges are parallel, the points on a of all of them are a convex set,
-/// and the one that is nearest to a.vertices[0] is the answer, with the point of b that is as near to it as any. There
-/// is only one such pair. Engines may name another that is as near, unless they declare that they name this one
-/// (`nearest`, docs/engines.md).
-/// Refused by robust and oracle: NaN or infinity in a vertex; then what is not the surface of a convex solid, by the
-/// rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh. That page
-/// also says which meshes are valid: faces in one plane, flat vertices, vertices of no face, and a surface that is
-/// turned inside out.
+/// all displacements from a point of b to one of a, the shortest is sought, on simplices of at most four displacements
+/// between vertices. a, b: meshes, any unit of length, the same for both; the squared distance is in its square. Closed
+/// sets: where they have a common point, touching included, the relation is `meeting`, both distances are 0 and no
+/// points are given. Where many pairs are as near, because faces or edges are parallel, the points on a of all of them
+/// are a convex set, and the one that is nearest to a.vertices[0] is the answer, with the point of b that is as near to
+/// it as any. There is only one such pair. Engines may name another that is as near, unless they declare that they name
+/// this one (`nearest`, docs/engines.md). Refused by robust and oracle: NaN or infinity in a vertex; then what is not
+/// the surface of a convex solid, by the rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h,
+/// with "a" or "b" for the mesh. That page also says which meshes are valid: faces in one plane, flat vertices,
+/// vertices of no face, and a surface that is inside out.
 ///
-/// In exact arithmetic relation and distance are always right: the way gets shorter each time, and there are finitely
-/// many simplices. A new vertex pair is beyond the plane through the point found, so the simplex is never flat, and
-/// nothing is divided by 0. Of many nearest pairs it gives any (cause: algorithm).
+/// In exact arithmetic relation and distance are always right: the displacement gets shorter each time, and there are
+/// finitely many simplices. A new vertex pair is beyond the plane through the point found, so the simplex is never
+/// flat, and nothing is divided by 0. Among several nearest pairs it returns any (cause: algorithm).
 ///
-/// Margin: how far a has to be moved, in the maximum norm, until the relation changes.
+/// Margin: the distance by which a has to be moved, in the maximum norm, until the relation changes.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where nothing overflows: where the answer is `apart`, each point as
 /// computed is, on each axis, within 16 u (W + M) + 2^-1070 of a point of its polyhedron, W being the extent and M the
 /// greatest coordinate of that on the axis: weights add up to at most 1 + 4u, which is 4 u W; differences and products
 /// are 3 u W, three sums 4 u (W + M). Let e be the sum of these over both points and all axes. So the distance D is
-/// never too short by more: D >= (D* - e) (1 - 4u) - 2^-536, D* being the exact distance. How much too long it may be,
-/// and when flat simplices make it say `meeting`, nothing says. ulps: 60 roundings behind the distance (three
-/// differences in the ways, nine in the edges, 27 in the products of three vectors, three quotients, three weights,
-/// nine in a point, three differences, three squares, two sums, the root, less what is shared).
+/// never too short by more: D >= (D* - e) (1 - 4u) - 2^-536, D* being the exact distance. There is no bound on how much
+/// too long it may be, nor on when flat simplices make it answer `meeting`. ulps: 60 roundings behind the distance
+/// (three differences in the displacements, nine in the edges, 27 in the products of three vectors, three quotients,
+/// three weights, nine in a point, three differences, three squares, two sums, the root, less what is shared).
 template <class Real>
 ConvexDistance<Real> convex_distance(const Mesh<Real>& a, const Mesh<Real>& b) {
   using std::sqrt;

@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// The part of a line during which it is between the two sides of a box on every axis that has been looked at.
+/// The part of a line during which it is between the two sides of a box on every axis tested so far.
 template <class Real>
 struct SlabTimes {
   Real first = Real(0);
@@ -21,7 +21,7 @@ struct SlabTimes {
     narrow(way, Real(Real(min - from) / way), Real(Real(max - from) / way));
   }
 
-  /// By the times at which it is at either side.
+  /// Narrows by the times at which it is at either side.
   void narrow(const Real& way, const Real& to_min, const Real& to_max) {
     const bool forwards = Real(0) < way;
     const Real &entry = forwards ? to_min : to_max, &exit = forwards ? to_max : to_min;
@@ -35,20 +35,20 @@ struct SlabTimes {
   }
 };
 
-/// Where a ray enters and leaves an axis-aligned box, by the times at which it is between the box's sides on each axis.
-/// In the plane and in space.
+/// Finds where a ray enters and leaves an axis-aligned box, by the times at which it is between the box's sides on each
+/// axis. In the plane and in space.
 ///
 /// No page of the deck asks this. The formula is that of swept_aabb_aabb.h (p. 45-47, 51) for a point without an end:
 /// on an axis with a direction v that is not 0 the ray is between the sides from (min - origin) / v to (max - origin) /
-/// v, or the other way round; on one with v = 0, all the time or never. `hit` from the latest of 0 and the entries to
-/// the earliest exit, if that is not before; else `none`.
-/// ray, aabb: any unit of length, the same for both; t counts in lengths of the direction as given. Closed sets: the
-/// origin and the box's boundary belong to them, so a ray that only grazes a face, an edge or a corner is a hit. first
-/// is 0 where the origin is in the box. A direction with a zero on some axes is no special case, and neither is -0.
-/// Flat boxes and points are valid.
+/// v, or in reverse order; on one with v = 0, all the time or never. `hit` from the latest of 0 and the entries to
+/// the earliest exit, if that is not before; otherwise `none`.
+/// ray, aabb: any unit of length, the same for both; t is in units of the direction's length. Closed sets: the origin
+/// and the box's boundary belong to them, so a ray that only grazes a face, an edge or a corner is a hit. first is 0 if
+/// the origin is in the box. A direction with a zero on some axes is no special case, and neither is -0. Flat boxes and
+/// points are valid.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so are a direction of length 0
 /// ("ray.direction", "nonzero direction") and min > max ("aabb.max[0]" ..., "min <= max"). first and last are infinite
-/// where the exact ones are beyond the range of doubles.
+/// if the exact ones are beyond the range of doubles.
 ///
 /// In exact arithmetic the formula is always right.
 ///

@@ -5,26 +5,25 @@
 
 namespace touchstone::reference {
 
-/// What a ray in space and a plane have in common.
+/// Finds the intersection of a ray in space and a plane.
 ///
-/// No page of the deck asks this. The formula puts two together: p. 22's E(p) = N . p + d and p. 9's point origin + t
+/// No page of the deck asks this. The formula combines two: p. 22's E(p) = N . p + d and p. 9's point origin + t
 /// direction, with E0 = E(origin) and the rise R = N . direction:
 ///     E(origin + t direction) = E0 + t R,  t = -E0 / R;
-/// `point` at origin + t direction where 0 <= t, else (also where R = 0) `none`.
+/// `point` at origin + t direction where 0 <= t, otherwise (also where R = 0) `none`.
 /// The plane is the thin set N . p + d = 0 and has no solid side: a ray crosses it from either side. ray, plane:
-/// origin, direction and d / |N| in any unit of length, the same for both; N of any length but 0. t counts in lengths
-/// of the direction as given. Closed sets: an origin on the plane is a `point` with t = 0, wherever the ray leads,
-/// unless it leads along the plane. `inside`: all of the ray lies in the plane, so there is no single t. A ray along
-/// the plane beside it is `none`.
-/// NaN or infinity: refused by robust and oracle (field, "finite number"); so are a direction of length 0
-/// ("ray.direction", "nonzero direction") and N = 0 ("plane.normal", "nonzero normal"). t and the point are infinite
-/// where the exact ones are beyond the range of doubles.
+/// origin, direction and d / |N| in any unit of length, the same for both; N of any length but 0. t is in units of the
+/// direction's length. Closed sets: an origin on the plane is a `point` with t = 0, wherever the ray leads, unless it
+/// leads along the plane. `inside`: all of the ray lies in the plane, so there is no single t. A ray parallel to the
+/// plane and off it is `none`. NaN or infinity: refused by robust and oracle (field, "finite number"); so are a
+/// direction of length 0 ("ray.direction", "nonzero direction") and N = 0 ("plane.normal", "nonzero normal"). t and the
+/// point are infinite if the exact ones are beyond the range of doubles.
 ///
 /// In exact arithmetic the formula is right, except where E0 = R = 0: there it answers `none` instead of `inside`
 /// (cause: algorithm).
 ///
-/// Rounding (binary64, to nearest, u = 2^-53): with e(E) the bound of point_plane.h, for R with 0 in the place of d, it
-/// is right where E0 and R each exceed their bounds and |E0| > 2^-1074 |R| (else t may round to 0). Where it is rightly
+/// Rounding (binary64, to nearest, u = 2^-53): with e(E) the bound of point_plane.h, for R with 0 instead of d, it is
+/// right where E0 and R each exceed their bounds and |E0| > 2^-1074 |R| (else t may round to 0). Where it is rightly
 /// `point`, t, of which T is the computed one, is off by at most
 ///     e(t) = (e(E0) + (T + 2u T + 2^-1074) e(R)) / (|R| - e(R)) + 2u T + 2^-1074:
 /// the exact quotient of E0 and R as computed is within 2u T + 2^-1074 of T. A coordinate X of the point, with V of the

@@ -8,8 +8,8 @@
 
 namespace touchstone::reference {
 
-/// The t at which a line is as far from a center as the radius, by the quadratic formula: for p and v as the center
-/// sees them, A t^2 + B t + C = 0 with A = v . v, B = 2 p . v, C = p . p - r^2.
+/// The t at which a line is as far from a center as the radius, by the quadratic formula: for p and v relative to the
+/// center, A t^2 + B t + C = 0 with A = v . v, B = 2 p . v, C = p . p - r^2.
 template <class Real>
 struct RootsOfSphere {
   bool real = false;
@@ -34,17 +34,17 @@ Passage<Real> passage_of_ray(const RootsOfSphere<Real>& roots) {
   return {PassageRelation::hit, roots.smaller < Real(0) ? Real(0) : roots.smaller, roots.greater};
 }
 
-/// Where a ray enters and leaves a ball, or in the plane a disc, by the quadratic formula.
+/// Finds where a ray enters and leaves a ball, or in the plane a disc, by the quadratic formula.
 ///
 /// No page of the deck asks this. The formula is that of swept_sphere_sphere.h (p. 23, 51) for a point and a ball at
 /// rest, with both roots: p = origin - center, v = direction. `none` where the discriminant B^2 - 4 A C or the greater
-/// root is negative; else `hit` from the smaller root, or 0 where that is negative, to the greater.
-/// ray, sphere: any unit of length, the same for both; t counts in lengths of the direction as given. Closed sets: the
-/// origin and the boundary belong to them, so a tangent ray is a hit, with first = last. first is 0 where the origin is
-/// in the ball. The ball is solid: a ray that starts inside has met it. Radius 0 (or -0) is a point.
+/// root is negative; otherwise `hit` from the smaller root, or 0 if that is negative, to the greater.
+/// ray, sphere: any unit of length, the same for both; t is in units of the direction's length. Closed sets: the origin
+/// and the boundary belong to them, so a tangent ray is a hit, with first = last. first is 0 if the origin is in the
+/// ball. The ball is solid: a ray that starts inside has met it. Radius 0 (or -0) is a point.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so are a direction of length 0
 /// ("ray.direction", "nonzero direction") and a negative radius ("sphere.radius", "radius >= 0"). first and last are
-/// infinite where the exact ones are beyond the range of doubles.
+/// infinite if the exact ones are beyond the range of doubles.
 ///
 /// In exact arithmetic the formula is always right.
 ///

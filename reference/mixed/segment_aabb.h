@@ -5,14 +5,13 @@
 
 namespace touchstone::reference {
 
-/// Where a closed segment enters and leaves an axis-aligned box, by the times at which it is between the box's sides on
-/// each axis. In the plane and in space.
+/// Finds where a closed segment enters and leaves an axis-aligned box, by the times at which it is between the box's
+/// sides on each axis. In the plane and in space.
 ///
 /// No page of the deck asks this. The formula is that of ray_aabb.h with v = b - a, and 1 among the exits. segment,
 /// aabb: any unit of length, the same for both; t is a pure number, 0 at a and 1 at b. Closed sets: the ends and the
-/// box's boundary belong to them, so a segment that only grazes a face, an edge or a corner is a hit. first is 0 where
-/// a is in the box, last is 1 where b is. A segment of length 0 is a point: both are 0. Flat boxes and points are
-/// valid.
+/// box's boundary belong to them, so a segment that only grazes a face, an edge or a corner is a hit. first is 0 if a
+/// is in the box, last is 1 where b is. A segment of length 0 is a point: both are 0. Flat boxes and points are valid.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so is min > max ("aabb.max[0]" ..., "min <=
 /// max").
 ///

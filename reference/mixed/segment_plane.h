@@ -5,12 +5,12 @@
 
 namespace touchstone::reference {
 
-/// What a closed segment in space and a plane have in common.
+/// Finds the intersection of a closed segment in space and a plane.
 ///
-/// No page of the deck asks this. The formula puts two together: p. 22's E(p) = N . p + d, the height over the plane in
+/// No page of the deck asks this. The formula combines two: p. 22's E(p) = N . p + d, the height over the plane in
 /// units of |N|, and, with E0 = E(a) and E1 = E(b), p. 23's
 ///     t = E0 / (E0 - E1);
-/// `point` at a + t (b - a) where 0 <= t <= 1, else `none`.
+/// `point` at a + t (b - a) where 0 <= t <= 1, otherwise `none`.
 /// The plane is the thin set N . p + d = 0 and has no solid side: a segment crosses it from either side. segment,
 /// plane: the ends and d / |N| in any unit of length, the same for both; N of any length but 0. t is a pure number, 0
 /// at a and 1 at b. Closed sets: an end on the plane is a `point`, with t = 0 or t = 1. `inside`: all of the segment

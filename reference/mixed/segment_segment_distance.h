@@ -33,8 +33,7 @@ NearestEnds<Point> nearest_of_segments(const Point& a0, const Point& a1, const P
   return {a0 + s * v, b0 + t * w};
 }
 
-/// Points of two closed segments that are as near to each other as any, and how far that is: the distance and its
-/// square. In the plane and in space.
+/// A pair of nearest points of two closed segments, their distance and its square. In the plane and in space.
 ///
 /// No page of the deck asks this. The formula is the textbook's (Ericson, Real-Time Collision Detection, 5.1.9), put
 /// together from p. 12-13's parameters on two lines and p. 48-50's way to move what lies outside of an interval to its
@@ -54,10 +53,10 @@ NearestEnds<Point> nearest_of_segments(const Point& a0, const Point& a1, const P
 /// Rounding (binary64, to nearest, u = 2^-53), where nothing overflows and no number is NaN: each point as computed is,
 /// on each axis, within 3u |v| + u |X| + 2^-1074 of a point of its segment, X being its coordinate and v the segment's
 /// extent; let e be the sum of these over both points and all axes. So the distance D is never too short by more: D >=
-/// (D* - e) (1 - 4u) - 2^-536, D* being the exact distance. How much too long it may be, nothing says: of segments that
-/// are nearly parallel both parameters are lost. ulps: 51 roundings behind the distance in space (nine differences,
-/// five scalar products of five, three and one in s, three in t, four in each coordinate, less what is shared; three
-/// differences, three squares, two sums, the root).
+/// (D* - e) (1 - 4u) - 2^-536, D* being the exact distance. There is no bound on how much too long it may be: for
+/// segments that are nearly parallel both parameters are lost. ulps: 51 roundings behind the distance in space (nine
+/// differences, five scalar products of five, three and one in s, three in t, four in each coordinate, less what is
+/// shared; three differences, three squares, two sums, the root).
 template <class Real>
 ClosestPair2<Real> segment_segment_distance(const Segment2<Real>& a, const Segment2<Real>& b) {
   using std::sqrt;

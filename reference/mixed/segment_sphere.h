@@ -13,15 +13,15 @@ Passage<Real> passage_of_segment(const RootsOfSphere<Real>& roots) {
           Real(1) < roots.greater ? Real(1) : roots.greater};
 }
 
-/// Where a closed segment enters and leaves a ball, or in the plane a disc, by the quadratic formula.
+/// Finds where a closed segment enters and leaves a ball, or in the plane a disc, by the quadratic formula.
 ///
 /// No page of the deck asks this. The formula is that of ray_sphere.h with v = b - a: `none` where the discriminant or
-/// the greater root is negative, or the smaller root is above 1; else `hit` from the smaller root, or 0 where that is
+/// the greater root is negative, or the smaller root is above 1; otherwise `hit` from the smaller root, or 0 if that is
 /// negative, to the greater, or 1 where that is above 1.
 /// segment, sphere: any unit of length, the same for both; t is a pure number, 0 at a and 1 at b. Closed sets: the ends
-/// and the boundary belong to them, so a tangent segment is a hit, with first = last. first is 0 where a is in the
-/// ball, last is 1 where b is. The ball is solid: a segment within it is a hit from 0 to 1. A segment of length 0 is a
-/// point: both are 0. Radius 0 (or -0) is a point.
+/// and the boundary belong to them, so a tangent segment is a hit, with first = last. first is 0 if a is in the ball,
+/// last is 1 where b is. The ball is solid: a segment within it is a hit from 0 to 1. A segment of length 0 is a point:
+/// both are 0. Radius 0 (or -0) is a point.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("sphere.radius",
 /// "radius >= 0").
 ///

@@ -8,11 +8,11 @@
 
 namespace touchstone::reference {
 
-/// Whether a ball and a capsule, as closed solids, overlap, only touch, or neither. A capsule is all that is no farther
-/// than its radius from its segment.
+/// Decides whether a ball and a capsule, as closed solids, overlap, only touch, or neither. A capsule is the set of
+/// points no farther than its radius from its segment.
 ///
-/// No page of the deck asks this. The formula puts two together: the nearest point of closest_point_on_segment, and p.
-/// 44's comparison of a squared distance with the square of the sum of the radii. Equal squares are `touching`.
+/// No page of the deck asks this. The formula combines two: the nearest point of closest_point_on_segment, and p. 44's
+/// comparison of a squared distance with the square of the sum of the radii. Equal squares are `touching`.
 /// sphere, capsule: any unit of length, the same for both. Shapes are closed: where one only reaches the other they are
 /// `touching`. A ball within the capsule overlaps it, touching it from inside or not.
 /// A radius of 0 (or -0) is valid: such a ball is a point, such a capsule a segment. Neither has an interior, and the
@@ -20,9 +20,9 @@ namespace touchstone::reference {
 /// NaN or infinity: refused by robust and oracle (field "sphere.center[0]", "capsule.segment[0][0]" ..., "finite
 /// number"); so is a negative radius ("sphere.radius", "capsule.radius", "radius >= 0").
 ///
-/// The formula takes for granted that both have interiors: where one has not and they are nearer than the sum of the
-/// radii it answers `overlapping`, in exact arithmetic too; and of a segment of length 0 it divides 0 by 0, by which it
-/// answers `touching` (cause of both: algorithm). Of all others it is right in exact arithmetic.
+/// The formula assumes that both have interiors: where one has not and they are nearer than the sum of the radii it
+/// answers `overlapping`, in exact arithmetic too; and of a segment of length 0 it divides 0 by 0, by which it answers
+/// `touching` (cause of both: algorithm). For all others it is right in exact arithmetic.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): by the contract of closest_point_on_segment the computed square of the
 /// distance is off by E = 2 D e + e^2 + 6u (D + e)^2 + 2^-1072, D being the exact distance. That of the sum R of the

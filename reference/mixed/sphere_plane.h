@@ -8,9 +8,9 @@
 
 namespace touchstone::reference {
 
-/// Whether a ball and the half-space behind a plane, as closed solids, overlap, only touch, or neither.
+/// Decides whether a ball and the half-space behind a plane, as closed solids, overlap, only touch, or neither.
 ///
-/// No page of the deck asks this. The formula puts two together: p. 22's E(p) = N . p + d, the height over the plane in
+/// No page of the deck asks this. The formula combines two: p. 22's E(p) = N . p + d, the height over the plane in
 /// units of |N|, and p. 44's comparison of a distance with a radius. They are disjoint where the height of the center c
 /// is
 ///     E(c) > r |N|,
@@ -24,8 +24,8 @@ namespace touchstone::reference {
 /// NaN or infinity: refused by robust and oracle (field "sphere.center[0]", "plane.offset" ..., "finite number"); so
 /// are a negative radius ("sphere.radius", "radius >= 0") and N = 0 ("plane.normal", "nonzero normal").
 ///
-/// The formula takes for granted that the ball has an interior. For a point behind the plane it answers `overlapping`,
-/// in exact arithmetic too (cause: algorithm). For all other balls it is right in exact arithmetic.
+/// The formula assumes that the ball has an interior. For a point behind the plane it answers `overlapping`, in exact
+/// arithmetic too (cause: algorithm). For all other balls it is right in exact arithmetic.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where Q = N . N as computed is in [2^-960, 2^960]: E is off by e(E) of
 /// point_plane.h. Q is off by 3u of itself and 2^-114, its root by half of that and u, so that R = r |N| is off by less

@@ -7,9 +7,9 @@
 
 namespace touchstone::reference {
 
-/// Whether a ball and a closed triangle in space overlap, only touch, or neither.
+/// Decides whether a ball and a closed triangle in space overlap, only touch, or neither.
 ///
-/// No page of the deck asks this. The formula puts two together: the nearest point of closest_point_on_triangle, and p.
+/// No page of the deck asks this. The formula combines two: the nearest point of closest_point_on_triangle, and p.
 /// 48-50's comparison of its squared distance from the center with the square of the radius. Equal squares are
 /// `touching`.
 /// sphere, triangle: any unit of length, the same for both. Shapes are closed. A triangle has no interior:
@@ -25,8 +25,8 @@ namespace touchstone::reference {
 /// Rounding (binary64, to nearest, u = 2^-53): where the formula's nearest point is certainly the corner a, by the
 /// contract of closest_point_on_triangle, the computed square of its distance is off by (5 + 11u) u S and 2^-1073, S
 /// being exact, and that of the radius by u r^2 and 2^-1075. The comparison is exact. So where |S - r^2| > (5 + 11u) u
-/// S + u r^2 + 2^-1072 there, the double version answers as exact arithmetic does, unless something overflows. Of other
-/// regions nothing is promised. No number is returned.
+/// S + u r^2 + 2^-1072 there, the double version answers as exact arithmetic does, unless something overflows. Nothing
+/// is promised for other regions. No number is returned.
 template <class Real>
 Contact sphere_triangle(const Sphere3<Real>& sphere, const Triangle3<Real>& triangle) {
   const Vector3<Real> way = nearest_of_triangle<Real>(sphere.center, triangle) - sphere.center;

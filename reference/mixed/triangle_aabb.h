@@ -9,7 +9,7 @@
 
 namespace touchstone::reference {
 
-/// Whether a triangle and an axis-aligned box overlap, only touch, or neither.
+/// Decides whether a triangle and an axis-aligned box overlap, only touch, or neither.
 ///
 /// No page of the deck asks this. The formula is the textbooks' test of separating axes, as p. 27's boxes of any
 /// orientation need it: p. 45-47's box is moved so that its center is the origin, and then both are projected on 13
@@ -34,11 +34,11 @@ namespace touchstone::reference {
 /// in a line: then axes that are perpendicular to all of it are among the 13, as many as there are dimensions missing;
 /// and for every edge d of M one that is perpendicular to d and not to all of M: the cross products of d and the edges
 /// of the box span all that is perpendicular to d, and so do the edges of the box that are not d. So no other axis is
-/// needed: disjoint where one of the 13 separates, else touching where the box is flat, or where they only touch along
-/// an axis that is not zero, else overlapping.
+/// needed: disjoint where one of the 13 separates, otherwise touching where the box is flat, or where they only touch
+/// along an axis that is not zero, otherwise overlapping.
 ///
 /// In exact arithmetic the formula is right where the triangle has an area, none of its edges is parallel to an axis,
-/// and the box is not flat; and always where the truth is disjoint. Else axes are zero, and along these both reach
+/// and the box is not flat; and always where the truth is disjoint. Otherwise axes are zero, and along these both reach
 /// equally far: of shapes that meet the answer is then `touching`. Along a flat box's own axis nothing tells that it
 /// has no interior: where the triangle goes through it, and no axis is zero, the answer is `overlapping` (cause:
 /// algorithm).

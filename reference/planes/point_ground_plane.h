@@ -5,7 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Whether a point of space lies above, on or below the ground, the plane y = 0 (y is up).
+/// Decides whether a point of space lies above, on or below the ground, the plane y = 0 (y is up).
 ///
 /// Deck p. 20: the sign of y; above where y > 0, below where y < 0, on where y = 0. point: any unit of length. The
 /// ground is a closed set: `on` means exactly y = 0, and -0.0 is 0. x and z play no part in the answer, but have to be

@@ -7,7 +7,7 @@
 
 namespace touchstone::reference {
 
-/// On which side of a plane a point of space lies, and how far from it.
+/// Decides on which side of a plane a point of space lies, and how far from it.
 ///
 /// Deck p. 22:
 ///     E(p) = N . p + d,  distance = E / |N|;

@@ -5,7 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Whether a point that moves from start to end in one step hits a plane, by the two options of the slide.
+/// Decides whether a point that moves from start to end in one step hits a plane, by the two options of the slide.
 ///
 /// Deck p. 23: with E(p) = N . p + d (point_plane.h), option 1 tests the end of the step only: hit where E(end) <= 0.
 /// Option 2 finds when the plane was reached,
@@ -18,8 +18,8 @@ namespace touchstone::reference {
 /// leaves. start == end is valid: hit at 0 or never. NaN or infinity: refused by robust and oracle (field, "finite
 /// number"); so is N = 0 ("plane.normal", "nonzero normal").
 ///
-/// The formula takes for granted that the start is in front. From behind the plane it finds no t in [0, 1], or the t
-/// where the point leaves the solid; within the plane it is 0/0: wrong in exact arithmetic too (cause: algorithm).
+/// The formula assumes that the start is in front. From behind the plane it finds no t in [0, 1], or the t where the
+/// point leaves the solid; within the plane it is 0/0: wrong in exact arithmetic too (cause: algorithm).
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with e(E) the bound of point_plane.h, option 1 is right where |E1| >
 /// e(E1). Option 2 is rightly `never` where E0 > e(E0), E1 > e(E1) + 2u E0 (else E0 - E1 may round to E0, and t to 1)

@@ -18,7 +18,7 @@ namespace touchstone::reference {
 /// boundary of a piece is in its list, and there are at most 2 r + 1 of them, r the number of reflex vertices. No
 /// partition has fewer than r / 2 + 1, so that is at most four times the least number. (Why Hertel and Mehlhorn's has
 /// no more: a diagonal left over is needed by a reflex vertex at one of its ends, and no vertex needs three, which
-/// would divide more than a whole turn.) Degenerate: a flat vertex is no reason to cut, and stays in the list of its
+/// would divide more than a full turn.) Degenerate: a flat vertex is no reason to cut, and stays in the list of its
 /// piece. A last position that repeats the first is dropped, and what is refused is, as in triangulate_polygon.
 ///
 /// Rounding: as triangulate_polygon. Where the sum and every E of three of the vertices exceed their bounds, every

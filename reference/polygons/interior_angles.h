@@ -15,10 +15,10 @@ namespace touchstone::reference {
 /// pi for one that is nearly that. Refused by robust and oracle: NaN or infinity (polygon[i][k], "finite number");
 /// fewer than 3 vertices (polygon, "at least 3 vertices"); a polygon that is not simple (polygon[i], with the rules of
 /// geometry/validation.h: a vertex that is the same as the next, "different from vertex i: drop one of the two", or an
-/// edge that meets another elsewhere than in the vertex that neighbours share). So a polygon on one line is refused
+/// edge that meets another at a point other than the vertex that neighbours share). So a polygon on one line is refused
 /// too. A last position that repeats the first is no vertex and has no angle: it is dropped, once.
 ///
-/// Which side is the inside the slide does not say: the angles on the left of the ring add up to (n - 2) pi if it is
+/// The slide does not say which side is the inside: the angles on the left of the ring add up to (n - 2) pi if it is
 /// that side, to (n + 2) pi if it is the other.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with all differences of coordinates 0 or between 2^-200 and 2^200 in

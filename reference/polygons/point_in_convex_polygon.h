@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of a convex polygon, by the side of each edge.
+/// Locates a point relative to a convex polygon, by the side of each edge.
 ///
 /// Deck p. 16-17: for every edge a -> b
 ///     E = (y - ay)(bx - ax) - (x - ax)(by - ay);
@@ -25,7 +25,7 @@ namespace touchstone::reference {
 ///
 /// Margin: the least squared distance of the point from an edge. Rounding (binary64, to nearest, u = 2^-53): with L and
 /// R the two products of an E as computed, it is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073 unless something
-/// overflows (reference/lines/orientation.h). Where every |E| exceeds that, the double version is right.
+/// overflows (reference/lines/orientation.h). If every |E| exceeds that, the double version is right.
 template <class Real>
 Location point_in_convex_polygon(const Polygon2<Real>& given, const Point2<Real>& point) {
   const validation::OpenRing open(given);

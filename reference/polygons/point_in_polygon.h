@@ -5,7 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of a polygon, by the ray test.
+/// Locates a point relative to a polygon, by the ray test.
 ///
 /// Deck p. 14-15: a ray from the point to +x; inside where it crosses the edges an odd number of times. Special cases:
 /// an edge counts only if one of its ends is strictly above the ray and the other is not, so that a vertex on the ray

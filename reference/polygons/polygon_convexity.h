@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// Whether a ring of vertices bounds a convex region, by the line test.
+/// Decides whether a ring of vertices bounds a convex region, by the line test.
 ///
 /// Deck p. 5: convex where for every edge all other vertices lie on one side of the line through that edge, by the sign
 /// for the edge a -> b of
@@ -14,18 +14,18 @@ namespace touchstone::reference {
 /// concave where some edge has vertices on both sides. polygon: at least 3 vertices, any unit of length; the last is
 /// joined to the first; either direction. Decided in this order: `degenerate`: two neighbours are the same point, or
 /// all vertices lie on one line (area 0 alone is not enough: a figure eight has it too). `not_simple`: two edges meet
-/// elsewhere than in the vertex that neighbours share; a spike, where the ring turns back on itself, is one. `convex`:
-/// every vertex is on one closed side of every edge's line. `concave`: the rest. strict: convex, and no three
-/// neighbours on a line. orientation: `ccw` where the inside lies left of the edges (y up), else `cw`; `not_simple` and
-/// `degenerate` have `none` and are not strict. NaN or infinity: refused by robust and oracle (polygon[i][k], "finite
-/// number"); so are fewer than 3 vertices (polygon, "at least 3 vertices"). A last position that repeats the first is
-/// no vertex: it is dropped, once, before all this.
+/// at a point other than the vertex that neighbours share; a spike, where the ring turns back on itself, is one.
+/// `convex`: every vertex is on one closed side of every edge's line. `concave`: the rest. strict: convex, and no three
+/// neighbours on a line. orientation: `ccw` where the inside lies left of the edges (y up), otherwise `cw`;
+/// `not_simple` and `degenerate` have `none` and are not strict. NaN or infinity: refused by robust and oracle
+/// (polygon[i][k], "finite number"); so are fewer than 3 vertices (polygon, "at least 3 vertices"). A last position
+/// that repeats the first is no vertex: it is dropped, once, before all this.
 ///
-/// The slide knows of convex and concave alone. What else is answered here follows from the same signs where it can: a
-/// convex ring is ccw if vertices lie left of its edges, and strict if none lies on their lines. For a concave one,
-/// which has no such side, twice its area is summed over the triangles from vertex 0. Nothing in it sees repeated
-/// neighbours, a common line or edges that cross: degenerate rings come out convex, crossing ones concave, or convex
-/// where they go round twice (cause: algorithm). For simple rings of some area the formula is right in exact
+/// The slide knows of convex and concave alone. The other parts of the answer follow from the same signs where
+/// possible: a convex ring is ccw if vertices lie left of its edges, and strict if none lies on their lines. For a
+/// concave one, which has no such side, twice its area is summed over the triangles from vertex 0. Nothing in it sees
+/// repeated neighbours, a common line or edges that cross: degenerate rings come out convex, crossing ones concave, or
+/// convex where they go round twice (cause: algorithm). For simple rings of some area the formula is right in exact
 /// arithmetic.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with L and R the two products of E as computed, E is off by at most (3 +

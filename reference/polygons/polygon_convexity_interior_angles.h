@@ -37,7 +37,8 @@ Real sum_of(const std::vector<Real>& angles) {
   return sum;
 }
 
-/// Whether a ring of vertices bounds a convex region, by its interior angles. What is asked: polygon_convexity.h.
+/// Decides whether a ring of vertices bounds a convex region, by its interior angles. The question is that of
+/// polygon_convexity.h.
 ///
 /// Deck p. 6: convex where no interior angle exceeds pi. The angles are acos of a dot product, and the sign of the
 /// cross product tells which of them are reflex; the interior angles of a simple polygon add up to (n - 2) pi. That sum
@@ -53,8 +54,8 @@ Real sum_of(const std::vector<Real>& angles) {
 /// 2^200 in magnitude) the computed quotient is off by at most 11u: the dot product by 4u |v| |w|, the root by a factor
 /// of 1 + 5.5u, the quotient by one more rounding, and 0.5u is left for terms of u^2; the cross product is off by less
 /// than 5u |v| |w|. So where the sine of every angle exceeds 2^-20 in magnitude, each acos is off by less than 12u 2^20
-/// and the library's error, flat and reflex angles are told apart, and for simple rings of fewer than 2^20 vertices the
-/// sum is nearest to the right multiple of pi: the answer is right.
+/// and the library's error, flat and reflex angles are distinguished, and for simple rings of fewer than 2^20 vertices
+/// the sum is nearest to the right multiple of pi: the answer is right.
 template <class Real>
 PolygonConvexity polygon_convexity_interior_angles(const Polygon2<Real>& polygon) {
   using std::acos;

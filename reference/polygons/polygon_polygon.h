@@ -7,16 +7,16 @@
 
 namespace touchstone::reference {
 
-/// Whether two simple polygons, as closed solids, have common points, and common interior points.
+/// Decides whether two simple polygons, as closed solids, have common points, and common interior points.
 ///
-/// Deck p. 18-19: they overlap where one contains a vertex of the other, else where an edge of one crosses an edge of
-/// the other. The slide answers yes or no; the third answer is read from the same tests: a vertex on the other's
+/// Deck p. 18-19: they overlap where one contains a vertex of the other, otherwise where an edge of one crosses an edge
+/// of the other. The slide answers yes or no; the third answer is read from the same tests: a vertex on the other's
 /// boundary is a touch. a, b: rings in either direction, any unit of length, the same for both; flat vertices are
 /// valid. `overlapping`: a common interior point (one inside the other and coincident polygons included); `touching`:
 /// common points, all of them on both boundaries; `disjoint`: none. Refused by robust and oracle, a before b: fewer
 /// than 3 vertices ("a", "at least 3 vertices"); NaN or infinity (field, "finite number"); an edge of length zero or
-/// edges that meet elsewhere than neighbours do in their vertex (the vertex, "different from vertex i: drop one of the
-/// two", "simple: ..."; geometry/validation.h). A last position that repeats the first is no vertex: it is dropped,
+/// edges that meet at a point other than the vertex of neighbours (the vertex, "different from vertex i: drop one of
+/// the two", "simple: ..."; geometry/validation.h). A last position that repeats the first is no vertex: it is dropped,
 /// once.
 ///
 /// Where every vertex of both lies outside the other or on its boundary and no edges cross in their interiors, the

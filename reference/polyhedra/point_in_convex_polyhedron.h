@@ -6,16 +6,16 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of a convex polyhedron, by the side of each face.
+/// Locates a point relative to a convex polyhedron, by the side of each face.
 ///
 /// Deck p. 53: a point is inside where it is on the inside of all faces. The side of a face a, b, c is the sign of
 ///     E = ((b - a) x (c - a)) . (p - a),
 /// which is positive where the face is seen counter-clockwise. Inside where all E have one sign, outside where two have
 /// different ones; E = 0, on which the slide is silent, is `boundary`, unless two others differ.
 ///
-/// mesh, point: any unit of length, the same for both. Faces counter-clockwise from outside; a mesh that is turned
-/// inside out as a whole is the same solid. Any number of faces in one plane, flat vertices, vertices of no face and
-/// several vertices in one position are valid.
+/// mesh, point: any unit of length, the same for both. Faces counter-clockwise from outside; a mesh that is entirely
+/// inside out is the same solid. Any number of faces in one plane, flat vertices, vertices of no face and several
+/// vertices in one position are valid.
 ///
 /// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: NaN or infinity
 /// in the mesh (mesh.vertices[i][c], "finite number"), or in the point (point[c], "finite number"); a face that names
@@ -25,17 +25,17 @@ namespace touchstone::reference {
 /// (mesh.faces[i], "closed: edge ..."); a face of area zero (mesh.faces[i], "nonzero area"); all vertices on one plane
 /// (mesh, "convex: vertices on one plane have no inside"); a vertex on the outer side of a face's plane (mesh.faces[i],
 /// "convex: vertex ... must not lie beyond its plane"), where the inner side of all faces is that on which the first
-/// vertex lies that is not on the plane of face 0. Robust and oracle look at every face and every vertex together to
-/// find that out, which is most of their time.
+/// vertex lies that is not on the plane of face 0. Robust and oracle test every face with every vertex to find that
+/// out, which is most of their time.
 ///
 /// By these rules the solid is at once the intersection K of the faces' closed inner half-spaces and the convex hull H
 /// of the vertices. All vertices are in K, so H is. H has an inside, and every face lies, with an area, in a plane that
-/// has all of H on one side: it is a part of a facet of H, and all faces turn the same way as seen from outside H. Walk
-/// on the surface of H, past its vertices: across an edge a -> b the number of faces above one's feet loses those on
-/// the left of a -> b and gains those on the left of b -> a, which are as many. So that number is the same everywhere
-/// on H, and not 0, because there is a face. Hence every facet of H has a face in its plane, and K, within all these
-/// planes, is in H. (The number may be greater than 1: a surface that goes round its solid twice bounds the same
-/// solid.)
+/// has all of H on one side: it is a part of a facet of H, and all faces have the same orientation as seen from outside
+/// H. Walk on the surface of H, past its vertices: across an edge a -> b the number of faces above one's feet loses
+/// those on the left of a -> b and gains those on the left of b -> a, which are as many. So that number is the same
+/// everywhere on H, and not 0, because there is a face. Hence every facet of H has a face in its plane, and K, within
+/// all these planes, is in H. (The number may be greater than 1: a surface that goes round its solid twice bounds the
+/// same solid.)
 ///
 /// In exact arithmetic the formula is always right: the sum of all E is six times the volume (times that number),
 /// wherever the point is, so that some E has the sign of the inside; and where none has the other sign, the point is in
@@ -47,7 +47,7 @@ namespace touchstone::reference {
 /// Rounding (binary64, to nearest, u = 2^-53): let P be the sum of the magnitudes of the six products of three
 /// differences in an E, taken exactly. A product goes through three differences, two products, a difference and two
 /// sums, so E as computed is off by at most ((1 + u)^8 - 1) P < 8 (1 + 4u) u P; where products underflow, by 2^-1073
-/// (|x| + |y| + |z| + 2) more, with p - a = (x, y, z); unless something overflows. Where every |E| exceeds that, the
+/// (|x| + |y| + |z| + 2) more, with p - a = (x, y, z); unless something overflows. If every |E| exceeds that, the
 /// double version is right.
 template <class Real>
 Location point_in_convex_polyhedron(const Mesh<Real>& mesh, const Point3<Real>& point) {

@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of the solid within a closed mesh, convex or not, by the ray test.
+/// Locates a point relative to the solid within a closed mesh, convex or not, by the ray test.
 ///
 /// Deck p. 53 asks it of convex polyhedra, by sides of faces; pp. 14-15 ask it of polygons that need not be convex, by
 /// a ray. No page has both: this is that ray test in space, with the faces' sides. The ray runs from the point to +x.
@@ -36,7 +36,7 @@ namespace touchstone::reference {
 /// Rounding (binary64, to nearest, u = 2^-53): let Q be the sum of the magnitudes of the two products in an S, taken
 /// exactly. A product goes through two differences, itself and a difference, so S as computed is off by at most ((1 +
 /// u)^4 - 1) Q < 4 (1 + 2u) u Q, and by 2^-1073 where products underflow, unless something overflows. E is off by at
-/// most 8 (1 + 4u) u P + 2^-1073 (|x| + |y| + |z| + 2), as in point_in_convex_polyhedron.h. Where every |S| and |E|
+/// most 8 (1 + 4u) u P + 2^-1073 (|x| + |y| + |z| + 2), as in point_in_convex_polyhedron.h. If every |S| and |E|
 /// exceeds that, the double version is right.
 template <class Real>
 Location point_in_polyhedron(const Mesh<Real>& mesh, const Point3<Real>& point) {
@@ -48,7 +48,7 @@ Location point_in_polyhedron(const Mesh<Real>& mesh, const Point3<Real>& point) 
     const Point3<Real>&a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
     const Real s = side(a, b), t = side(b, c), r = side(c, a);
     const bool left = s > Real(0) || t > Real(0) || r > Real(0), right = s < Real(0) || t < Real(0) || r < Real(0);
-    if (left == right) continue;  // beside the ray's line, or along it
+    if (left == right) continue;  // off the ray's line, or along it
     const Real e = dot(cross(b - a, c - a), point - a);
     if (e == Real(0)) return Location::boundary;
     if ((e < Real(0)) == left) inside = !inside;

@@ -14,42 +14,43 @@
 
 namespace touchstone::reference {
 
-/// How many vertices, edges and faces a mesh has; whether it is a surface, and which; what it encloses.
+/// The numbers of vertices, edges and faces of a mesh; whether it is a surface, and of which kind; the solid it
+/// encloses.
 ///
 /// Deck p. 26: V vertices, E edges, F faces, and Euler's formula
 ///     V - E + F = 2
-/// of a polyhedron without holes. Of faces, every one of the list counts; an edge is a pair of vertices, in whichever
-/// order, that follow each other in some face; a vertex counts if some face names it. What a face names decides which
-/// vertex it is: vertices in one position are several. A face that is named by a polygon is one face, however it is cut
+/// of a polyhedron without holes. Every face of the list counts; an edge is a pair of vertices, in whichever
+/// order, that follow each other in some face; a vertex counts if some face names it. Vertices are identified by their
+/// indices: vertices at one position are several. A face that is named by a polygon is one face, however it is cut
 /// (geometry/polyhedra.h): its diagonals are no edges, and all places are those of the faces as named.
 ///
 /// euler: V - E + F, 2 a component less 2 a handle for surfaces without a rim. components: faces that share a vertex
 /// are of one. closed: every edge is in an even number of faces, so that parity tells inside from outside
-/// (point_in_polyhedron.h). oriented: of the faces at an edge, as many run along it one way as the other, one more at
-/// most. edge_manifold: every edge is in one face or two. vertex_manifold: every edge is, and the faces at a vertex,
-/// each a neighbour of the next by an edge at that vertex, are one fan or one ring; two sheets that meet in a vertex
-/// alone are none, which counting V - E + F does not see, nor does looking at edges.
+/// (point_in_polyhedron.h). oriented: of the faces at an edge, as many run along it in one direction as in the other,
+/// one more at most. edge_manifold: every edge is in one face or two. vertex_manifold: every edge is, and the faces at
+/// a vertex, each a neighbour of the next by an edge at that vertex, are one fan or one ring; two sheets that meet in a
+/// vertex alone are none, which counting V - E + F does not see, nor does looking at edges.
 ///
 /// embedded: every face has an area, and no two faces have a point in common but corners that both name and the edges
 /// that both have. Faces of the same three vertices coincide; an edge of one along a diagonal of the other is contact.
 /// So a flat part cut into triangles is embedded, a face folded back on its neighbour is not, nor is a corner that
 /// touches another face or stands in one position with a vertex of another number: vertices that a file repeats have to
 /// be merged first. convex: the mesh is closed and embedded, and no face's plane has vertices on both sides. Then the
-/// faces are the whole surface of a convex solid, each part of it once: every face lies in a facet of the convex hull,
+/// faces are the entire surface of a convex solid, each part of it once: every face lies in a facet of the convex hull,
 /// and across no edge does the number of faces that lie there, 0 or 1, change. Faces may turn either way, several may
 /// lie in one plane, and edges and vertices may be flat. volume: the sign of the sum of a . (b x c) over all faces, six
 /// times the volume, of which each part counts as often as the mesh goes around it; positive where faces are
-/// counter-clockwise from outside. `none` unless the mesh is closed and oriented: elsewhere the sum depends on where
+/// counter-clockwise from outside. `none` unless the mesh is closed and oriented: otherwise the sum depends on where
 /// the origin is.
 ///
-/// nesting: which component contains which, of a closed and embedded mesh, and left out of others. Its components have
+/// nesting: which component contains which, of a closed and embedded mesh, and omitted for others. Its components have
 /// no common point, so that each lies inside another or outside it (by point_in_polyhedron.h). All pairs, containing
 /// component first, in ascending order; components are numbered in the order of their first faces.
 ///
-/// A word that is false has a witness, the first. Of edges (lesser vertex first) and of vertices, in ascending order:
+/// A word that is false has a witness, the first. For edges (lesser vertex first) and vertices, in ascending order:
 /// open_edge (not closed), turned_edge (not oriented), crowded_edge (no edge_manifold), pinched_vertex, whose faces are
-/// several fans or rings. Of embedded, flat_face, the first without area; where there is none, meeting_faces, the first
-/// pair in ascending order, lesser face first. Of convex, those of closed and embedded, and where both hold,
+/// several fans or rings. For embedded: flat_face, the first without area; if there is none, meeting_faces, the first
+/// pair in ascending order, lesser face first. For convex: those of closed and embedded, and if both hold,
 /// splitting_face: the first face whose plane has vertices on both sides, the first vertex that is off the plane, and
 /// the first on its other side.
 ///
@@ -65,7 +66,7 @@ namespace touchstone::reference {
 template <class Real>
 PolyhedronComplexity<Real> polyhedron_complexity(const Mesh<Real>& mesh) {
   using Edge = std::pair<Index, Index>;
-  std::map<Edge, Edge> edges;  // how many faces run along it each way
+  std::map<Edge, Edge> edges;  // number of faces that run along it in each direction
   std::map<Index, Index> parts;
   for (std::size_t i = 0; i < named_faces(mesh); ++i) {
     const std::vector<Index> corners = corners_of_named(mesh, i);

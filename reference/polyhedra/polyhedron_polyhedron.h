@@ -12,11 +12,11 @@
 
 namespace touchstone::reference {
 
-/// How the solids within two closed meshes lie to each other, convex or not, and which step of the test decides.
+/// The relation of the solids within two closed meshes, convex or not, and which step of the test decides.
 ///
 /// Deck p. 25, 52-54: first bounding volumes; then is a vertex of one inside the other; then the edges of one against
 /// the faces of the other. Here the bounding volumes are the boxes along the axes around the vertices that faces name;
-/// inside is told by the ray of reference/polyhedra/point_in_polyhedron.h; an edge meets a face as in
+/// inside is decided by the ray of reference/polyhedra/point_in_polyhedron.h; an edge meets a face as in
 /// reference/polyhedra/segment_triangle.h.
 ///
 /// a, b: any unit of length, the same for both. Both are closed as there: every edge is in an even number of faces, and
@@ -25,8 +25,8 @@ namespace touchstone::reference {
 /// a common point of the interiors; `touching`, only others. Faces that separate nothing (there twice, or without area)
 /// may touch the other solid, within it too, and do not overlap it.
 ///
-/// decided_by: `bounding_volumes` where the boxes, closed, have no common point. Else `vertex_inside` where a vertex
-/// that a face names lies in the interior of the other solid, not on its faces. Else `edge_against_face`.
+/// decided_by: `bounding_volumes` where the boxes, closed, have no common point. Otherwise `vertex_inside` where a
+/// vertex that a face names lies in the interior of the other solid, not on its faces. Otherwise `edge_against_face`.
 ///
 /// Degenerate: refused by robust and oracle with field and rule, the first that applies: NaN or infinity in a
 /// (a.vertices[i][c], "finite number"), then in b; then for a, then for b: a face that names no vertex (a.faces[i][k],

@@ -5,13 +5,13 @@
 
 namespace touchstone::reference {
 
-/// What a closed segment and a closed triangle in space have in common.
+/// Finds the intersection of a closed segment and a closed triangle in space.
 ///
 /// Deck p. 54: the ends of the edge lie on opposite sides of the face's plane; intersect the two; the point is inside
 /// the face. With the normal N = (b - a) x (c - a) of the triangle, the segment from p to q and E(x) = N . (x - a):
-/// `none` where E(p) and E(q) have one sign; else
+/// `none` where E(p) and E(q) have one sign; otherwise
 ///     t = E(p) / (E(p) - E(q)),  x = p + t (q - p),
-/// and `point` where ((b - a) x (x - a)) . N and the same of the edges b, c and c, a are all >= 0; else `none`.
+/// and `point` where ((b - a) x (x - a)) . N and the same of the edges b, c and c, a are all >= 0; otherwise `none`.
 /// segment, triangle: any unit of length, the same for both; t: a pure number, 0 at the segment's a and 1 at its b.
 /// Closed sets: ends, edges and corners belong to them, so a touch is a `point`. `segment`: a common segment, its ends
 /// in the segment's direction. Degenerate: a segment of length 0 is a point, its t is 0; a triangle without area is the

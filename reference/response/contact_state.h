@@ -5,13 +5,13 @@
 
 namespace touchstone::reference {
 
-/// Where a point of a turning body is going: v + w x (p - position).
+/// The velocity of a point of a rotating body: v + w x (p - position).
 template <class Real>
 Vector3<Real> velocity_at(const MovingBody<Real>& body, const Point3<Real>& point) {
   return body.velocity + cross(body.angular_velocity, point - body.position);
 }
 
-/// Whether two bodies that touch at a point part there, stay, or collide.
+/// Decides whether two bodies that touch at a point part there, stay, or collide.
 ///
 /// Deck p. 74: with the velocities of both bodies at the contact, v + w x (p - position), the sign of the relative
 /// normal velocity
@@ -19,7 +19,7 @@ Vector3<Real> velocity_at(const MovingBody<Real>& body, const Point3<Real>& poin
 /// positive is `separating`, 0 `resting`, negative `colliding`. normal: from b to a, of any length but 0. positions,
 /// point: any unit of length. velocities: that unit a unit of time; angular velocities: radians a unit of time, around
 /// the body's own position. Bodies that slide along each other, or roll, are `resting`: nothing is said of what is
-/// across the normal. Whether they touch at the point is not asked.
+/// across the normal. It is not tested whether they touch at the point.
 /// `resting` means exactly 0, however slow others are. NaN or infinity: refused by robust and oracle (field, "finite
 /// number"); so is n = 0 ("normal", "nonzero normal").
 ///

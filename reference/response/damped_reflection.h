@@ -12,7 +12,8 @@ namespace touchstone::reference {
 /// k is a number without unit, 0.8 on the slide: 1 is reflect_plane, 0 leaves the part along the plane alone, and -1
 /// the velocity as it is. The slide names no limits, and the formula has a meaning for every k: none but a number that
 /// is not finite is refused. A k above 1 gains speed, a negative one lets the particle through. velocity: any unit.
-/// normal: of any length but 0, on either side of the plane. Whether the particle comes or goes is not asked.
+/// normal: of any length but 0, on either side of the plane. It does not matter whether the particle approaches or
+/// recedes.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so is n = 0 ("normal", "nonzero normal").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where every number is 0 or between 2^-100 and 2^100 in size, so that

@@ -11,8 +11,8 @@ namespace touchstone::reference {
 ///     c = (v1 - v2) . n / (n . n),
 ///     v1' = v1 - 2 m2 / (m1 + m2) c n,  v2' = v2 + 2 m1 / (m1 + m2) c n;
 /// what is across the normal stays. masses: positive, any unit, the same for both. velocities: any unit. normal: of any
-/// length but 0, from either body to the other. Whether the bodies approach is not asked: the law is applied to those
-/// that part too, and to those that do neither, which keep their velocities.
+/// length but 0, from either body to the other. It does not matter whether the bodies approach: the law also applies to
+/// those that separate, and to those that do neither, which keep their velocities.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so are a mass of 0 or less ("masses[0]",
 /// "mass > 0") and n = 0 ("normal", "nonzero normal").
 ///

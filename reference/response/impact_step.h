@@ -11,16 +11,16 @@
 
 namespace touchstone::reference {
 
-/// What a number is between moments: see the contract of impact_step. A type with more digits than 53 says by a
-/// function of that name how it leaves the others out; floating-point numbers have no others.
+/// The precision of a number between times of collision: see the contract of impact_step. A type with more digits than
+/// 53 says by a function of that name how it leaves the others out; floating-point numbers have no others.
 template <class Real>
 Real between_moments(const Real& number) {
   if constexpr (requires { kept_digits(number); }) return kept_digits(number);
   else return number;
 }
 
-/// Where balls are after one step of time in which they collide when they meet, and how they move then: option 2 of
-/// p. 23, of which simulation_step is option 1.
+/// Positions and velocities of balls after one step of time in which they collide when they meet: option 2 of p. 23, of
+/// which simulation_step is option 1.
 ///
 /// Deck p. 23 (option 2: the time of impact within the step), 51 (when two balls that move along lines first meet),
 /// 55-56 (the loop over all pairs), 64-71 and 74 (the response). No page asks the question; the step is put together
@@ -28,7 +28,7 @@ Real between_moments(const Real& number) {
 ///
 /// 1. A body flies along a straight line: with position p and velocity v at its clock c, which is 0 at first, it is at
 ///    p + (t - c) h v, where h is the timestep. There is no gravity here. Where the velocity changes before bodies
-///    move, or after (accelerate_then_move, move_then_accelerate of simulation_step), whoever asks adds h g to it;
+///    move, or after (accelerate_then_move, move_then_accelerate of simulation_step), the caller adds h g to it;
 ///    under a parabola the first time of contact with a body that never moves would be a root of a polynomial of
 ///    degree 4.
 /// 2. A pair of bodies, not both immovable, or a movable body and a wall, collides at the first t, from the later of
@@ -39,8 +39,8 @@ Real between_moments(const Real& number) {
 ///    0, they do not collide; nor do two whose centers coincide, for there is no normal, nor two particles. t = 0 and
 ///    t = 1 count.
 /// 3. The next moment is the least t at which pairs collide. Its contacts are all pairs, with clocks not after t, that
-///    meet at t and do not part, n . (va - vb) <= 0, as far as they hang together, by bodies that can move, with one
-///    that collides; others are left alone. Their velocities become those of least change, as in simulation_step: the
+///    meet at t and do not part, n . (va - vb) <= 0, as far as they are connected, by movable bodies, to one that
+///    collides; others are left alone. Their velocities become those of least change, as in simulation_step: the
 ///    sum of m |v' - v|^2 is the least with which each contact leaves at e times the speed of its approach at least. A
 ///    contact at rest is answered with the others, so that a moment has no order of its own. The order of bodies and
 ///    walls does not matter.
@@ -61,19 +61,19 @@ Real between_moments(const Real& number) {
 /// radius below 0 ("bodies[0].sphere.radius", "radius >= 0"), a wall's normal of length 0 ("walls[0].normal",
 /// "nonzero normal"), a restitution out of bounds ("restitution", "between 0 and 1") and a timestep of 0 or less
 /// ("timestep", "timestep > 0"). The first is named: all numbers before all else, then body after body, wall after
-/// wall, and the rest. What only the course of the step tells is an answer: `finished`; `too_many_moments` after
-/// sixteen, if another would follow (three balls in a row can have infinitely many if e < 7 - 4 sqrt(3));
-/// `too_many_contacts` at a moment that is no rational number if more than six of its contacts hang together: it is
-/// the last of the moments, and not answered. Where the step is not finished, no state of its end is given.
+/// wall, and the rest. Conditions that only the course of the step reveals are answers: `finished`; `too_many_moments`
+/// after sixteen, if another would follow (three balls in a row can have infinitely many if e < 7 - 4 sqrt(3));
+/// `too_many_contacts` at a moment that is no rational number if more than six of its contacts are connected: it is the
+/// last of the moments, and not answered. Where the step is not finished, no state of its end is given.
 ///
 /// Not here: gravity, boxes, friction, bodies that turn, springs.
 ///
-/// Method (p. 56 once more): each pair's t by the quadratic formula; those of the least t are answered, each by
-/// the impulse of p. 69-70. What is at rest with one that collides is not seen, and of a body in two
-/// contacts each is answered as if the other were not there (cause: algorithm). Contacts are never too many to it.
-/// Elsewhere it is right in exact arithmetic, with 53 digits between moments.
+/// Method (p. 56 once more): each pair's t by the quadratic formula; those of the least t are answered, each by the
+/// impulse of p. 69-70. Bodies at rest with one that collides are ignored, and each contact of a body in two is
+/// answered as if the other were not there (cause: algorithm). Contacts are never too many to it. Otherwise it is right
+/// in exact arithmetic, with 53 digits between moments.
 ///
-/// Rounding: whether a pair meets is told from a discriminant that cancels; no bound is given but the one that running
+/// Rounding: a discriminant that cancels decides whether a pair meets; no bound is given except the one that running
 /// error analysis finds.
 /// ulps: 94 roundings behind a position after one moment of two balls (16 for their places, 3 for a difference, 6 for
 /// w, 1 for the reach, 5 for w . w, 5 for the slope, 7 for the gap, 3 for the discriminant, 4 for t; again 16 and 3

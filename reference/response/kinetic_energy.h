@@ -12,7 +12,7 @@ namespace touchstone::reference {
 /// Deck p. 66: the sum over all bodies
 ///     E = sum m v . v / 2.
 /// bodies: any number; none have the energy 0. mass: positive. Both units are free, and the answer is in mass times
-/// squared velocity. It is never negative, and 0 where all bodies rest.
+/// squared velocity. It is never negative, and 0 if all bodies rest.
 /// NaN or infinity: refused by robust and oracle (field "bodies[0].mass" ..., "finite number"); so is a mass of 0 or
 /// less ("mass > 0").
 ///

@@ -10,13 +10,12 @@ namespace touchstone::reference {
 /// Deck p. 72-73: with E(p) = N . p + d, while E < 0 the spring's force is -k E / |N| along N / |N| and the damper's
 /// -c (v . N) / |N| along N / |N|, so together
 ///     f = -((k E + c v . N) / (N . N)) N,
-/// without a square root; where E >= 0, on the plane too, the force is 0. The damper acts both ways: it also holds back
-/// a particle that is on its way out, and the sum may pull it towards the plane's back. point and d / |N|: any unit of
+/// without a square root; where E >= 0, on the plane too, the force is 0. The damper acts in both directions: it also
+/// slows a particle that is leaving, and the sum may pull it towards the plane's back. point and d / |N|: any unit of
 /// length. velocity: that unit a unit of time. N: of any length but 0. stiffness k, damping c: units of force per unit
 /// of length and of velocity. The slide names no limits for k and c, and the formula has a meaning for all of them:
-/// none but a number that is not finite is refused; a negative one pushes where the other pulls.
-/// NaN or infinity: refused by robust and oracle (field, "finite number"); so is N = 0 ("plane.normal", "nonzero
-/// normal").
+/// none but a number that is not finite is refused; a negative one pushes where the other pulls. NaN or infinity:
+/// refused by robust and oracle (field, "finite number"); so is N = 0 ("plane.normal", "nonzero normal").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where every number is 0 or between 2^-100 and 2^100 in size, so that
 /// nothing overflows or underflows: with SE = |Nx px| + |Ny py| + |Nz pz| + |d| and SV = |Nx vx| + |Ny vy| + |Nz vz|, E

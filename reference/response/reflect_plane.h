@@ -9,9 +9,9 @@ namespace touchstone::reference {
 ///
 /// Deck p. 68: with u the part of the velocity v along the normal and w the part along the plane
 ///     u = (v . n / (n . n)) n,  w = v - u,  v' = w - u.
-/// velocity: any unit. normal: of any length but 0, and on either side of the plane: n, -n and 7 n are one plane.
-/// Whether the particle comes or goes is not asked: the law is applied to both. A velocity along the plane, the zero
-/// vector too, stays what it is; one along the normal is turned round.
+/// velocity: any unit. normal: of any length but 0, and on either side of the plane: n, -n and 7 n are one plane. It
+/// does not matter whether the particle approaches or recedes: the law applies to both. A velocity along the plane, the
+/// zero vector too, stays what it is; one along the normal is turned round.
 /// NaN or infinity: refused by robust and oracle (field "velocity[0]" ..., "finite number"); so is n = 0 ("normal",
 /// "nonzero normal").
 ///

@@ -10,8 +10,8 @@ namespace touchstone::reference {
 /// Deck p. 67: the component along that axis is negated, the others stay:
 ///     v'[axis] = -v[axis];
 /// axis x is a wall x = constant.
-/// velocity: any unit. Whether the particle comes or goes is not asked: the law is applied to both. The zero vector is
-/// valid. -0.0 is 0.
+/// velocity: any unit. It does not matter whether the particle approaches or recedes: the law applies to both. The zero
+/// vector is valid. -0.0 is 0.
 /// NaN or infinity: refused by robust and oracle (field "velocity[0]" ..., "finite number").
 ///
 /// Rounding: none; a negation is exact, and kinetic energy is kept exactly. So the double version is right for every

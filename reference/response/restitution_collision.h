@@ -13,8 +13,8 @@ namespace touchstone::reference {
 ///     v1' = v1 - m2 (1 + e) / (m1 + m2) c n,  v2' = v2 + m1 (1 + e) / (m1 + m2) c n;
 /// what is across the normal stays. e = 1 is elastic_collision; with e = 0 both move alike along the normal (across it
 /// they need not: inelastic_collision has no normal). masses: positive, any unit, the same for both. velocities: any
-/// unit. normal: of any length but 0, from either body to the other. e: from 0 to 1, both included, without unit.
-/// Whether the bodies approach is not asked: the law is applied to those that part too.
+/// unit. normal: of any length but 0, from either body to the other. e: from 0 to 1, both included, without unit. It
+/// does not matter whether the bodies approach: the law also applies to those that separate.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so are a mass of 0 or less ("masses[0]",
 /// "mass > 0"), n = 0 ("normal", "nonzero normal") and an e below 0 or above 1 ("e", "between 0 and 1").
 ///

@@ -15,7 +15,7 @@ Vector3<Real> turned_by(const Inertia<Real>& inertia, const Vector3<Real>& l) {
   return {Real(sum.x / det), Real(sum.y / det), Real(sum.z / det)};
 }
 
-/// How two turning bodies move after they collided at a point, with a coefficient of restitution e.
+/// The motion of two rotating bodies after they collided at a point, with a coefficient of restitution e.
 ///
 /// Deck p. 74: an impulse j n at the contact, and its opposite, change both motions:
 ///     va' = va + (j / ma) n, wa' = wa + j Ia^-1 (ra x n), vb' = vb - (j / mb) n, wb' = wb - j Ib^-1 (rb x n),
@@ -25,8 +25,8 @@ Vector3<Real> turned_by(const Inertia<Real>& inertia, const Vector3<Real>& l) {
 /// Momentum and angular momentum are kept, and with e = 1 the energy. masses: positive, any unit. inertia: around the
 /// body's position and along the axes of space, that unit times squared lengths; symmetric and positive definite. (One
 /// that no body of positive mass has, such as (1, 1, 3), is answered by the same law.) normal: of any length but 0, on
-/// either side. e: from 0 to 1, without unit. Whether the bodies approach, and whether they touch at the point, is not
-/// asked: the law is applied to those that part too.
+/// either side. e: from 0 to 1, without unit. It does not matter whether the bodies approach, nor whether they touch at
+/// the point: the law also applies to those that separate.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so are, body by body, an inertia that is not
 /// symmetric ("a.inertia[1][0]", "symmetric"), a mass of 0 or less ("a.mass", "mass > 0"), an inertia that is not
 /// positive definite, exactly ("a.inertia", "positive definite"); and n = 0 ("normal", "nonzero normal") and an e out

@@ -5,8 +5,7 @@
 
 namespace touchstone::reference {
 
-/// Where balls are after one step of time, how they move then, and which contacts they met: the deck as one running
-/// system.
+/// Positions, velocities and contacts of balls after one step of time: the deck as one running system.
 ///
 /// Deck p. 23 (option 1: contacts are looked for at the end of the step), 55-56 (the loop over all pairs), 64-71 and 74
 /// (the response). No page asks the question; the step is put together from theirs: motion of p. 9, balls and planes
@@ -22,7 +21,7 @@ namespace touchstone::reference {
 /// 3. The velocities of bodies in contact become those of least change, the sum of m |v' - v|^2, with which every
 ///    contact leaves at e times the speed of its approach at least: n . (va' - vb') >= -e n . (va - vb). A contact at
 ///    rest (n . (va - vb) = 0) must not approach afterwards; it is answered with the others, so that a stack that
-///    lands comes to rest as a whole with e = 0. Such velocities exist, for -e v meets every demand, and they are
+///    lands comes entirely to rest with e = 0. Such velocities exist, for -e v meets every demand, and they are
 ///    unique. Contacts that share no movable body do not change each other. The order of bodies and walls does not
 ///    matter: the answer is permuted with them. Momentum is kept where no immovable body or wall is in contact; energy
 ///    is not gained by the response, and not lost if e = 1.
@@ -30,7 +29,7 @@ namespace touchstone::reference {
 ///    new velocities; so two that would have met need not touch. Gravity then enters as in step 1.
 ///
 /// Nothing is pushed apart: bodies that overlap, at the start or at the end, and part are left alone, as are a body
-/// behind a wall and one that leaves it. What passes through another within the step is not seen (p. 23).
+/// behind a wall and one that leaves it. A body that passes through another within the step is not noticed (p. 23).
 /// The answer: contacts, each by two places, the smaller first, in ascending order; wall k has the place n + k where
 /// there are n bodies. For each body its position and velocity after the step. Every number is computed from the
 /// question without rounding, and rounded once; beyond the range it is infinite, and zero is +0.
@@ -51,9 +50,9 @@ namespace touchstone::reference {
 /// Method (the loop of p. 56): pairs i < j in ascending order, walls as the last objects; each contact is answered when
 /// its turn comes, by the impulse of p. 69-70, from the velocities that earlier ones have left. Where a body meets two
 /// others, though it may part from one of them, the answer depends on the order, a contact may approach afterwards, and
-/// others are found than there are (cause: algorithm). Elsewhere it is right in exact arithmetic.
+/// others are found than there are (cause: algorithm). Otherwise it is right in exact arithmetic.
 ///
-/// Rounding: whether bodies meet is told from rounded positions, and from differences and squares that round; no bound
+/// Rounding: rounded positions, and differences and squares that round, decide whether bodies meet; no bound
 /// is given but the one that running error analysis finds.
 /// ulps: 98 roundings behind a component of two bodies in one contact with gravity (2 for a velocity; 2 more for a
 /// position and 1 for a difference, three of them in n . (va - vb) with 14 each and 5 of its own, and 32 in n . n; 6

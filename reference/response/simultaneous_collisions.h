@@ -11,7 +11,7 @@ namespace touchstone::reference {
 /// least. With n the contact's normal, from b to a, and g = n . (va - vb), which is negative where they approach:
 ///     n . (va' - vb') >= e max(0, -g).
 /// So a contact at rest, or parting, must not approach afterwards, and may be parted faster or slower by the others.
-/// Of all velocities that do, the answer is the one of least change, the sum of m |v' - v|^2 over all bodies: a
+/// Among all velocities that do, the answer is the one of least change, the sum of m |v' - v|^2 over all bodies: a
 /// quadratic program, whose answer is unique, though the impulses need not be (four legs of a table). It is what
 /// impulses along the normals do that only push, and push only where the demand is met without a surplus. All contacts
 /// bounce at once: of a Newton's cradle struck by one ball all others leave together; one by one they leave where one
@@ -34,7 +34,7 @@ namespace touchstone::reference {
 /// Method (projected Gauss-Seidel, as engines have it): 4 sweeps over the contacts, in the order of the list; each
 /// contact's impulse is made such that its own demand is met without a surplus, but not below 0. Contacts of two
 /// immovable bodies are passed over. Where no body that can move is in two contacts, the first sweep gives the answer
-/// and the others change nothing. Elsewhere the answer is reached only in the limit: after 4 sweeps a contact may still
+/// and the others change nothing. Otherwise the answer is reached only in the limit: after 4 sweeps a contact may still
 /// approach, and the error be as large as the speeds (cause: algorithm). It never says `impossible`.
 ///
 /// Rounding: where every g is 0 or more as computed, the velocities stay as they are. Beyond that no bound is given but

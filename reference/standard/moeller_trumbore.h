@@ -30,7 +30,7 @@ struct TriangleHit {
   bool inside;
 };
 
-/// `one`: what stands for 1 beside u and v.
+/// `one`: the value of 1 in the scale of u and v.
 template <class Real>
 std::optional<TriangleHit<Real>> hit_within(const Real& u, const Real& v, const Real& t, const Real& one) {
   const Real zero(0), sum = Real(u + v);

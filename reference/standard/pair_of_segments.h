@@ -7,7 +7,7 @@
 
 /// Nearest points of two segments, parallel ones and points among them. Contracts:
 /// reference/mixed/segment_segment_distance.h, reference/mixed/capsule_capsule.h. In exact arithmetic both formulas are
-/// right but for which of several nearest pairs they name, and of capsules without an interior.
+/// right except for which of several nearest pairs they name, and of capsules without an interior.
 namespace touchstone::reference::standard {
 
 /// Parameters of the points a0 + s (a1 - a0) and b0 + t (b1 - b0).
@@ -28,7 +28,7 @@ struct SquareOfDistance {
   }
 };
 
-/// Each parameter is moved into [0, 1] in its turn; the first is 0 where the lines are parallel (Ericson, Real-Time
+/// Each parameter is moved into [0, 1] in its turn; the first is 0 if the lines are parallel (Ericson, Real-Time
 /// Collision Detection, 5.1.9).
 struct ByClamping {
   template <class Real>

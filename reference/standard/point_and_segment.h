@@ -14,7 +14,7 @@
 /// capsules without an interior.
 namespace touchstone::reference::standard {
 
-/// It is divided only between the ends.
+/// Divides only between the ends.
 template <class Real, class Point>
 Point nearest_between_ends(const Point& p, const Point& a, const Point& b) {
   const auto v = b - a;
@@ -54,7 +54,8 @@ Contact sphere_capsule_by_nearest_point(const Sphere3<Real>& sphere, const Capsu
   return contact_within<Real>(dot(way, way), Real(sphere.radius + capsule.radius));
 }
 
-/// Pythagoras takes the square of the way along the segment from that of the whole way; no nearest point is computed.
+/// Pythagoras subtracts the square of the part along the segment from that of the full displacement; no nearest point
+/// is computed.
 template <class Real>
 Contact sphere_capsule_by_squares(const Sphere3<Real>& sphere, const Capsule3<Real>& capsule) {
   const auto& [a, b] = capsule.segment;

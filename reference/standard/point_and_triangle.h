@@ -14,8 +14,8 @@
 /// regions, where the textbook formula is not.
 namespace touchstone::reference::standard {
 
-/// The foot of the perpendicular on the triangle's plane, if that is within all three edges; else the nearest point of
-/// the nearest edge.
+/// The foot of the perpendicular on the triangle's plane, if that is within all three edges; otherwise the nearest
+/// point of the nearest edge.
 struct ByFaceOrEdges {
   template <class Real>
   static Point3<Real> nearest(const Point3<Real>& p, const Triangle3<Real>& triangle) {

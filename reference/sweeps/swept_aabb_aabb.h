@@ -7,7 +7,7 @@
 
 namespace touchstone::reference {
 
-/// The part of a step during which two boxes overlap on every axis that has been looked at.
+/// The part of a step during which two boxes overlap on every axis tested so far.
 template <class Real>
 struct CommonTime {
   Real first = Real(0), last = Real(1);
@@ -31,25 +31,25 @@ struct CommonTime {
   }
 };
 
-/// When a moving axis-aligned box first has a common point with one at rest, by the times at which it enters and leaves
-/// the other on each axis. In the plane and in space.
+/// Finds when a moving axis-aligned box first has a common point with one at rest, by the times at which it enters and
+/// leaves the other on each axis. In the plane and in space.
 ///
 /// Deck p. 51, with p. 45-47's intervals: on an axis where a moves with velocity v, the intervals overlap between the
 /// times
 ///     t1 = (b.min - a.max) / v,  t2 = (b.max - a.min) / v,
 /// the lesser of which is the entry and the greater the exit; on an axis where it does not move, all the time or never.
 /// The boxes overlap as long as they do on every axis: from the latest entry to the earliest exit. `hit` with the
-/// latest of 0 and the entries, if that is not after 1 and all exits; else `never`. a, b: any unit of length, the same
-/// for both; velocity in that unit a step, of a, while b rests; t counts in steps. Closed sets: touching is a hit, also
-/// where a only grazes b along a face, an edge or a corner, at t = 0 or at t = 1. The truth is `hit` with t = 0 where
+/// latest of 0 and the entries, if that is not after 1 and all exits; otherwise `never`. a, b: any unit of length, the
+/// same for both; velocity in that unit a step, of a, while b rests; t counts in steps. Closed sets: touching is a hit,
+/// also where a only grazes b along a face, an edge or a corner, at t = 0 or at t = 1. The truth is `hit` with t = 0 if
 /// the boxes have a common point at the start. Flat boxes and points are valid, and so is a velocity of 0, on an axis
 /// or on all. NaN or infinity: refused by robust and oracle (field "a.min[0]" ... "velocity[0]" ..., "finite number");
 /// so is min > max (field "a.max[0]" ..., "min <= max").
 ///
 /// In exact arithmetic the formula is always right.
 ///
-/// Margin: how far a has to be moved, in the maximum norm, until the relation changes. 0 for a step that only grazes,
-/// or ends or starts with a touch and goes no deeper; not where a flat box is entered.
+/// Margin: the distance by which a has to be moved, in the maximum norm, until the relation changes. 0 for a step that
+/// only grazes, or ends or starts with a touch and goes no deeper; not where a flat box is entered.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): a difference is off by u of itself, a quotient by u once more, and where
 /// it underflows by 2^-1075. So unless a difference overflows, a time T as computed is off by at most e(T) = 3u |T| +

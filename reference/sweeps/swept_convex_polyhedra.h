@@ -6,7 +6,7 @@
 
 namespace touchstone::reference {
 
-/// The times at which two polyhedra overlap on every axis that has been looked at.
+/// The times at which two polyhedra overlap on every axis tested so far.
 template <class Real>
 class ProjectedTimes {
  public:
@@ -38,30 +38,30 @@ class ProjectedTimes {
   CommonTime<Real> time_;
 };
 
-/// When a moving convex polyhedron first has a common point with one at rest, by the times at which it enters and
+/// Finds when a moving convex polyhedron first has a common point with one at rest, by the times at which it enters and
 /// leaves the other on each axis that can separate them.
 ///
 /// Deck p. 51, with p. 54's faces and edges: the volume that a sweeps over has a common point with b, or not; and when
 /// first, tells every axis as for boxes (swept_aabb_aabb.h). An axis is the normal of a face of a or of b, or at a
 /// right angle to an edge of a and one of b; on it, the polyhedra are their vertices' intervals, and a moves with the
-/// axis' part of the velocity. `hit` with the latest of 0 and the entries, if that is not after 1 and all exits; else
-/// `never`. a, b: meshes, any unit of length, the same for both; velocity in that unit a step, of a, while b rests; t
-/// counts in steps. Closed sets: touching is a hit, also where a only grazes b, at t = 0 or at t = 1. The truth is
-/// `hit` with t = 0 where they have a common point at the start. A velocity of 0 is valid. Refused by robust and
+/// axis' part of the velocity. `hit` with the latest of 0 and the entries, if that is not after 1 and all exits;
+/// otherwise `never`. a, b: meshes, any unit of length, the same for both; velocity in that unit a step, of a, while b
+/// rests; t counts in steps. Closed sets: touching is a hit, also where a only grazes b, at t = 0 or at t = 1. The
+/// truth is `hit` with t = 0 if they have a common point at the start. A velocity of 0 is valid. Refused by robust and
 /// oracle: NaN or infinity in a vertex or in the velocity (velocity[c], "finite number"); then what is not the surface
 /// of a convex solid, by the rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or
-/// "b" for the mesh. That page also says which meshes are valid: faces in one plane, flat vertices,
-/// vertices of no face, and a surface that is turned inside out.
+/// "b" for the mesh. That page also says which meshes are valid: faces in one plane, flat vertices, vertices of no
+/// face, and a surface that is inside out.
 ///
 /// In exact arithmetic the formula is always right. At one time t, the points p such that a, moved by p, meets b are a
-/// polytope with an inside: b less a. A facet of it is where a face of b meets a vertex of a, or the other way round,
-/// or an edge of each: its normal is one of the axes, and the polytope lies where all these intervals overlap, ends
-/// included. So a meets b at t exactly if they overlap on every axis, and on each that is so during one closed interval
-/// of time, always, or never. (Axes of edges that are parallel are zero, and nothing is apart on these; an axis too
-/// many does no harm, because what meets, overlaps on every axis.)
+/// polytope with an inside: b less a. A facet of it is where a face of b meets a vertex of a, or vice versa, or an edge
+/// of each: its normal is one of the axes, and the polytope lies where all these intervals overlap, ends included. So a
+/// meets b at t exactly if they overlap on every axis, and on each that is so during one closed interval of time,
+/// always, or never. (Axes of edges that are parallel are zero, and nothing is apart on these; an axis too many does no
+/// harm, because what meets, overlaps on every axis.)
 ///
-/// Margin: how far a has to be moved, in the maximum norm, until the relation changes. 0 for a step that only grazes,
-/// or ends or starts with a touch and goes no deeper.
+/// Margin: the distance by which a has to be moved, in the maximum norm, until the relation changes. 0 for a step that
+/// only grazes, or ends or starts with a touch and goes no deeper.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): let D bound the magnitudes of all coordinates and of the velocity's, D
 /// in [2^-200, 2^200]. An edge is at most 2 D (1 + u), so an axis has coordinates of at most 8 D^2, off by 32 (1 + 8u)
@@ -82,7 +82,7 @@ FirstContact<Real> swept_convex_polyhedra(const Mesh<Real>& a, const Mesh<Real>&
       times.cut(cross(mesh->vertices[face.b] - corner, mesh->vertices[face.c] - corner));
     }
   }
-  // Each edge once: its reverse is in another face.
+  // Takes each edge once: its reverse is in another face.
   const auto for_each_edge = [](const Mesh<Real>& mesh, const auto& visit) {
     for (const Face& face : mesh.faces)
       for (const auto& [i, j] : {std::pair{face.a, face.b}, std::pair{face.b, face.c}, std::pair{face.c, face.a}})

@@ -8,27 +8,28 @@
 
 namespace touchstone::reference {
 
-/// When a ball that moves along a straight line first has a common point with a plane, by the heights of its center.
+/// Finds when a ball that moves along a straight line first has a common point with a plane, by the heights of its
+/// center.
 ///
 /// Deck p. 23, with p. 22's E(p) = N . p + d: a point comes down to the plane at t = E0 / (E0 - E1), a ball of radius r
 /// earlier by r |N|:
 ///     t = (E0 - r |N|) / (E0 - E1),
-/// with E1 - E0 = N . velocity. `hit` where that is in [0, 1], else `never`. A ball behind the plane comes up to it as
-/// one in front comes down: E with its sign turned. The plane is the thin closed set of points with N . p + d = 0, not
-/// the half-space behind it: a ball wholly behind it does not touch it. sphere, plane: center, radius and d / |N| in
-/// any unit of length, the same for all; velocity in that unit a step, of the ball, while the plane rests; t counts in
-/// steps. N of any length but 0. Closed sets: touching is a hit, also where the ball only slides along the plane. The
-/// truth is `hit` with t = 0 where ball and plane have a common point at the start, else with the first t in [0, 1]
-/// where they have: that t, in general a number with a square root. Radius 0 is a point; a velocity of 0 is valid. NaN
-/// or infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("sphere.radius",
-/// "radius >= 0") and N = 0 ("plane.normal", "nonzero normal").
+/// with E1 - E0 = N . velocity. `hit` where that is in [0, 1], otherwise `never`. A ball behind the plane comes up to
+/// it as one in front comes down: E with its sign turned. The plane is the thin closed set of points with N . p + d =
+/// 0, not the half-space behind it: a ball wholly behind it does not touch it. sphere, plane: center, radius and d /
+/// |N| in any unit of length, the same for all; velocity in that unit a step, of the ball, while the plane rests; t
+/// counts in steps. N of any length but 0. Closed sets: touching is a hit, also where the ball only slides along the
+/// plane. The truth is `hit` with t = 0 if ball and plane have a common point at the start, otherwise with the first t
+/// in [0, 1] where they have: that t, in general a number with a square root. Radius 0 is a point; a velocity of 0 is
+/// valid. NaN or infinity: refused by robust and oracle (field, "finite number"); so is a negative radius
+/// ("sphere.radius", "radius >= 0") and N = 0 ("plane.normal", "nonzero normal").
 ///
-/// The formula takes for granted that the ball starts off the plane. Where it does not, the t it finds is negative,
-/// that at which the ball has left the plane, or 0/0, in exact arithmetic too (cause: algorithm).
+/// The formula assumes that the ball starts off the plane. Where it does not, the t it finds is negative, that at which
+/// the ball has left the plane, or 0/0, in exact arithmetic too (cause: algorithm).
 ///
 /// Margin: with m the lesser of r^2 + H |H| and r^2 - L |L|, H and L being the greater and the lesser of the signed
 /// distances of the center from the plane at the start and at the end: |m|, a difference of squared lengths. m is
-/// negative exactly where ball and plane never meet. 0 where the ball just reaches the plane, or just leaves it.
+/// negative exactly where ball and plane never meet. 0 if the ball just reaches the plane, or just leaves it.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where Q = N . N as computed is in [2^-960, 2^960]: E0 is off by e(E) of
 /// point_plane.h, and S = N . velocity likewise by e(S) = (3 + 8u) u (|X| + |Y| + |Z|) + 2^-1073, X, Y, Z being its

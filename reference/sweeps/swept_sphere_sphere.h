@@ -8,23 +8,23 @@
 
 namespace touchstone::reference {
 
-/// When two balls that move along straight lines first have a common point, by the quadratic formula.
+/// Finds when two balls that move along straight lines first have a common point, by the quadratic formula.
 ///
-/// Deck p. 23, 51: at time t the centers are at center + t velocity. With p and v the position and the velocity of a as
-/// b sees them and r the sum of the radii, the balls meet where |p + t v| <= r, and |p + t v| = r is A t^2 + B t + C =
-/// 0 with A = v . v, B = 2 p . v, C = p . p - r^2. They first touch at
+/// Deck p. 23, 51: at time t the centers are at center + t velocity. With p and v the position and the velocity of a
+/// relative to b and r the sum of the radii, the balls meet where |p + t v| <= r, and |p + t v| = r is A t^2 + B t + C
+/// = 0 with A = v . v, B = 2 p . v, C = p . p - r^2. They first touch at
 ///     t = (-B - sqrt(B^2 - 4 A C)) / (2 A);
-/// `hit` where that is in [0, 1], else `never`.
+/// `hit` where that is in [0, 1], otherwise `never`.
 /// a, b: any unit of length, the same for both; velocities in that unit a step; t counts in steps. Closed sets:
-/// touching is a hit. The truth is `hit` with t = 0 where the balls meet at the start, else with the first t in [0, 1]
-/// where they meet, which is that root; else `never`. Radius 0 is a point; zero velocities are valid.
+/// touching is a hit. The truth is `hit` with t = 0 if the balls meet at the start, otherwise with the first t in [0,
+/// 1] where they meet, which is that root; otherwise `never`. Radius 0 is a point; zero velocities are valid.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("a.radius",
 /// "b.radius", "radius >= 0").
 ///
-/// The formula takes for granted that the balls are apart and that one moves as the other sees it. Where they overlap
-/// at the start, or touch there and part, its root is negative: it answers `never`, or is 0/0 with equal velocities, in
-/// exact arithmetic too (cause: algorithm). Equal velocities of balls that are apart are 0/0 or a root of a negative
-/// number, and no comparison with NaN holds: `never`, which is right.
+/// The formula assumes that the balls are apart and that one moves relative to the other. Where they overlap at the
+/// start, or touch there and part, its root is negative: it answers `never`, or is 0/0 with equal velocities, in exact
+/// arithmetic too (cause: algorithm). Equal velocities of balls that are apart are 0/0 or a root of a negative number,
+/// and no comparison with NaN holds: `never`, which is right.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53), where A and Q = p . p + r^2 are in [2^-480, 2^480]; let M = A Q, so that
 /// by Cauchy |B| <= 2 sqrt(M). Differences, products and sums make A off by 5u A, B by 10u sqrt(M), C by 6u Q (and

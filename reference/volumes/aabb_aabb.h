@@ -14,8 +14,8 @@ struct IntervalPair {
   const Real &a_min, &a_max, &b_min, &b_max;
 };
 
-/// Disjoint where one interval ends before the other begins on some axis; else touching where one ends at the other's
-/// beginning; else overlapping.
+/// Disjoint where one interval ends before the other begins on some axis; otherwise touching where one ends at the
+/// other's beginning; otherwise overlapping.
 template <class Real>
 Contact contact_of_intervals(std::initializer_list<IntervalPair<Real>> axes) {
   for (const auto& [a_min, a_max, b_min, b_max] : axes)
@@ -25,7 +25,8 @@ Contact contact_of_intervals(std::initializer_list<IntervalPair<Real>> axes) {
   return Contact::overlapping;
 }
 
-/// Whether two axis-aligned boxes, as closed solids, overlap, only touch, or neither. In the plane and in space.
+/// Decides whether two axis-aligned boxes, as closed solids, overlap, only touch, or neither. In the plane and in
+/// space.
 ///
 /// Deck p. 45-47: two boxes collide exactly if their intervals overlap on every axis; they are apart where on some axis
 ///     a.max < b.min or b.max < a.min.
@@ -38,9 +39,9 @@ Contact contact_of_intervals(std::initializer_list<IntervalPair<Real>> axes) {
 /// NaN or infinity: refused by robust and oracle (field "a.min[0]" ..., "finite number"); so is min > max (field
 /// "a.max[0]" ..., "min <= max").
 ///
-/// The test of boxes without their boundary takes for granted that they have an interior. Where a box is flat within
-/// the open interval of the other, and nothing else touches, the formula answers `overlapping`, in exact arithmetic too
-/// (cause: algorithm). For all other boxes it is right in exact arithmetic.
+/// The test of boxes without their boundary assumes that they have an interior. Where a box is flat within the open
+/// interval of the other, and nothing else touches, the formula answers `overlapping`, in exact arithmetic too (cause:
+/// algorithm). For all other boxes it is right in exact arithmetic.
 ///
 /// Rounding: none; comparisons are exact. So in every environment that does not read subnormals as zero the double
 /// version is right for every two boxes that have an interior, and for all boxes where the margin is above 0. No number

@@ -8,7 +8,7 @@
 
 namespace touchstone::reference {
 
-/// Of one coordinate: the number takes the place of the end that it exceeds. The first one is both ends.
+/// Extends the interval of one coordinate: the number replaces the end that it exceeds. The first one is both ends.
 template <class Real>
 void extend(Real& min, Real& max, const Real& number, bool first) {
   if (first || number < min) min = number;

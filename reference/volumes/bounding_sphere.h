@@ -68,7 +68,7 @@ Sphere3<Real> growing_ball(const std::vector<Point3<Real>>& points) {
   return ball;
 }
 
-/// A ball by its center and the square of its radius; radius_squared < 0: it holds nothing.
+/// A ball by its center and the square of its radius; radius_squared < 0: it is empty.
 template <class Real>
 struct SquaredBall {
   Point3<Real> center;
@@ -110,7 +110,7 @@ SquaredBall<Real> smallest_ball(std::vector<Point3<Real>>& points, std::size_t c
   return ball;
 }
 
-/// A ball around points in space, that is, a bounding volume that has to contain every one of them.
+/// A ball around points in space: a bounding volume that has to contain every one of them.
 ///
 /// Deck p. 31-34. method `box`: around the center of the points' box, as far as the farthest point; `centroid`: the
 /// same around the mean of the points; `ritter`: the ball over the widest of three pairs, the first point with the
@@ -122,7 +122,7 @@ SquaredBall<Real> smallest_ball(std::vector<Point3<Real>>& points, std::size_t c
 /// Right is a ball, of the doubles that are returned, that contains every point exactly: |p - center| <= radius,
 /// closed; and that is not too large: by K units in the last place of the greatest coordinate, and as many of the
 /// radius, at most larger than the exact ball of the method (`ritter`: than 3/2 of the smallest). K is 4 for box and
-/// smallest, for n points n + 4 for centroid and 4 n + 4 for ritter. So many roundings they may well have, and no other
+/// smallest, for n points n + 4 for centroid and 4 n + 4 for ritter. They may have that many roundings, and no other
 /// ball of doubles need exist. An infinite radius is right where no finite one is large enough.
 /// No point at all: refused ("points", "at least 1 point"), NaN or infinity too ("points[0][1]" ..., "finite number").
 ///

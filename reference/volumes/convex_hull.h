@@ -8,7 +8,7 @@
 
 namespace touchstone::reference {
 
-/// The convex hull of points in space: triangles over its extreme points, by their places in the list,
+/// The convex hull of points in space: triangles over its extreme points, by their indices in the list,
 /// counter-clockwise as seen from outside.
 ///
 /// Deck p. 35-42, gift wrapping, steps 1 to 5 of p. 35:
@@ -32,21 +32,21 @@ namespace touchstone::reference {
 /// Refused by robust and oracle: NaN or infinity (points[i][k], "finite number"), an empty list (points, "at least 1
 /// point").
 ///
-/// Rounding (binary64, to nearest, u = 2^-53): all differences of coordinates shall be 0 or between 2^-100 and 2^100
-/// in magnitude, and s >= 2^-20 the least sine of an angle between the directions from one point to two others. A
+/// Rounding (binary64, to nearest, u = 2^-53): all differences of coordinates shall be 0 or between 2^-100 and 2^100 in
+/// magnitude, and s >= 2^-20 the least sine of an angle between the directions from one point to two others. A
 /// coordinate of a normal v x w is off by at most 4u (|v_i w_j| + |v_j w_i|), so the normal by less than 6u |v| |w| <=
 /// 6u |v x w| / s (that of step 3, without differences, by 4u). It moves a cosine by as much as its length is off in
-/// units of itself, two normals by 12u / s, and the square by 24u / s. On the way from the normals the dot product and
+/// units of itself, two normals by 12u / s, and the square by 24u / s. After the normals the dot product and
 /// its square lose 7u, the squared lengths and their product 7u, the quotient u. With terms of u^2 the computed value
 /// is off by less than 40u / s. So the answer is right where one point is the highest and where the values of no two
 /// points that any step may compare are closer than 80u / s: those of step 2; those of triangles with one edge as seen
-/// from one plane, that of step 3 or through the edge and a third point. Four points in a plane are beyond that
-/// promise even where a wrong choice of a cut is none: they may be cut in two ways at once, and three on a line or two
-/// equal ones may be walked through (cause: algorithm). Elsewhere it is right in exact arithmetic.
+/// from one plane, that of step 3 or through the edge and a third point. Four points in a plane are beyond that promise
+/// even where a wrong choice of a cut is none: they may be cut in two ways at once, and three on a line or two equal
+/// ones may be walked through (cause: algorithm). Otherwise it is right in exact arithmetic.
 template <class Real>
 ConvexHull convex_hull(const std::vector<Point3<Real>>& points) {
   const auto count = static_cast<Index>(points.size());
-  // The first point but a and b of the greatest value, unless that is undefined everywhere.
+  // The first point except a and b with the greatest value, unless that is undefined everywhere.
   const auto first_of_greatest = [count](Index a, Index b, const auto& value) {
     Index greatest = count;
     Real most(-2);

@@ -15,7 +15,7 @@ Real squared_cosine(const Vector& v, const Vector& w) {
   return Real(Real(product * size) / Real(dot(v, v) * dot(w, w)));
 }
 
-/// The convex hull of points in the plane: its extreme points counter-clockwise, by their places in the list.
+/// The convex hull of points in the plane: its extreme points counter-clockwise, by their indices in the list.
 ///
 /// Deck p. 35-42: gift wrapping, in the plane. The highest point (y is up; of several the first) comes first. From
 /// there the next is the one that makes the smallest angle with the horizontal, from the others on the one that makes
@@ -38,7 +38,7 @@ Real squared_cosine(const Vector& v, const Vector& w) {
 /// every other point by more than 40u: points in the direction of an edge are beyond that promise even where they lie
 /// on it exactly, and an angle of 1e-8 is taken for 0.
 /// Where points lie inside an edge, or several are highest, the formula may list them, or pass by its first point and
-/// never close (cause: algorithm); elsewhere it is right in exact arithmetic.
+/// never close (cause: algorithm); otherwise it is right in exact arithmetic.
 template <class Real>
 ConvexHull2 convex_hull_2d(const std::vector<Point2<Real>>& points) {
   Index first = 0;

@@ -13,13 +13,13 @@ Real along_axis(const Vector3<Real>& axis, const Vector3<Real>& v) {
   return along < Real(0) ? Real(Real(0) - along) : along;
 }
 
-/// How far a box reaches along an axis from its center.
+/// The extent of a box along an axis from its center.
 template <class Real>
 Real reach_along(const Vector3<Real>& axis, const HalfAxes<Real>& h) {
   return Real(along_axis(axis, h.u) + along_axis(axis, h.v) + along_axis(axis, h.w));
 }
 
-/// Whether two oriented bounding boxes, as closed solids, overlap, only touch, or neither.
+/// Decides whether two oriented bounding boxes, as closed solids, overlap, only touch, or neither.
 ///
 /// Deck p. 27: boxes in any orientation, given by center and half axes. Their test is that of separating axes: with d
 /// the difference of the centers, two boxes are disjoint exactly if
@@ -40,9 +40,9 @@ Real reach_along(const Vector3<Real>& axis, const HalfAxes<Real>& h) {
 /// half axes h_k of both. The boxes have a common point exactly if the origin is in it, a common interior point exactly
 /// if it is in its interior. It is convex, and its faces are spanned by two half axes each that are not parallel: three
 /// pairs of a, three of b, and nine of one of each. So it is what lies between two planes for every such pair, with
-/// their cross product n as normal: disjoint where |d . n| exceeds the sum for one of the 15, else touching where it
-/// equals the sum for one, else overlapping. An n that is zero, of parallel edges, spans no face and says nothing: both
-/// sides are 0 there.
+/// their cross product n as normal: disjoint where |d . n| exceeds the sum for one of the 15, otherwise touching where
+/// it equals the sum for one, otherwise overlapping. An n that is zero, of parallel edges, spans no face and says
+/// nothing: both sides are 0 there.
 ///
 /// In exact arithmetic the formula is right where the half axes of each box are at right angles, so that they are the
 /// normals of its faces, and no edge of one box is parallel to an edge of the other. Where boxes of right angles that

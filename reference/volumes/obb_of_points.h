@@ -12,7 +12,7 @@ namespace touchstone::reference {
 template <class Real>
 using Matrix3 = std::array<std::array<Real, 3>, 3>;
 
-/// Of the coordinates, about their mean.
+/// The covariance of the coordinates, about their mean.
 template <class Real>
 Matrix3<Real> covariance(const std::vector<Point3<Real>>& points) {
   const Real n = static_cast<Real>(static_cast<int>(points.size()));
@@ -30,8 +30,8 @@ Matrix3<Real> covariance(const std::vector<Point3<Real>>& points) {
   return sum;
 }
 
-/// The eigenvectors of the covariance, by Jacobi's method: each step turns two axes so that they have no covariance
-/// any more. Eight rounds over the three pairs; what is left after them is far below a rounding.
+/// The eigenvectors of the covariance, by Jacobi's method: each step rotates two axes so that they are no longer
+/// correlated. Eight rounds over the three pairs; what is left after them is far below a rounding.
 template <class Real>
 std::array<Vector3<Real>, 3> covariance_axes(const std::vector<Point3<Real>>& points) {
   using std::sqrt;
@@ -57,7 +57,7 @@ std::array<Vector3<Real>, 3> covariance_axes(const std::vector<Point3<Real>>& po
   return {column(0), column(1), column(2)};
 }
 
-/// The box along three axes, of any length, from the first to the last point along each.
+/// The box along three axes of any length that extends from the first to the last point along each.
 template <class Real>
 Obb3<Real> box_along(const std::array<Vector3<Real>, 3>& axes, const std::vector<Point3<Real>>& points) {
   Point3<Real> center{Real(0), Real(0), Real(0)};
@@ -83,8 +83,8 @@ Obb3<Real> box_along(const std::array<Vector3<Real>, 3>& axes, const std::vector
 /// Deck p. 27, which shows such a box and says no more. Its axes are those of the covariance of the points, as the
 /// textbooks have it (Ericson, Real-Time Collision Detection, 4.4.3).
 /// points: any unit of length; at least one. They may be equal, on one line, on one plane.
-/// Many boxes are right, whatever their axes, and nobody promises the smallest. Of the numbers that are returned,
-/// exactly as they are, with u = 2^-53 and M the greatest magnitude of a coordinate:
+/// Many boxes are right, whatever their axes, and the smallest is not required. The numbers that are returned must
+/// satisfy, exactly, with u = 2^-53 and M the greatest magnitude of a coordinate:
 /// - The box holds every point: center + r u + s v + t w with r, s, t in [-1, 1], u, v, w the half axes.
 /// - It is a box: for any two half axes a and b, |a . b| <= 2^-20 |a| |b| + 2^-1072 (|a| + |b|), lengths in the second
 ///   term as sums of magnitudes. Unit vectors at right angles that are rounded to binary32 have |a . b| < 2^-23, what
@@ -95,15 +95,15 @@ Obb3<Real> box_along(const std::array<Vector3<Real>, 3>& axes, const std::vector
 ///   none that point_in_obb and obb_obb take. Robust answers none: to its boxes they can always be applied.
 /// No point at all: refused ("points", "at least 1 point"), NaN or infinity too ("points[0][1]" ..., "finite number").
 ///
-/// Why t: axes that are computed in double (to nearest) and put at right angles at last have squared lengths within
-/// 24u of 1 and scalar products within 5u of 0. Lengths of points are at most 1.74 M. A projection of one is off by 3u
+/// Why t: axes that are computed in double (to nearest) and put at right angles at last have squared lengths within 24u
+/// of 1 and scalar products within 5u of 0. Lengths of points are at most 1.74 M. A projection of one is off by 3u
 /// times that, the middle of two by 7u M, its part in the center by 9u M, and axes that are not quite of length 1 and
 /// at right angles move the center by (24 + 2 . 5)u 1.74 M more: together by less than 76u M, so that the box reaches
 /// beyond the points by less than 152u M on one side. Ways from the rounded center to the points are at most 3.47 M,
 /// and the reach of the farthest is off by (4 + 24 + 2 . 5 + 2)u of that, for difference and product, lengths, angles
-/// and half axis: by less than 139u M. Who adds that loses no point, and is off by as much again. That makes less than
-/// 430u M; t is 1024u M, so that a power of two may be added instead. Underflow adds a few units of 2^-1074, and where
-/// it adds more a box can be parallel to the axes.
+/// and half axis: by less than 139u M. An implementation that adds this loses no point, and is off by as much again.
+/// That makes less than 430u M; t is 1024u M, so that a power of two may be added instead. Underflow adds a few units
+/// of 2^-1074, and where it adds more a box can be parallel to the axes.
 ///
 /// In exact arithmetic every box along axes at right angles is right, so the formula is: eigenvectors are irrational,
 /// and the judge runs it along those that it finds in double, put at right angles exactly.

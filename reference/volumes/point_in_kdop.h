@@ -8,13 +8,13 @@
 
 namespace touchstone::reference {
 
-/// Where a point lies of a k-DOP, the solid between pairs of parallel planes.
+/// Locates a point relative to a k-DOP, the solid between pairs of parallel planes.
 ///
 /// Deck p. 43: the point P is in the volume where
 ///     d1 <= N . P <= d2
-/// for the normal N of every slab [d1, d2]. Closed: P is outside where a slab does not hold N . P, else on the boundary
-/// where N . P is an end of a slab, else inside. point and d / |N|: any unit of length, the same for both; N of any
-/// length, in any order. Normals may be parallel.
+/// for the normal N of every slab [d1, d2]. Closed: P is outside where a slab does not hold N . P, otherwise on the
+/// boundary where N . P is an end of a slab, otherwise inside. point and d / |N|: any unit of length, the same for
+/// both; N of any length, in any order. Normals may be parallel.
 /// A flat slab (d1 == d2) has no interior: the answer is `boundary` at most. So it is where a slab touches the solid
 /// from outside. The solid may be empty, then every point is outside, or unbounded.
 /// Refused by robust and oracle with field and rule, the first that applies: no normals ("kdop.normals", "at least 1
@@ -24,7 +24,7 @@ namespace touchstone::reference {
 /// "finite number").
 ///
 /// In exact arithmetic the formula is always right. Margin: of P's squared distances from the nearer plane of each
-/// slab, the least, if no slab excludes P; else the greatest among those that do.
+/// slab, the least, if no slab excludes P; otherwise the greatest among those that do.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with X, Y, Z the three products as computed, N . P is off by at most
 ///     e = (3 + 8u) u (|X| + |Y| + |Z|) + 2^-1073

@@ -6,15 +6,15 @@
 
 namespace touchstone::reference {
 
-/// How far a displacement reaches along a half axis, minus how far the half axis itself does; in units of the half
-/// axis' length.
+/// The extent of a displacement along a half axis, minus that of the half axis itself; in units of the half axis'
+/// length.
 template <class Real>
 Real beyond_half_axis(const Vector3<Real>& way, const Vector3<Real>& half_axis) {
   const Real along = dot(way, half_axis), reach = dot(half_axis, half_axis);
   return along < Real(0) ? Real(Real(0) - along - reach) : Real(along - reach);
 }
 
-/// Where a point lies of an oriented bounding box, by its projections onto the axes.
+/// Locates a point relative to an oriented bounding box, by its projections onto the axes.
 ///
 /// Deck p. 27: a box in any orientation, given by its center and three half axes. The slide says no more; its test of a
 /// point is that of an axis-aligned box on the box's own axes: with d = point - center,

@@ -17,8 +17,8 @@ Contact contact_of_nearest_point(const Ball& sphere, const Box& aabb) {
                                      : Contact::touching;
 }
 
-/// Whether a ball and an axis-aligned box, as closed solids, overlap, only touch, or neither. In space; in the plane
-/// the same of a disc and a rectangle.
+/// Decides whether a ball and an axis-aligned box, as closed solids, overlap, only touch, or neither. In space; in the
+/// plane the same of a disc and a rectangle.
 ///
 /// Deck p. 48-50: the point of the box that is nearest to the center is found by moving each coordinate of the center
 /// into the interval of the box; they collide if it is not farther from the center than the radius. So that no root is
@@ -33,9 +33,9 @@ Contact contact_of_nearest_point(const Ball& sphere, const Box& aabb) {
 /// NaN or infinity: refused by robust and oracle (field "sphere.center[0]", "aabb.min[0]" ..., "finite number"); so are
 /// a negative radius ("sphere.radius", "radius >= 0") and min > max ("aabb.max[0]" ..., "min <= max").
 ///
-/// The formula takes for granted that the box has an interior. Where a flat box comes nearer to the center than the
-/// radius it answers `overlapping`, in exact arithmetic too (cause: algorithm). For all other boxes it is right in
-/// exact arithmetic: a point has no distance below its radius, 0.
+/// The formula assumes that the box has an interior. Where a flat box comes nearer to the center than the radius it
+/// answers `overlapping`, in exact arithmetic too (cause: algorithm). For all other boxes it is right in exact
+/// arithmetic: a point has no distance below its radius, 0.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): let S be the exact squared distance of the center from the box and R the
 /// exact square of the radius. The nearest point is exact. Each square in S carries its difference's rounding twice and

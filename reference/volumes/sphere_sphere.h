@@ -17,7 +17,8 @@ Contact contact_of_squares(const Solid& a, const Solid& b) {
                                     : Contact::touching;
 }
 
-/// Whether two balls, as closed solids, overlap, only touch, or neither. In space; in the plane the same of discs.
+/// Decides whether two balls, as closed solids, overlap, only touch, or neither. In space; in the plane the same of
+/// discs.
 ///
 /// Deck p. 44: two spheres collide if the distance of their centers is not greater than the sum of their radii; so that
 /// no root is taken, the squares of both are compared:
@@ -31,9 +32,8 @@ Contact contact_of_squares(const Solid& a, const Solid& b) {
 /// NaN or infinity: refused by robust and oracle (field "a.center[0]", "a.radius" ..., "finite number"); so is a
 /// negative radius ("a.radius" ..., "radius >= 0").
 ///
-/// The formula takes for granted that both have an interior. Where a point lies in the interior of the other ball it
-/// answers `overlapping`, in exact arithmetic too (cause: algorithm). For all other balls it is right in exact
-/// arithmetic.
+/// The formula assumes that both have an interior. Where a point lies in the interior of the other ball it answers
+/// `overlapping`, in exact arithmetic too (cause: algorithm). For all other balls it is right in exact arithmetic.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): let S be the exact squared distance of the centers and R the exact
 /// square of the sum of the radii. Each square in S carries its difference's rounding twice and its own, and goes

@@ -23,7 +23,7 @@ mpq_class power_of_ten(long exponent) {
   return exponent < 0 ? mpq_class(mpz_class(1), power) : mpq_class(power);
 }
 
-/// The least of 1, 2, 5 times a power of ten that cuts the span into at most five.
+/// The least of 1, 2, 5 times a power of ten that divides the span into at most five steps.
 struct Step {
   mpz_class factor;
   long exponent = 0;
@@ -52,7 +52,7 @@ struct Tick {
   std::string label;
 };
 
-/// Empty where the labels would need too many digits to differ.
+/// Empty if the labels would need too many digits to differ.
 std::vector<Tick> ticks_between(const mpq_class& low, const mpq_class& high, const mpq_class& per_unit) {
   const Step step = round_step(mpq_class(high - low));
   std::vector<Tick> found;
@@ -70,7 +70,7 @@ std::string span_in_words(const char* axis, const mpq_class& low, const mpq_clas
          about(mpq_class((high - low) / 2), 2);
 }
 
-/// Neighbouring doubles of `value` within [low, high], in pixels from low.
+/// Doubles near `value` within [low, high], in pixels from low.
 std::vector<double> doubles_between(double value, const mpq_class& low, const mpq_class& high,
                                     const mpq_class& per_unit) {
   std::vector<double> found;
@@ -97,7 +97,7 @@ std::string ticks(const Viewport& view) {
   std::string svg;
   const std::vector<Tick> across = ticks_between(low.x, high.x, view.pixels_per_unit_x());
   for (const Tick& tick : across) {
-    // At the right border the words end where the figure does.
+    // At the right border the text ends where the figure does.
     const bool last = tick.pixel + label_half * static_cast<double>(tick.label.size()) > frame.width + room_right;
     svg += fmt::format(
         "<path class=\"tick\" d=\"M{} {}v5\"/><text class=\"scale\" x=\"{}\" y=\"{}\" "

@@ -7,15 +7,15 @@
 
 namespace touchstone::report {
 
-/// Ticks below and left of the frame, in round decimal numbers; where the numbers would all look alike, what the axis
-/// spans instead.
+/// Ticks below and left of the frame, in round decimal numbers; if the numbers would all look alike, the range of the
+/// axis instead.
 std::string ticks(const Viewport& view);
 
-/// The least of 1, 2, 5 times a power of ten that cuts the span into at most five.
+/// The least of 1, 2, 5 times a power of ten that divides the span into at most five steps.
 mpq_class round_length(const mpq_class& span);
 
-/// Lines through the doubles near (x, y) that lie in the frame, if they are few enough to be told apart, and what to
-/// say of them.
+/// Lines through the doubles near (x, y) that lie in the frame, if they are few enough to be distinguished, and a text
+/// about them.
 struct DoubleGrid {
   std::string svg, caption;
 };

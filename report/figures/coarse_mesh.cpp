@@ -36,19 +36,19 @@ std::size_t corners_of(const std::vector<Corners>& faces) {
   return count;
 }
 
-/// From the corner that is the least.
+/// Rotates the corners so that the least comes first.
 Corners from_least(Corners corners) {
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   return corners;
 }
 
-/// The faces whose corners are the first vertices in their cells.
+/// Maps the corners of faces to the first vertices in their cells.
 std::vector<Corners> faces_of_cells(const MeshFile& mesh, const std::array<std::array<Index, 2>, 3>& extremes,
                                     std::size_t cells) {
   const auto cell_of = [&](const Point3d& p) {
     GridCell cell{};
     for (std::size_t k = 0; k < 3; ++k) {
-      // Halves, so that a difference is finite.
+      // Halved, so that a difference is finite.
       const double low = mesh.vertices[extremes[k][0]].*axes[k] / 2, high = mesh.vertices[extremes[k][1]].*axes[k] / 2;
       const double part = high > low ? (p.*axes[k] / 2 - low) / (high - low) : 0;
       cell[k] = static_cast<int>(std::min(part * static_cast<double>(cells), static_cast<double>(cells) - 1));

@@ -10,7 +10,7 @@ namespace touchstone::report {
 namespace {
 
 constexpr double letter_width = 6.9, line_height = 15, clearance = 8, not_there = 1000;
-/// Pixels from its place that a text may stand, where there is no room near to it.
+/// Distances in pixels at which a text may stand from its place, if there is no room near it.
 constexpr double farther[] = {0, 14, 28};
 
 struct Box {
@@ -21,7 +21,7 @@ struct Box {
   }
 };
 
-/// Which way from its place a text may stand, the best first.
+/// Directions from its place in which a text may stand, the best first.
 constexpr Pixel directions[] = {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}};
 
 Box box_beside(const Pixel& place, const Pixel& way, double width, double far) {

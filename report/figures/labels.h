@@ -14,8 +14,8 @@ struct LabelWish {
   std::string text, style;
 };
 
-/// The texts as SVG, each where it covers least of what is drawn and none of the other texts; one for which there is no
-/// room is left out.
+/// The texts as SVG, each at the position where it covers least of the drawing and no other text; a text without room
+/// is left out.
 std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixel> drawn, const Frame& frame);
 
 /// For text and attribute values of HTML and SVG.

@@ -19,7 +19,7 @@ mpq_class between(const ExactPoint& p, const ExactPoint& q) {
   return squared(mpq_class(p.x - q.x), mpq_class(p.y - q.y));
 }
 
-/// From p to the part of a + t (b - a) that it is next to; empty where its foot is beyond an end.
+/// The gap from p to the nearest part of a + t (b - a); nullopt if its foot is beyond an end.
 std::optional<mpq_class> beside(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b, const Stretch& stretch) {
   const ExactPoint d{mpq_class(b.x - a.x), mpq_class(b.y - a.y)}, v{mpq_class(p.x - a.x), mpq_class(p.y - a.y)};
   const mpq_class length = squared(d.x, d.y);
@@ -43,7 +43,7 @@ std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewp
   switch (figure.kind) {
     case Figure::Kind::point: return std::nullopt;
     case Figure::Kind::polygon: {
-      // Touching one edge is no reason to overlook the gap to another; the edges that end in p itself have none.
+      // Touching one edge is no reason to overlook the gap to another; edges that end in p itself have none.
       std::optional<Gap> least;
       for (std::size_t i = 0; i < ends.size(); ++i) {
         const auto gap = gap_to(ends[i], ends[(i + 1) % ends.size()], {false, false}, p, view);
@@ -54,7 +54,7 @@ std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewp
     case Figure::Kind::circle: {
       const mpq_class r = exact_point(figure.numbers[2], 0).x;
       if (sgn(r) == 0) return std::nullopt;
-      // |p - centre| - r, to first order in the gap: it is only asked for where the gap is thin compared with r.
+      // |p - centre| - r, to first order in the gap: used only if the gap is small compared with r.
       const mpq_class gap = (between(p, ends[0]) - r * r) / (2 * r);
       const mpq_class in_pixels = gap * view.pixels_per_unit_x();
       return Gap{mpq_class(in_pixels * in_pixels), mpq_class(gap * gap)};
@@ -71,7 +71,7 @@ std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewp
   return std::nullopt;
 }
 
-/// What only helps to see decides nothing: lines without a name, and vectors, which have no place of their own.
+/// Auxiliary figures do not decide: lines without a name, and vectors, which have no position of their own.
 bool decides(const Figure& figure) { return !figure.label.empty() && figure.kind != Figure::Kind::arrow; }
 
 }  // namespace
@@ -99,7 +99,7 @@ std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& vi
     const std::vector<ExactPoint> vertices = vertices_of(figure);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       for (const Figure& other : drawing.figures) {
-        // What was answered is held against the truth as well.
+        // Answers are also compared with the truth.
         if (!decides(other) || (other.answer && !figure.said)) continue;
         if (&other != &figure || figure.kind == Figure::Kind::polygon) {
           if (const auto gap = gap_to(other, vertices[i], view)) offer(figure, i, *gap);

@@ -8,14 +8,14 @@
 
 namespace touchstone::report {
 
-/// The vertices that a figure is given by, exactly.
+/// The exact vertices that define a figure.
 std::vector<ExactPoint> vertices_of(const Figure& figure);
 
 /// A vertex that is so near to another part of the question that the figure cannot show the gap, and yet does not touch
 /// it.
 struct NearMiss {
   ExactPoint vertex;
-  double x = 0, y = 0;  ///< the vertex as the doubles that it is
+  double x = 0, y = 0;  ///< the vertex in doubles
   std::string label;
   mpq_class gap;  ///< the distance, in the unit of the coordinates, to many digits
 };

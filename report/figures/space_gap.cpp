@@ -39,7 +39,7 @@ struct Part {
   }
 };
 
-/// What a figure is made of: parts, or a ball or a plane.
+/// The parts of a figure, or a ball or a plane.
 struct Solid {
   const SpaceFigure* figure;
   std::vector<Part> parts;
@@ -60,7 +60,7 @@ struct Solid {
   }
 };
 
-/// The point of an edge, or of a triangle's inside, that is nearest to p; of a triangle empty where that is on its rim.
+/// The point of an edge, or of a triangle's inside, that is nearest to p; for a triangle nullopt if that is on its rim.
 std::optional<SpaceVertex> nearest(const Part& part, const SpaceVertex& p) {
   const std::vector<SpaceVertex>& ends = part.ends;
   if (ends.size() == 1) return ends[0];
@@ -80,7 +80,7 @@ std::optional<SpaceVertex> nearest(const Part& part, const SpaceVertex& p) {
   return foot;
 }
 
-/// Where two edges that are not parallel are nearest to each other; empty where that is beyond an end.
+/// The nearest points of two edges that are not parallel; nullopt if one is beyond an end.
 std::optional<std::pair<SpaceVertex, SpaceVertex>> nearest(const Part& a, const Part& b) {
   const SpaceVector u = a.ends[1] - a.ends[0], v = b.ends[1] - b.ends[0], w = b.ends[0] - a.ends[0];
   const SpaceVector normal = cross(u, v);
@@ -145,7 +145,7 @@ class Search {
     }
   }
 
-  /// |way| - radius to first order in itself: it is only asked for where it is small compared with the radius.
+  /// |way| - radius to first order in itself: used only if it is small compared with the radius.
   void round(const SpaceVertex& place, const SpaceVector& way, const mpq_class& radius, const SpaceVector& along) {
     const mpq_class gap = (squared(way) - radius * radius) / (2 * radius), steps = gap * scale_.steps_per_unit[0];
     consider(place, along, mpq_class(gap * gap), mpq_class(steps * steps));
@@ -157,7 +157,7 @@ class Search {
     consider(place, way, squared(way), squared(steps));
   }
   void consider(const SpaceVertex& place, const SpaceVector& along, const mpq_class& gap, const mpq_class& steps) {
-    // Without a way along the gap, as of a point in a ball's center, no lens shows it.
+    // Without a direction along the gap, such as for a point in a ball's center, no lens shows it.
     if (sgn(gap) == 0 || sgn(squared(along)) == 0 || steps >= narrowest_ || gap < least_gap_) return;
     narrowest_ = steps;
     found_ = SpaceGap{place, along, label_, root(gap)};
@@ -169,7 +169,8 @@ class Search {
   std::optional<SpaceGap> found_;
 };
 
-/// An oriented box, drawn by eight corners of which some were rounded: their gaps are not those of the question.
+/// True for an oriented box, drawn by eight corners some of which were rounded: their gaps are not those of the
+/// question.
 bool has_rounded_corners(const SpaceFigure& figure) {
   const std::vector<SpaceVertex> v = vertices_of(figure);
   if (figure.kind != Kind::mesh || v.size() != 8 || figure.faces.empty() || figure.faces[0].size() != 4) return false;
@@ -180,8 +181,8 @@ bool has_rounded_corners(const SpaceFigure& figure) {
   return differ(1, 0, 3, 2) || differ(1, 0, 5, 4) || differ(1, 0, 7, 6) || differ(2, 0, 6, 4) || differ(4, 0, 6, 2);
 }
 
-/// What only helps to see decides nothing, nor do vectors, which have no place of their own, nor what was computed in
-/// order to be drawn: the truth, and where an answer leads to.
+/// Auxiliary figures do not decide, nor do vectors, which have no position of their own, nor figures that were computed
+/// for the drawing: the truth, and the motion by an answer.
 bool decides(const SpaceFigure& figure) {
   const bool computed = (figure.answer && !figure.said) || figure.label.rfind("answered: ", 0) == 0;
   return !figure.label.empty() && figure.kind != Kind::arrow && !computed && !has_rounded_corners(figure);

@@ -15,7 +15,7 @@ using SpaceVector = Vector3<mpq_class>;
 
 std::vector<SpaceVertex> vertices_of(const SpaceFigure& drawable);
 
-/// The rings of vertices that bound a figure's surface; none where it has no surface, or is curved or endless.
+/// The rings of vertices that bound a figure's surface; none if it has no surface, or is curved or unbounded.
 std::vector<std::vector<SpaceVertex>> faces_of(const SpaceFigure& drawable);
 
 /// |v|, to many digits.
@@ -23,9 +23,9 @@ mpq_class length_of(const SpaceVector& v);
 
 /// Two parts of a question that are so near to each other that the figure cannot show the gap, and yet do not touch.
 struct SpaceGap {
-  SpaceVertex at;     ///< on the one part, where it is nearest to the other
+  SpaceVertex at;     ///< on one part, the point nearest to the other
   SpaceVector along;  ///< the direction to the other part, of any length
-  std::string label;  ///< of the one part
+  std::string label;  ///< of the first part
   mpq_class gap;      ///< the distance, in the unit of the coordinates, to many digits
 };
 

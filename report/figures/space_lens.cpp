@@ -28,7 +28,7 @@ class Lens {
     scale.steps_per_unit.fill(mpq_class(steps_of_box / half_));
     return scale.at({p.x, p.y, p.z});
   }
-  /// What of a convex ring, an edge or a point lies in the cube that reaches so many halves from the centre.
+  /// The part of a convex ring, an edge or a point in the cube that extends this many halves from the centre.
   Ring cut(Ring ring, const mpq_class& halves) const {
     const mpq_class reach = halves * half_;
     for (std::size_t side = 0; side < 6; ++side) {
@@ -69,7 +69,7 @@ class Lens {
   mpq_class half_;
 };
 
-/// The surface near the lens of a ball that is much larger.
+/// The surface near the lens of a much larger ball.
 Ring tangent_patch(const Lens& lens, const SpaceVertex& centre, const SpaceVertex& near, const mpq_class& radius) {
   const SpaceVector way = near - centre;
   const mpq_class square = dot(way, way), length = length_of(way);
@@ -83,7 +83,7 @@ struct Cut {
   std::optional<mpq_class> radius;
 };
 
-/// What the lens shows of a figure, before it is cut.
+/// The part of a figure that the lens shows, before it is cut.
 Cut shape_of(const SpaceFigure& figure, const Lens& lens, const SpaceVertex& near) {
   switch (figure.kind) {
     case Kind::arrow: return {};
@@ -141,7 +141,7 @@ Json json_of(const SpaceFigure& figure, const Lens& lens, const SpaceVertex& nea
 
 double rounded(double x) { return std::floor(1e6 * x + 0.5) / 1e6; }
 
-/// A turn with which `along` lies in the plane of the screen, so that planes across it are seen edge on.
+/// A rotation that brings `along` into the plane of the screen, so that planes perpendicular to it are seen edge on.
 Json turn_to(const SpaceVector& along) {
   const mpq_class length = length_of(along);
   const double x = mpq_class(along.x / length).get_d(), y = mpq_class(along.y / length).get_d(),

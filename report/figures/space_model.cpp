@@ -51,7 +51,7 @@ Json json_of(const SpaceFigure& figure, const SpaceScale& scale) {
   return json;
 }
 
-/// "x: 1 to 3", or "x: 1000000.5 ± 2e-9" where the two would look alike.
+/// "x: 1 to 3", or "x: 1000000.5 ± 2e-9" if the two would look alike.
 std::string span_in_words(char axis, const mpq_class& low, const mpq_class& high) {
   const std::string start = std::string(1, axis) + ": ";
   if (low == high) return start + about(low, 9);
@@ -60,7 +60,7 @@ std::string span_in_words(char axis, const mpq_class& low, const mpq_class& high
   return start + about(mpq_class((low + high) / 2), 9) + " \u00b1 " + about(mpq_class(wide / 2), 2);
 }
 
-/// Empty where there is one scale.
+/// Empty if there is one scale.
 std::string stretch_in_words(const SpaceScale& scale) {
   const auto& per_unit = scale.steps_per_unit;
   const mpq_class& least = *std::min_element(per_unit.begin(), per_unit.end());

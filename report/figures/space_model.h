@@ -13,24 +13,24 @@
 
 namespace touchstone::report {
 
-/// How many corners the figures of a scene may have together.
+/// The limit of corners of all figures of a scene together.
 inline constexpr std::size_t most_corners_of_a_scene = 3000;
 
-/// A scene's figures in space as report/scripts/viewer.js takes them, coordinates brought to its steps exactly
-/// (space_scale.h). null where no figure has its numbers, all finite. With `least_gap` a lens (space_lens.h) magnifies
-/// the narrowest gap of at least that size that is too narrow to be seen. Figures that would exceed the most corners
+/// A scene's figures in space for report/scripts/viewer.js, with coordinates converted to its steps exactly
+/// (space_scale.h). null if no figure has its numbers, all finite. With `least_gap` a lens (space_lens.h) magnifies the
+/// narrowest gap of at least that size that is too narrow to be visible. Figures that would exceed the limit of corners
 /// are left out.
 Json space_model(const Drawing& scene, const std::string& title,
                  const std::optional<mpq_class>& least_gap = std::nullopt,
                  std::size_t most_corners = most_corners_of_a_scene);
 
-/// The element of a page in which the script draws the model. Without scripts it says in words what is drawn. Empty
-/// where there is nothing to draw.
+/// The element of a page in which the script draws the model. Without scripts it describes the drawing in words. Empty
+/// if there is nothing to draw.
 std::string space_figure(const Drawing& scene, const std::string& title,
                          const std::optional<mpq_class>& least_gap = std::nullopt,
                          std::size_t most_corners = most_corners_of_a_scene);
 
-/// Whether a page has such an element, and so is in need of the script; whether one of them has a lens.
+/// True if a page has such an element, and so needs the script; true if one of them has a lens.
 bool has_space_figure(const std::string& html);
 bool has_space_lens(const std::string& html);
 

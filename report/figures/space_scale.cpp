@@ -13,7 +13,7 @@ using Kind = SpaceFigure::Kind;
 
 constexpr int extents_far_apart = 12;
 
-/// The least box round what was put into it.
+/// The least box around the points added.
 struct ExactBox {
   ExactPlace low, high;
   bool empty = true;

@@ -10,7 +10,7 @@
 #include "catalogue/draw/drawing.h"
 #include "report/uses.h"
 
-/// From the coordinates of a scene in space to integer steps from the middle of its box, exactly.
+/// Converts the coordinates of a scene in space to integer steps from the middle of its box, exactly.
 namespace touchstone::report {
 
 /// Steps from the middle of the scene's box to the end of its longest side.
@@ -19,7 +19,7 @@ constexpr int steps_of_box = 100000;
 using SpacePoint = std::array<int, 3>;
 using ExactPlace = std::array<mpq_class, 3>;
 
-/// Whether a figure has its numbers, all finite, and a plane a normal: a formula's answer may have neither.
+/// True if a figure has its numbers, all finite, and a plane a normal: a formula's answer may lack either.
 bool drawable(const SpaceFigure& figure);
 
 /// "question", "truth" or "answer".
@@ -33,18 +33,18 @@ mpq_class radius_of(const SpaceFigure& sphere);
 struct SpaceScale {
   ExactPlace low, high, middle;             ///< the scene's box
   std::array<mpq_class, 3> steps_per_unit;  ///< along x, y, z
-  ExactPlace middle_but_planes;  ///< of the box of everything but planes; the origin where there is nothing else
+  ExactPlace middle_but_planes;  ///< of the box of everything except planes; the origin if there is nothing else
 
-  /// Each axis takes its own scale where the extents are far apart, so that a thin scene is still seen; not where a
-  /// figure is a sphere, which would not be one any more, or a plane, whose normal would not be upright.
+  /// Each axis has its own scale if the extents are far apart, so that a thin scene is still visible; not if a figure
+  /// is a sphere, which would be distorted, or a plane, whose normal would not be perpendicular.
   static SpaceScale of(const std::vector<SpaceFigure>& drawable_figures);
 
   /// To the nearest step.
   SpacePoint at(const ExactPlace& place) const;
   int radius_in_steps(const SpaceFigure& sphere) const;
-  /// A displacement; nothing where it is not finite or leads far out of the scene.
+  /// A displacement; nullopt if it is not finite or leads far out of the scene.
   std::optional<SpacePoint> steps(const std::array<double, 3>& displacement) const;
-  /// The point of a plane at which it is drawn: the one that is nearest to everything else.
+  /// The point at which a plane is drawn: the one nearest to everything else.
   ExactPlace foot(const SpaceFigure& plane) const;
 };
 

@@ -149,7 +149,7 @@ void fill(Strokes& strokes, const std::vector<ExactPoint>& vertices, const Viewp
 void polygon(Strokes& strokes, const Figure& figure, const Viewport& view, const Style& style) {
   const std::vector<ExactPoint> vertices = vertices_of(figure);
   if (figure.node && figure.node->entered) fill(strokes, vertices, view, style);
-  // What is a point would not be seen.
+  // A figure reduced to a point would be invisible.
   const bool is_point = std::all_of(vertices.begin(), vertices.end(),
                                     [&](const ExactPoint& p) { return p.x == vertices[0].x && p.y == vertices[0].y; });
   const bool corners = style.corners || (is_point && !figure.node);

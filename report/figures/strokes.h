@@ -10,22 +10,22 @@
 
 namespace touchstone::report {
 
-/// What has been drawn in one frame.
+/// The contents of one frame.
 struct Strokes {
-  std::string lines, points;  ///< SVG; points are to lie above lines
-  std::vector<Pixel> drawn;   ///< places that a text should leave free
+  std::string lines, points;  ///< SVG; points are drawn above lines
+  std::vector<Pixel> drawn;   ///< positions that a text should leave free
   std::vector<LabelWish> wishes;
 };
 
-/// A style class, and how thick its strokes are: what is drawn first is thicker, so that it is still seen beneath what
-/// coincides with it.
+/// A style class, and the thickness of its strokes: earlier figures are thicker, so that they are visible beneath later
+/// ones that coincide with them.
 struct Style {
   std::string name;
   double thickness = 2;
   bool corners = true;  ///< those of polygons are dots
 };
 
-/// Adds a figure as it is seen in the view.
+/// Adds a figure as seen in the view.
 void stroke(Strokes& strokes, const Figure& figure, const Viewport& view, const Style& style);
 
 }  // namespace touchstone::report

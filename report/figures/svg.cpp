@@ -18,7 +18,7 @@ constexpr Frame main_frame{400, 300}, inset_frame{300, 300};
 constexpr int inset_in_gaps = 4;
 constexpr double thicknesses[] = {4, 2, 1.4, 1};  // of the parts of the question, in order
 
-/// One frame with its figures; a nested svg element cuts off what leaves it.
+/// One frame with its figures; a nested svg element clips them.
 std::string framed(const Drawing& drawing, const Viewport& view, const std::string& below) {
   Strokes strokes;
   std::size_t part = 0;
@@ -35,7 +35,7 @@ std::string framed(const Drawing& drawing, const Viewport& view, const std::stri
       stroke(strokes, figure, view, {"aid", 1.2});
       continue;
     }
-    // The elements of a list, "points[0]" and on, look alike.
+    // The elements of a list, "points[0]" and so on, look alike.
     const std::size_t bracket = figure.label.find('[');
     const bool same_list = bracket != std::string::npos && figure.label.compare(0, bracket, list) == 0;
     if (!same_list) ++part;
@@ -53,8 +53,8 @@ std::string framed(const Drawing& drawing, const Viewport& view, const std::stri
       placed_labels(strokes.wishes, strokes.drawn, frame));
 }
 
-/// Without figures that have a point beyond the range of doubles: a ray's second point may overflow, a formula's answer
-/// too.
+/// Removes figures that have a point beyond the range of doubles: a ray's second point may overflow, and so may a
+/// formula's answer.
 Drawing drawable(const Drawing& drawing) {
   Drawing kept;
   for (const Figure& figure : drawing.figures) {
@@ -95,7 +95,7 @@ std::string caption(const Frame& frame, const std::string& text) {
                      pixels(frame.width / 2), pixels(frame.height + 35), escaped(text));
 }
 
-/// Half the width of the magnified frame: a few gaps, and the nearest doubles too where those are in reach.
+/// Half the width of the magnified frame: a few gaps, including the nearest doubles if those are near enough.
 mpq_class inset_half(const NearMiss& miss) {
   const mpq_class gaps = inset_in_gaps * miss.gap;
   const auto spacing = [](double at) {
@@ -115,7 +115,7 @@ std::string opened(const std::string& style, double width, double height, const 
 
 constexpr double high = top_room + main_frame.height + bottom_room;
 
-/// From the place of the gap to the right, where the lens begins.
+/// Lines from the position of the gap to the right, where the lens begins.
 std::string rays_to_lens(const Viewport& whole, const NearMiss& miss) {
   const Pixel at = whole.at(miss.vertex);
   const double x = left_room + at.x, y = top_room + at.y, start = left_room + main_frame.width + between_frames;

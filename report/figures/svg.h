@@ -11,12 +11,12 @@
 
 namespace touchstone::report {
 
-/// A figure's svg element stands in one of these.
+/// The element that contains a figure's svg element.
 inline constexpr const char* view_opening = "<div class=\"view\">";
 
-/// A drawing as SVG in HTML. Where a gap of at least `least_gap` is too narrow to be seen, a second figure next to it,
-/// or below where the page is narrow, magnifies it, down to single doubles. `title` is what a screen reader says.
-/// Colours are the page's (figure_style).
+/// A drawing as SVG in HTML. If a gap of at least `least_gap` is too narrow to be visible, a second figure next to it,
+/// or below on narrow pages, magnifies it, down to single doubles. `title` is for screen readers. Colours are the
+/// page's (figure_style).
 std::string drawing_svg(const Drawing& drawing, const std::string& title,
                         const std::optional<mpq_class>& least_gap = mpq_class(0));
 

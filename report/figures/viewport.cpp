@@ -15,7 +15,7 @@ constexpr double far_outside = 20000;
 constexpr int padding_percent = 15;
 constexpr int most_apart_on_one_scale = 6;
 
-/// The size to give an extent of zero: that of the coordinates themselves, or 1 at the origin.
+/// The size assigned to an extent of zero: that of the coordinates themselves, or 1 at the origin.
 mpq_class natural_extent(const mpq_class& x, const mpq_class& y) {
   const mpq_class size = std::max(mpq_class(abs(x)), mpq_class(abs(y)));
   return sgn(size) == 0 ? mpq_class(1) : size;

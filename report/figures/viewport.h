@@ -9,8 +9,8 @@
 
 #include "report/uses.h"
 
-/// From the coordinates of an input to pixels, exactly: 5e-324 and 1e308 in one figure neither vanish nor overflow, and
-/// two neighbouring doubles are two places once the view is small enough.
+/// Converts the coordinates of an input to pixels, exactly: 5e-324 and 1e308 in one figure neither vanish nor overflow,
+/// and two neighbouring doubles are distinct once the view is small enough.
 namespace touchstone::report {
 
 struct ExactPoint {
@@ -28,21 +28,21 @@ struct Pixel {
   double x = 0, y = 0;
 };
 
-/// A number of pixels as SVG takes it: two decimals at most.
+/// A number of pixels for SVG: at most two decimals.
 std::string pixels(double value);
 
 class Viewport {
  public:
-  /// All points with room around them. `equal`: one scale for both axes; else each axis takes its own where their
-  /// extents are far apart, so that a thin input is still seen.
+  /// All points with a margin. `equal`: one scale for both axes; otherwise each axis has its own if their extents are
+  /// far apart, so that a thin input is still visible.
   static Viewport fitted(const std::vector<ExactPoint>& points, const Frame& frame, bool equal);
-  /// What lies within `half` of `centre` along the shorter side of the frame.
+  /// The points within `half` of `centre` along the shorter side of the frame.
   static Viewport around(const ExactPoint& centre, const mpq_class& half, const Frame& frame);
 
   const Frame& frame() const { return frame_; }
   /// Pixels as exact numbers; y downwards.
   ExactPoint exactly(const ExactPoint& point) const;
-  /// Pixels for drawing; what is far outside stays outside, but within reach of a browser's floats.
+  /// Pixels for drawing; far-away points stay outside, but within the range of a browser's floats.
   Pixel at(const ExactPoint& point) const;
   bool shows(const ExactPoint& point) const;
   mpq_class pixels_per_unit_x() const { return per_x_; }

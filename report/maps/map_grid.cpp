@@ -27,7 +27,7 @@ double step_of(const Question& question, std::size_t number, bool binary32) {
   return step_above(size, binary32);
 }
 
-/// Where two inputs of one shape differ: the path of the first number that is not the same, as "polygon[3][0]".
+/// The first difference between two inputs of one shape: the path of the number, such as "polygon[3][0]".
 std::string path_of_difference(const Json& a, const Json& b, const std::string& path = "") {
   if (!a.is_structured()) return a == b ? "" : path;
   std::string found;
@@ -42,7 +42,7 @@ std::string path_of_difference(const Json& a, const Json& b, const std::string& 
   return found;
 }
 
-/// The name of a number of the map's centre, found by moving it: apart from coordinates a question may hold lengths of
+/// The name of a number of the map's centre, found by moving it: besides coordinates a question may hold lengths of
 /// lists.
 std::string field_of(const Operation& operation, const Question& centre, std::size_t number, double step) {
   Question moved = centre;
@@ -50,7 +50,7 @@ std::string field_of(const Operation& operation, const Question& centre, std::si
   return path_of_difference(operation.print(centre), operation.print(moved));
 }
 
-/// Where a grid is looked at before its map is made. The stride is odd, so that stripes of powers of two are not
+/// The pixels that are sampled before a map is made. The stride is odd, so that stripes of powers of two are not
 /// missed.
 struct Stride {
   int start, step;
@@ -61,13 +61,13 @@ struct Stride {
   }
 };
 
-/// What an implementation gets right and wrong on some pixels of a grid.
+/// Right and wrong answers of an implementation on some pixels of a grid.
 struct Probe {
   std::uint64_t right = 0, wrong = 0, inexact = 0, refused = 0;
   void add(Verdict verdict) { ++(verdict == Verdict::inexact ? inexact : is_finding(verdict) ? wrong : right); }
-  /// Whether the grid lies on a border of the contract, beyond which nothing is asked.
+  /// True if the grid crosses a border of the contract, beyond which nothing is asked.
   bool is_cut() const { return 8 * refused > right + wrong + inexact; }
-  /// More where the border of what fails is to be seen, and for a wrong decision than for a number; 0 where nothing
+  /// Higher if the border of the failing region is visible, and for a wrong decision than for a number; 0 if nothing
   /// fails, or much is outside the contract.
   std::uint64_t worth() const {
     constexpr std::uint64_t decision = 100;
@@ -114,7 +114,7 @@ bool of_ordinary_size(const Question& question) {
                      [](double x) { return x == 0 || (std::fabs(x) >= 0x1p-100 && std::fabs(x) <= 0x1p100); });
 }
 
-/// Questions of ordinary size that the formula answers wrongly.
+/// Questions of ordinary magnitude that the formula answers wrongly.
 std::vector<Question> failing_questions(const Operation& operation, bool binary32, std::uint64_t most) {
   std::vector<Question> failing;
   const std::size_t families = operation.families().size();

@@ -17,12 +17,12 @@
 namespace touchstone::report {
 namespace {
 
-/// What one implementation did at one pixel. Answers that are numbers alone are shown by how far they are off.
+/// The result of one implementation at one pixel. Answers that are numbers alone are shown by their distance.
 struct Shade {
   Verdict verdict = Verdict::unsupported;
   std::string said;
   bool refused = false;
-  std::size_t level = words_only;  ///< of the distance in ulps: the further off, the greater
+  std::size_t level = words_only;  ///< of the distance in ulps: the greater the distance, the higher
   static constexpr std::size_t words_only = 99;
 
   bool operator<(const Shade& other) const {
@@ -35,7 +35,7 @@ Shade shade_of_distance(const Judgement& judgement) {
     return judgement.ulps > 0 ? Shade{judgement.verdict, "within the stated bound", false, 1}
                               : Shade{judgement.verdict, "correctly rounded", false, 0};
   }
-  // A unit is the last of 53 binary digits or of 24; lost decimal digits are those that its multiples reach into.
+  // A unit is the last of 53 binary digits or of 24; lost decimal digits are those that its multiples reach.
   const double lost = std::log10(std::max(judgement.ulps, 1.0));
   constexpr std::array<int, distance_levels - 1> digits{1, 2, 4, 7, 10, 15};
   for (std::size_t level = 0; level < digits.size(); ++level) {
@@ -47,8 +47,8 @@ Shade shade_of_distance(const Judgement& judgement) {
   return {judgement.verdict, "more than 15 digits lost", false, digits.size()};
 }
 
-/// Of an answer that is one of many right ones, and of one whose numbers are not the requested ones, the verdict
-/// says all.
+/// For an answer with several right ones, and for one whose numbers are not the requested ones, the verdict is
+/// sufficient.
 template <class Answer>
 Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome, const Answer& answer) {
   if (outcome == "value") {
@@ -75,7 +75,7 @@ struct Plate {
   std::vector<Shade> shades;
 };
 
-/// A row of the map: its questions, null where the contract refuses one, and what reference and robust did.
+/// A row of the map: its questions, null if the contract refuses one, and the results of reference and robust.
 struct PixelRow {
   std::vector<std::unique_ptr<Examination>> examinations;
   std::vector<Shade> reference, robust;
@@ -125,7 +125,7 @@ void ask_engine(const Operation& operation, const std::vector<std::unique_ptr<Ex
   });
 }
 
-/// Words by how common they are among the truths, so that all maps of an operation give a word the same look.
+/// Ranks answers by their frequency among the truths, so that all maps of an operation show an answer alike.
 std::map<std::string, Rank> ranks_of(const std::map<std::string, std::uint64_t>& outcomes, int side) {
   std::vector<std::pair<std::string, std::uint64_t>> sorted(outcomes.begin(), outcomes.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
@@ -159,7 +159,7 @@ FailureMap developed(const MapGrid& grid, int side, const Plate& plate, std::map
       sorted.emplace_back(shade, n);
     }
   }
-  // A scale stands in its order.
+  // A scale keeps its order.
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
     if (a.first.verdict != b.first.verdict) return a.first.verdict < b.first.verdict;
     return a.first.level != b.first.level ? a.first.level < b.first.level : a.second > b.second;
@@ -198,7 +198,7 @@ std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool 
   std::vector<Plate> plates{{subject(ours), {}}, {"robust", {}}};
   if (with_engine) plates.push_back({subject(engine->declaration()), {}});
   std::map<std::string, std::uint64_t> outcomes;
-  constexpr int together = 16;  // rows; the engine is asked of these, in order, before the next are looked at
+  constexpr int together = 16;  // rows; the engine is asked about these, in order, before the next ones
   for (int first = 0; first < effort.side; first += together) {
     if (effort.abandoned()) return {};
     std::vector<PixelRow> rows(together);

@@ -14,7 +14,7 @@ namespace touchstone::report {
 /// Answers that a map shows alike.
 struct MapClass {
   Verdict verdict = Verdict::agree;
-  std::string said;  ///< the word of the answer, or how far a number is off; empty where the verdict says all
+  std::string said;  ///< the enumerator of the answer, or the distance of a number; empty if the verdict is sufficient
   std::uint64_t count = 0;
   std::array<Look, 2> looks{};  ///< by Scheme
   const Look& look(Scheme scheme) const { return looks[static_cast<std::size_t>(scheme)]; }
@@ -22,9 +22,9 @@ struct MapClass {
 
 struct FailureMap {
   MapGrid grid;
-  int side = MapGrid::side;  ///< so many squares to the right and upwards, each with the answer to one question
+  int side = MapGrid::side;  ///< squares to the right and upwards, each with the answer to one question
   std::string subject;
-  std::vector<MapClass> classes;  ///< by verdict, then the commonest first
+  std::vector<MapClass> classes;  ///< by verdict, then the most frequent first
   std::vector<std::uint8_t>
       squares;  ///< the class of each, row by row from the top; classes.size(): outside the contract
   std::array<std::uint64_t, verdict_count> counts{};
@@ -34,17 +34,17 @@ struct FailureMap {
 };
 
 /// Maps over the same grid (failing_grid): the formula in double (or float), then robust, then the engine if there is
-/// one. The same whatever the jobs. Empty where it was abandoned.
+/// one. The same whatever the jobs. Empty if it was abandoned.
 std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32 = false,
                                      Engine* engine = nullptr, const std::vector<Question>& candidates = {},
                                      const MapEffort& effort = {});
 
-/// Whose failures the maps are about: the engine if there is one, else the formula.
+/// The map of the engine if there is one, otherwise that of the formula.
 const FailureMap& subject_of(const std::vector<FailureMap>& maps);
 
-/// A pixel for each place of the grid. Of a palette index, half (rounded down) is the class; the same in both schemes.
+/// One pixel for each point of the grid. Half of a palette index (rounded down) is the class, the same in both schemes.
 Image image_of(const FailureMap& map, Scheme scheme = Scheme::light);
-/// A small piece of an area of that class, for a legend.
+/// A small patch of that class, for a legend.
 Image sample_of(const MapClass& entry, Scheme scheme);
 
 /// The images side by side, `gap` pixels of white between them.

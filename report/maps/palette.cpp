@@ -11,9 +11,9 @@ namespace {
 struct Colours {
   std::array<Colour, verdict_count> verdicts;
   Colour range;
-  Colour hatch, line;  ///< upon what is right
+  Colour hatch, line;  ///< on right answers
   Colour blank;
-  int towards;  ///< what strong colours are mixed with to be stronger: black on paper, white in the dark
+  int towards;  ///< the colour mixed into strong ones: black on paper, white in dark mode
 };
 
 constexpr Colours light{{{{0xdf, 0xe8, 0xf0},    // agree
@@ -80,12 +80,12 @@ Look look_of(Verdict verdict, const Rank& rank, Scheme scheme) {
   if (verdict == Verdict::agree)
     return rank.rare ? Look{colours.line, mixed(colours.line, 255 - colours.towards, 35), pattern(rank.place)}
                      : Look{own, colours.hatch, pattern(rank.place)};
-  // Neither the ground nor the mark of a finding is ever pale. What is rarely true is most often a wrong answer: plain.
+  // Neither the ground nor the mark of a finding is ever pale. A rare truth is most often a wrong answer: plain.
   return {own, mixed(own, colours.towards, 45), pattern(rank.rare ? 0 : rank.place + 1)};
 }
 
 Look look_of_distance(std::size_t level, Verdict verdict, Scheme scheme) {
-  // Each differs from its neighbours in lightness, towards what stands out most against the page.
+  // Each differs from its neighbours in lightness, increasing the contrast with the page.
   constexpr std::array<Colour, distance_levels> on_paper{{{0x8f, 0x7a, 0x00},
                                                           {0x66, 0x77, 0x00},
                                                           {0x24, 0x6b, 0x3f},

@@ -32,7 +32,7 @@ std::string png(const Image& image, std::uint32_t scale) {
   png_set_write_fn(writer.file, &bytes, append, nothing_to_flush);
   png_set_IHDR(writer.file, writer.info, image.width * scale, image.height * scale, 8, PNG_COLOR_TYPE_PALETTE,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  // Fixed, so that the same image is the same bytes whatever the library prefers.
+  // Fixed, so that the same image gives the same bytes whatever the library's default.
   png_set_compression_level(writer.file, 9);
   png_set_filter(writer.file, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   std::vector<png_color> palette;

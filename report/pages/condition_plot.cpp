@@ -14,10 +14,10 @@ namespace touchstone::report {
 namespace {
 
 constexpr std::uint64_t seed = 1, questions_of_a_family = 16;
-constexpr std::size_t most_numbers = 48;  // of a question: each is moved, and the oracle asked again
+constexpr std::size_t most_numbers = 48;  // of a question: each is moved, and the oracle called again
 constexpr double width = 560, height = 360, least_power = -4, greatest_power = 64;
 
-/// Of both sides: 0 where a number is a sixteenth or less, 1 where it is 2^64 or more.
+/// The position on both axes: 0 for a number of a sixteenth or less, 1 for 2^64 or more.
 double part(double number) {
   const double power = std::clamp(number > 0 ? std::log2(number) : least_power, least_power, greatest_power);
   return (power - least_power) / (greatest_power - least_power);

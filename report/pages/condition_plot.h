@@ -8,9 +8,9 @@
 
 namespace touchstone::report {
 
-/// How far the formula in double is from the truth, against the condition of the question, both on scales of powers of
-/// two: a dot for each number of some questions of every family, always the same ones. As HTML; empty where the answer
-/// is not numbers alone.
+/// The distance of the formula in double from the truth, against the condition of the question, both on logarithmic
+/// scales: a dot for each number of some questions of every family, always the same ones. As HTML; empty unless the
+/// answer is numbers alone.
 std::string condition_section(const Operation& operation);
 
 }  // namespace touchstone::report

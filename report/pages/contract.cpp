@@ -37,7 +37,7 @@ std::string paragraph(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     const bool indented = line.compare(0, 4, "    ") == 0;
     const auto formula = indented ? formula_in_mathml(line.substr(4)) : std::nullopt;
-    // A line with words beside its formula stays as it is; one of words alone goes on with a list's entry.
+    // A line with words next to its formula stays separate; one of words alone continues a list's entry.
     const bool both = indented && !formula && line.find(" = ") != std::string::npos;
     const In now = formula ? In::formula : both ? In::both : In::words;
     if (now == in) {
@@ -53,7 +53,7 @@ std::string paragraph(const std::string& text) {
   return html;
 }
 
-/// Where a sentence ends that goes on at `from`: behind its full stop, which none of "p. 5" and "N . (x - a)" is.
+/// The end of the sentence that continues at `from`: after its full stop, which excludes "p. 5" and "N . (x - a)".
 static std::size_t end_of_sentence(const std::string& text, std::size_t from) {
   for (std::size_t at = from; (at = text.find('.', at)) != std::string::npos; ++at) {
     const bool of_page = at > 0 && text[at - 1] == 'p' && (at < 2 || text[at - 2] == ' ' || text[at - 2] == '\n');
@@ -66,7 +66,7 @@ static std::size_t end_of_sentence(const std::string& text, std::size_t from) {
 }
 
 std::pair<std::string, std::string> formula_and_rest(const std::string& text) {
-  std::size_t from = 0;  // of what is shown, its last formula's end
+  std::size_t from = 0;  // end of the last formula shown
   for (std::size_t at = 0; (at = text.find("\n    ", at)) != std::string::npos;) {
     const std::size_t end = std::min(text.find('\n', at + 1), text.size());
     if (formula_in_mathml(text.substr(at + 5, end - at - 5))) from = end;

@@ -25,8 +25,8 @@ std::string contents() {
   return text + "<li><a href=\"#beside\">Beside the deck</a></li></ol></nav>";
 }
 
-/// What the contracts say first: the page, the formula and its sentence. Of operations after the first only formulas
-/// are worth the room.
+/// The beginning of the contracts: the page, the formula and its sentence. After the first operation only formulas are
+/// shown.
 std::string formulas(const DeckSection& section) {
   std::string text;
   for (const std::string& operation : section.operations) {
@@ -50,7 +50,7 @@ std::string figure(const DeckSection& section) {
   return "";
 }
 
-/// Of the section's operations the first that fails.
+/// The first of the section's operations that fails.
 std::string failure(const DeckSection& section, const Tally& tally) {
   std::uint64_t asked = 0;
   for (const std::string& name : section.operations) {

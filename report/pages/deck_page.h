@@ -10,10 +10,10 @@
 
 namespace touchstone::report {
 
-/// Pages of the deck that belong together, as report/pages/deck.json has them, in the deck's order.
+/// Pages of the deck that belong together, from report/pages/deck.json, in the deck's order.
 struct DeckSection {
   std::string pages, title, idea;
-  std::vector<std::string> operations;  ///< whose formulas these pages have; the first comes first
+  std::vector<std::string> operations;  ///< the operations with the formulas of these pages; the main one first
   std::string drag;                     ///< the figure of drag_figures.js; empty: none
   std::string scene;                    ///< of simulate/scenes; empty: none
 };
@@ -25,9 +25,9 @@ struct PlayedScene {
   Json data;  ///< player_data of its recording
 };
 
-/// The deck as one page that stands alone: of each section the idea, the formulas, a figure that the reader drags or
-/// turns, the most frequent failure that the tally has, and the scene, where `scenes` has it by name. Operations that
-/// no page of the deck asks stand at the end.
+/// The deck as one self-contained page: for each section the idea, the formulas, a figure that the reader drags or
+/// rotates, the most frequent failure in the tally, and the scene, if `scenes` has it by name. Operations that no page
+/// of the deck asks come last.
 std::string deck_page(const Tally& tally, const std::map<std::string, PlayedScene>& scenes);
 
 }  // namespace touchstone::report

@@ -29,7 +29,7 @@ void make_directory(const std::string& directory) {
   if (error) throw std::runtime_error(directory + ": " + error.message());
 }
 
-/// Around which an engine's map may be centred: what was found of it, but for answers that may have taken long.
+/// The questions around which an engine's map may be centred: its findings, except answers that may have taken long.
 std::vector<Question> found_in(const OperationTally& tally) {
   std::vector<Question> questions;
   for (const WayOfOperation& shown : ways_of(tally)) {
@@ -84,11 +84,11 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
            std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() >= notes.seconds;
   };
   std::vector<const OperationTally*> order = worst_first(tally);
-  // One engine is asked one question after the other, and one operation alone is the work of all jobs.
+  // A single engine is asked one question after the other, and a single operation uses all jobs.
   const bool apart = engine == nullptr && order.size() > 1;
-  // The dearest begin, so that no job is left with one of them in the end.
+  // The most expensive ones begin, so that no job is left with one of them at the end.
   if (apart) std::stable_partition(order.begin(), order.end(), is_dear);
-  if (tally.repeat.recorded) return;  // a map would be of the textbook formula, around a question that nobody asked
+  if (tally.repeat.recorded) return;  // a map would show the textbook formula, around a question that was not recorded
   constexpr int coarsest = 16;
   for (int side = coarsest; side == coarsest || (side <= MapGrid::side && !over()); side *= 2) {
     std::atomic<std::size_t> done{0};

@@ -16,7 +16,7 @@ struct Pair {
   std::string name;  ///< HTML
   Cell before, after;
 
-  /// Of the share of wrong answers.
+  /// The change of the share of wrong answers.
   double change() const {
     const auto rate = [](const Cell& cell) {
       return static_cast<double>(cell.wrong()) / static_cast<double>(std::max<std::uint64_t>(cell.answered(), 1));

@@ -7,7 +7,7 @@
 namespace touchstone::report {
 
 /// Two audits next to each other, as before and after a fix, as HTML with its heading: every operation that both have,
-/// what changed most first; of one operation, the families that changed; empty where the earlier audit does not have
+/// the greatest change first; for one operation, the families that changed; empty if the earlier audit does not have
 /// it.
 std::string comparison(const Tally& before, const Tally& after, const std::string& operation = "");
 

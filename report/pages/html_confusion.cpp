@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_words = 12;
 
-/// The words in the order in which the operation has them; what is none of its words last.
+/// The answers in the order of the operation's enumerators; others come last.
 std::vector<std::string> in_order(const Operation& operation, const std::vector<std::string>& found) {
   const std::vector<std::string> words = operation.words();
   std::vector<std::string> sorted = found;
@@ -39,7 +39,7 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
   truths = in_order(operation, truths);
   answers = in_order(operation, answers);
   if (truths.size() > most_words || answers.size() > most_words) return "";
-  // A plain yes or no is no word of the truth's: what was judged right tells which pairs are.
+  // A plain yes or no is not an enumerator of the truth: the verdicts tell which pairs are right.
   std::set<std::pair<std::string, std::string>> right_pairs;
   for (const auto& [way, count] : total.ways) {
     if (way.verdict == Verdict::agree || way.verdict == Verdict::inexact) right_pairs.emplace(way.truth, way.answer);

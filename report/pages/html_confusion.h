@@ -8,8 +8,8 @@
 
 namespace touchstone::report {
 
-/// A table of truth against answer in words: how often what was true was answered how. Empty where the truths have no
-/// words. `who`: whose answers they are.
+/// A table of truth against answer in words: the count of each answer to each truth. Empty if the truths have no
+/// enumerators. `who`: names whose answers they are.
 std::string confusion_matrix(const Operation& operation, const Cell& total, const std::string& who);
 
 }  // namespace touchstone::report

@@ -25,7 +25,7 @@
 namespace touchstone::report {
 namespace {
 
-/// A note such as "ta = p/q" or "angles: [...]", exact values shortened where they are long.
+/// A note such as "ta = p/q" or "angles: [...]", with long exact values shortened.
 std::string in_short(const std::string& note) {
   constexpr std::size_t longest = 160;
   const std::size_t equals = note.find(" = ");
@@ -45,16 +45,16 @@ std::string in_short(const std::string& note) {
   return shorter.size() > longest ? shorter.substr(0, longest) + " \u2026" : shorter;
 }
 
-/// Whether a note is about a field of the truth, which the caption says.
+/// True if a note is about a field of the truth, which the caption states.
 bool is_said(const std::string& note, const Json& truth) {
   const std::string field = note.substr(0, note.find_first_of(":= "));
   return truth.is_object() && truth.contains(field);
 }
 
-/// The least gap that may be what decides, where a gap too narrow to be seen may: the margin is that narrow, and not 0.
-/// Any other gap of the figure is an accident, and so is one that is much narrower than the margin.
+/// The least gap that may decide, if an invisibly narrow gap may: the margin is that narrow, and not 0. Any other gap
+/// of the figure is coincidental, and so is one that is much narrower than the margin.
 std::optional<mpq_class> least_gap_that_decides(const Operation& operation, const Examination& question) {
-  constexpr int narrower = 64;  // a margin that is a product may have factors of several sizes of the question
+  constexpr int narrower = 64;  // a margin that is a product may have factors of several magnitudes
   const int degree = operation.metadata().margin_degree;
   if (!question.margin() || degree == 0) return mpq_class(0);
   const mpq_class size = exact_value(greatest(question.question()));
@@ -77,7 +77,7 @@ bool shows_an_answer(const Drawing& drawing) {
          std::any_of(drawing.space.begin(), drawing.space.end(), said);
 }
 
-/// Without the truth.
+/// The drawing without the truth.
 Drawing answered_alone(Drawing drawing) {
   const auto true_one = [](const auto& figure) { return figure.answer; };
   drawing.figures.erase(std::remove_if(drawing.figures.begin(), drawing.figures.end(), true_one),
@@ -123,7 +123,7 @@ std::string said_row(const Operation& operation, const std::string& who, const J
   return text + "</td></tr>";
 }
 
-/// Who answered what: in words, and folded as JSON.
+/// The answers of the implementations: in words, and folded as JSON.
 struct Said {
   std::string table, json;
 };
@@ -172,7 +172,7 @@ std::string right_case(const Operation& operation) {
   constexpr std::uint64_t most_drawn = 40;
   constexpr std::size_t longest = 400;
   std::unique_ptr<Examination> best;
-  // The richest case, with the fewest degenerate features; of two, that with the shorter input.
+  // The case with the most content and the fewest degenerate features; of two, that with the shorter input.
   std::pair<std::size_t, std::size_t> least{std::numeric_limits<std::size_t>::max(), longest};
   const std::size_t families = operation.families().size();
   for (std::uint64_t i = 0; i < most_drawn; ++i) {

@@ -7,7 +7,7 @@
 
 namespace touchstone::report {
 
-/// The line that gives this tally again: the one that was called, where it is known.
+/// The command that reproduces this tally: the one that was run, if it is known.
 std::string audit_command_of(const Tally& tally, const ReportNotes& notes);
 
 /// The last lines of a page: how the truth was found, the command, the versions of the program, of its compiler and of

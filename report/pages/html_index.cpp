@@ -31,7 +31,7 @@ std::string who_in_words(const Tally& tally) {
                                                              : tally.declaration.engine + type;
 }
 
-/// What happened, in one line.
+/// The result in one line.
 std::string headline(const Tally& tally, const Cell& sum) {
   const std::string questions =
       tally.grid.size > 0 ? counted(sum.answered(), "configuration")
@@ -105,7 +105,7 @@ std::string tile(const std::string& style, std::uint64_t n, const std::string& w
   return "<div class=\"tile " + style + "\"><b>" + grouped(n) + "</b><span>" + escaped(words) + "</span></div>";
 }
 
-/// Causes add up to what is wrong; that and the rest to what was judged.
+/// Causes add up to the wrong answers; those and the rest to all judged answers.
 std::string tiles(const Cell& sum) {
   std::string text = tile("", sum.answered(), "answers judged") + tile("agree", sum.count(Verdict::agree), "right") +
                      tile("", sum.wrong(), "wrong");
@@ -122,7 +122,7 @@ std::string tiles(const Cell& sum) {
   add("tolerance", sum.count(Verdict::tolerance), "within the tolerance");
   add("unsupported", sum.count(Verdict::unsupported), "not supported");
   add("", sum.not_asked, "not asked");
-  // As many in each row, but for the last.
+  // Equally many in each row, except the last.
   const auto columns = [&](std::size_t most) {
     const std::size_t rows = (count + most - 1) / most;
     return (count + rows - 1) / rows;
@@ -134,7 +134,7 @@ std::string wrong_in_words(std::uint64_t wrong, std::uint64_t answered) {
   return answered == 0 ? "\u2013" : grouped(wrong) + " <small>" + share(wrong, answered) + "</small>";
 }
 
-/// What the page's script (sort.js) sorts a column by.
+/// The key by which the page's script (sort.js) sorts a column.
 std::string sort_key(double key) { return fmt::format(" data-sort=\"{}\"", key); }
 
 double part_of(std::uint64_t n, std::uint64_t of) {
@@ -153,7 +153,7 @@ std::string operation_row(const Cell& total, const std::string& name, const std:
       grouped(total.count(Verdict::inexact)));
 }
 
-/// Where an operation stands in the catalogue, which follows the deck.
+/// The position of an operation in the catalogue, which follows the deck.
 std::size_t place_in_deck(const Operation* operation) {
   const auto& all = all_operations();
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), operation) - all.begin());
@@ -211,7 +211,7 @@ std::string in_order_of_deck(const Tally& tally) {
                    text + "</ul></details>";
 }
 
-/// Above the numbers of a run that is not over.
+/// Shown above the numbers of a run in progress.
 std::string going_on(const Tally& tally, const ReportNotes& notes) {
   if (notes.expected == 0) return "";
   return fmt::format(
@@ -220,7 +220,7 @@ std::string going_on(const Tally& tally, const ReportNotes& notes) {
       tally.operations.size(), notes.expected);
 }
 
-/// The words of the pages that a reader may not know.
+/// The terms of the pages that a reader may not know.
 std::string glossary(bool recorded) {
   const std::string families =
       recorded ? "."
@@ -249,7 +249,7 @@ std::string legend(Speaker speaker, bool recorded) {
   return text + "</dl>" + glossary(recorded) + "</div>";
 }
 
-/// Maps on which something fails, the worst operation first.
+/// Maps with failures, the worst operation first.
 std::vector<std::pair<std::string, const FailureMap*>> failing_maps(const Tally& tally, const OperationMaps& maps) {
   std::vector<std::pair<std::string, const FailureMap*>> failing;
   for (const OperationTally* operation : worst_first(tally)) {
@@ -261,8 +261,8 @@ std::vector<std::pair<std::string, const FailureMap*>> failing_maps(const Tally&
   return failing;
 }
 
-/// Empty where nothing fails. A foreign engine is not always at hand when the report is written; then the maps are
-/// those of the textbook formula.
+/// Empty if nothing fails. If no foreign engine is available when the report is written, the maps are those of the
+/// textbook formula.
 std::string gallery(const Tally& tally, const OperationMaps& maps) {
   const auto failing = failing_maps(tally, maps);
   if (failing.empty()) return "";

@@ -43,7 +43,7 @@ std::string verdict_in_words(Verdict verdict) {
   return "";
 }
 
-/// What the legend says of a class without its verdict, which stands next to it.
+/// The legend's text for a class without its verdict, which is next to it.
 std::string said(const Operation& operation, const MapClass& entry) {
   if (entry.said.empty()) return verdict_in_words(entry.verdict);
   const auto words = operation.words();
@@ -51,7 +51,7 @@ std::string said(const Operation& operation, const MapClass& entry) {
   return word ? phrase(operation, entry.said) : entry.said;
 }
 
-/// The text with one number of the input replaced, wherever the input stands in it.
+/// The text with one number of the input replaced, wherever the input occurs in it.
 std::string with_places(const Operation& operation, const MapGrid& grid, const std::string& text) {
   const std::string whole = one_line(operation.print(grid.centre));
   Json places = operation.print(grid.centre);
@@ -72,7 +72,7 @@ std::string with_places(const Operation& operation, const MapGrid& grid, const s
   return at == std::string::npos ? text : std::string(text).replace(at, whole.size(), marked);
 }
 
-/// The square to begin with: of those where the subject fails the one nearest to the middle.
+/// The initial square: among those where the subject fails the one nearest to the middle.
 std::pair<int, int> start_of(const FailureMap& map) {
   int best = map.side * map.side;
   std::pair<int, int> start{map.side / 2, map.side / 2 - 1};

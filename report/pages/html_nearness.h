@@ -8,10 +8,10 @@
 
 namespace touchstone::report {
 
-/// How near the recorded calls of an operation were to another answer, and which would have been answered otherwise in
-/// double, in float and by open sets. Empty where no calls were recorded.
+/// The distances of an operation's recorded calls from another answer, and the counts that would have been answered
+/// otherwise in double, in float and by open sets. Empty if no calls were recorded.
 std::string nearness_section(const OperationTally& tally);
-/// The same of all operations, a row each.
+/// The same for all operations, one row each.
 std::string nearness_of_all(const Tally& tally);
 
 }  // namespace touchstone::report

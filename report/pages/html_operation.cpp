@@ -136,7 +136,7 @@ std::string by_family(const OperationTally& tally, bool recorded) {
          "</div>";
 }
 
-/// What a page says of its operation whatever was audited. Questions are solved for it, so it is made once.
+/// The part of a page that does not depend on the audit. It requires solving questions, so it is made once.
 template <std::string (*section)(const Operation&)>
 const std::string& of_operation(const Operation& operation) {
   struct Made {
@@ -170,7 +170,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     if (!matrix.empty()) body += "<h2>Truth and answer</h2>" + matrix;
     if (recorded) body += "<h2>By call site</h2>" + by_family(here, recorded) + nearness_section(here);
     body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known);
-    // These are of the textbook formula, and of drawn questions.
+    // These concern the textbook formula, and drawn questions.
     if (!recorded) body += of_operation<right_case>(*known) + of_operation<search_section>(*known);
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {

@@ -34,7 +34,7 @@ std::vector<Drawn> drawn_of(const Drawing& drawing) {
 
 bool is_body(const Drawn& figure) { return figure.label.rfind(body_label, 0) == 0; }
 
-/// The label of what is searched for, which is drawn before all bodies.
+/// The label of the query, which is drawn before all bodies.
 std::string query_of(const std::vector<Drawn>& all) {
   const auto query = std::find_if(all.begin(), all.end(), [](const Drawn& f) { return !f.label.empty(); });
   return query == all.end() || is_body(*query) ? "" : query->label;
@@ -65,7 +65,7 @@ std::string legend(const std::vector<Drawn>& all) {
   return text;
 }
 
-/// How much a picture tells: its bodies, where there are neither too few nor too many to tell apart, and met ones.
+/// A score for a picture: its bodies, if there are neither too few nor too many to distinguish, and the ones met.
 std::size_t told_by(const std::vector<Drawn>& all) {
   const auto bodies = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_body));
   const auto met =
@@ -84,13 +84,13 @@ std::string search_caption(const Drawing& drawing) {
 }
 
 std::string search_section(const Operation& operation) {
-  constexpr std::uint64_t asked = 16;  // of each family; those that are others, an ulp apart, look the same
+  constexpr std::uint64_t asked = 16;  // per family; families that are moved by an ulp look the same
   struct Best {
     std::size_t told = 0;
     Drawing drawing;
     std::string input;
   };
-  std::map<std::string, Best> best;  // by the sort of query: the first word of its label
+  std::map<std::string, Best> best;  // by the kind of query: the first word of its label
   const std::vector<std::string>& families = operation.families();
   for (std::uint64_t i = 0; i < asked * families.size(); ++i) {
     const std::size_t family = i % families.size();

@@ -13,7 +13,7 @@
 namespace touchstone::report {
 namespace {
 
-/// Some thousands of triangles, which a browser turns without delay.
+/// Some thousands of triangles, which a browser rotates without delay.
 constexpr std::size_t most_corners_of_faces = 18000, most_corners = 100000;
 
 void add(std::vector<double>& numbers, const Point3d& p) { numbers.insert(numbers.end(), {p.x, p.y, p.z}); }
@@ -25,7 +25,7 @@ SpaceFigure mesh_figure(const CoarseMesh& mesh) {
   return figure;
 }
 
-/// Edges and vertices where there are any, else the faces, each with the number that the file gives it.
+/// Edges and vertices if there are any, otherwise the faces, each with its number in the file.
 void add_places(Drawing& drawing, const MeshFile& file, const FoundDefect& found) {
   const auto number = [&file](std::size_t i) { return std::to_string(i + file.first_number); };
   for (const PlaceInMesh& place : found.first) {

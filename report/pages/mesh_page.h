@@ -8,9 +8,9 @@
 
 namespace touchstone::report {
 
-/// A page that stands alone: what a mesh is and what is wrong with it, in words, and a figure that turns (viewer.js),
-/// of the mesh and of the first places of each defect. A large mesh is drawn coarser (coarse_mesh.h). Same mesh, same
-/// bytes.
+/// A self-contained page: a description of a mesh and its defects, in words, and a rotatable figure (viewer.js) of the
+/// mesh and of the first places of each defect. A large mesh is drawn coarser (coarse_mesh.h). The same mesh gives the
+/// same bytes.
 std::string mesh_page(const MeshFile& file, const Diagnosis& diagnosis);
 
 }  // namespace touchstone::report

@@ -20,7 +20,7 @@ using simulate::State;
 
 constexpr std::size_t most_frames = 2000;
 
-/// To so many digits: pages are for the eye. Where these are beyond the range, all of them.
+/// Rounded to that many digits for display; if the result is out of range, all digits.
 Json number(double x, int digits = 6) {
   const double shorter = catalogue::nearest_double(fmt::format("{:.{}g}", x, digits)).value_or(x);
   return std::isfinite(shorter) ? shorter : x;
@@ -43,7 +43,7 @@ Json bodies_of(const simulate::Scene& scene) {
   return bodies;
 }
 
-/// The walls of a room come as one box, the others by normal and offset.
+/// The walls of a room become one box, the others have normal and offset.
 void add_walls(const simulate::Scene& scene, Json& data) {
   data["walls"] = Json::array();
   for (const auto& [name, plane] : scene.walls)
@@ -52,7 +52,7 @@ void add_walls(const simulate::Scene& scene, Json& data) {
   if (scene.text.contains("room")) data["room"] = {scene.text["room"]["min"], scene.text["room"]["max"]};
 }
 
-/// How far the body is apart that is farthest apart.
+/// The greatest distance between the positions of a body in two states.
 double apart(const State<double>& a, const State<double>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -70,7 +70,7 @@ Json run_of(const Recording::OfRun& run, const std::vector<std::size_t>& frames)
   for (const std::size_t frame : frames) {
     if (frame >= run.states.size()) break;
     Json flat = Json::array();
-    std::set<Json> contacts;  // one ring where a contact was answered many times
+    std::set<Json> contacts;  // one ring if a contact was resolved many times
     for (const auto& [p, v] : run.states[frame])
       for (const double x : {p.x, p.y, p.z, v.x, v.y, v.z}) flat.push_back(number(x));
     for (; before <= frame; ++before)
@@ -92,7 +92,7 @@ Json distances(const std::vector<Recording::OfRun>& runs, const std::vector<std:
   Json distances = Json::array();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t j = i + 1; j < runs.size(); ++j) {
-      // Engines are many: each is compared with robust alone.
+      // There may be many engines: each is compared only with robust.
       if ((runs[i].engine || runs[j].engine) && runs[i].name != "robust") continue;
       if (runs[j].states.empty()) continue;
       Json values = Json::array();

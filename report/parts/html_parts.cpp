@@ -16,7 +16,7 @@ struct Part {
   std::uint64_t n;
 };
 
-/// What was counted, rounding by its two kinds.
+/// The counts, with rounding in its two kinds.
 std::vector<Part> parts_of(const Cell& cell) {
   std::vector<Part> parts;
   const auto counts = cell.counts();
@@ -47,7 +47,7 @@ std::string bar_of(const std::vector<Part>& parts, bool thin) {
   return fmt::format("<div class=\"bar{}\" role=\"img\" aria-label=\"{}\">{}</div>", thin ? " thin" : "", spoken, bars);
 }
 
-/// Text with places where a line may break after each of these characters.
+/// Text with line-break opportunities after each of these characters.
 std::string with_breaks(const std::string& text, const std::string& after) {
   std::string broken;
   for (const char c : escaped(text)) (broken += c) += after.find(c) != std::string::npos ? "<wbr>" : "";

@@ -8,8 +8,8 @@
 
 namespace touchstone::report {
 
-/// Below the table of recorded calls: by operation and call site how near the calls were to another answer, and how
-/// many would have been answered otherwise. Empty where no calls were recorded.
+/// Printed below the table of recorded calls: by operation and call site the distance of the calls from another answer,
+/// and the number that would have been answered otherwise. Empty if no calls were recorded.
 std::string recorded_table(const Tally& tally);
 
 }  // namespace touchstone::report

@@ -15,7 +15,7 @@ namespace touchstone::report {
 namespace {
 
 constexpr std::size_t most_findings = 5, bar_width = 24;
-/// Of a question or an answer: after an indentation, and how long it is where it is cut.
+/// The room for a question or an answer: after an indentation, and with its length if it is truncated.
 constexpr std::size_t room_of_value = line_width - 24;
 
 struct ScreenRow {
@@ -30,7 +30,7 @@ struct ScreenRow {
   bool right() const { return total.findings() == 0 && total.answered() > 0; }
 };
 
-/// The worst first; of equals the deck's order.
+/// The worst first; equal ones in the deck's order.
 std::vector<ScreenRow> rows_of(const Tally& tally) {
   std::vector<ScreenRow> rows;
   for (const OperationTally& operation : tally.operations) rows.push_back({&operation, operation.total()});
@@ -40,7 +40,7 @@ std::vector<ScreenRow> rows_of(const Tally& tally) {
   return rows;
 }
 
-/// '#' for wrong answers, '+' for inexact ones; something of what there is at all.
+/// '#' for wrong answers, '+' for inexact ones; at least one for each kind that occurs.
 std::string bar(const ScreenRow& row) {
   const auto cells = [](double part) {
     return part == 0 ? 0 : std::max<std::size_t>(1, static_cast<std::size_t>(part * bar_width));
@@ -49,7 +49,7 @@ std::string bar(const ScreenRow& row) {
   return std::string(wrong, '#') + std::string(inexact, '+') + std::string(bar_width - wrong - inexact, '.');
 }
 
-/// As many of the causes as the line has room for, the gravest first.
+/// As many of the causes as fit on the line, the gravest first.
 std::string line_of(const ScreenRow& row, std::size_t name_width) {
   const Cell& total = row.total;
   std::string line = fmt::format("{:<{}} {}{:>7} of {:<7}", row.operation->operation, name_width, bar(row),
@@ -64,15 +64,15 @@ std::string line_of(const ScreenRow& row, std::size_t name_width) {
   return line + "\n";
 }
 
-/// The names, broken into lines that begin with `head`; so many lines at most.
+/// The names, broken into lines that begin with `head`; at most that many lines.
 std::string named(const std::string& head, const std::vector<ScreenRow>& rows) {
   std::string names;
   for (const ScreenRow& row : rows) names += (names.empty() ? "" : ", ") + row.operation->operation;
   return rows.empty() ? "" : wrapped(head + names, 2) + "\n";
 }
 
-/// How telling a finding is: first at ordinary size, then what is no matter of rounding, then with few degenerate
-/// features, then what fits on a line, then what is most frequent among the operation's answers.
+/// Ranks findings for display: first those of ordinary magnitude, then those not caused by rounding, then those with
+/// few degenerate features, then those that fit on a line, then the most frequent among the operation's answers.
 struct Telling {
   const OperationTally* operation;
   WayOfOperation shown;
@@ -89,7 +89,7 @@ struct Telling {
     return std::tuple(example.range, cause, example.features, !fits(), -frequency);
   }
 };
-/// The most telling findings: of each operation its first, and where there is room for more the others.
+/// The highest-ranked findings: the first of each operation, and if there is more room the others.
 std::vector<Telling> telling(const Tally& tally) {
   std::vector<Telling> found, others;
   const auto by_rank = [](const Telling& a, const Telling& b) { return a.rank() < b.rank(); };
@@ -113,13 +113,13 @@ std::vector<Telling> telling(const Tally& tally) {
   return found;
 }
 
-/// A value on a line of its own, cut where there is a width.
+/// A value on a line of its own, truncated if there is a width.
 std::string cut(const std::string& value, std::size_t width) {
   return "  " + (width == 0 ? value : excerpt(value, std::max(width, line_width / 2) - (line_width - room_of_value))) +
          "\n";
 }
 
-/// `hinted`: the hints on its operation are told already.
+/// `hinted`: the hints on its operation have been printed.
 std::string in_words(const Telling& one, const Tally& tally, const std::string& who, std::size_t width, bool hinted) {
   const Finding& finding = *one.shown.counted.example;
   const Operation* operation = find_operation(one.operation->operation);
@@ -133,7 +133,7 @@ std::string in_words(const Telling& one, const Tally& tally, const std::string& 
   const std::string truth = one_line(readable(finding.examination(*operation).truth(), 24, 6)),
                     answer = finding.answer.is_null() ? no_answer : one_line(readable(finding.answer, 24, 6)),
                     both_answers = "truth " + truth + ", " + who + " " + answer;
-  // Where the two do not fit on a line, each has its own, so that the answer is not cut away.
+  // If the two do not fit on one line, each has its own, so that the answer is not truncated.
   if (both_answers.size() <= room_of_value) text += "  " + both_answers + "\n";
   else text += cut("truth " + truth, width) + cut(who + " " + answer, width);
   const std::string reason =

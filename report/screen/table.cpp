@@ -36,14 +36,14 @@ Row row_of(const std::string& name, const Cell& cell, Range range) {
   return row_of(name, cell.cases(range), counts);
 }
 
-/// A row of which only `rounding` is counted.
+/// A row with only the count of `rounding`.
 Row row_of_rounding(const std::string& name, std::uint64_t n) {
   Row row{name, {}};
   row.cells[1 + static_cast<std::size_t>(Verdict::rounding)] = count_or_dash(n);
   return row;
 }
 
-/// A total, by the size of the questions, and its rounding by kind. The parts of each add up to it.
+/// A total, by the magnitude of the questions, and its rounding by kind. The parts of each add up to it.
 void add_total(const std::string& name, const Cell& cell, std::vector<Row>& rows) {
   rows.push_back(row_of(name, cell));
   if (cell.cases(Range::ordinary) > 0 && cell.cases(Range::extreme) > 0) {
@@ -63,8 +63,7 @@ Row header_row(bool recorded) {
   return row;
 }
 
-/// Right-aligned columns as narrow as their content; a name too long for what they leave of the line stands alone on
-/// its own.
+/// Right-aligned columns as narrow as their content; a name too long for the remaining room has a line of its own.
 std::string laid_out(const std::vector<Row>& rows) {
   std::array<std::size_t, columns> widths{};
   std::size_t longest = 0, cells = 0;

@@ -16,7 +16,7 @@ double finite_number(const Json& json, const std::string& field) {
   return json.get<double>();
 }
 
-/// The corners that a list of indices names; empty where one is no point of the plane.
+/// The corners that a list of indices names; empty if one is not a point of the plane.
 std::vector<double> corners_of(const Json& indices, const Json& points) {
   std::vector<double> numbers;
   for (const Json& index : indices) {
@@ -38,7 +38,7 @@ bool all_indices(const Shape& shape) {
                      [](const Shape::Part& part) { return part.shape->kind == Shape::Kind::index; });
 }
 
-/// Draws what has a figure; indices mean `points`.
+/// Draws the parts that have a figure; indices refer to `points`.
 void draw_parts(Drawing& said, const Shape& shape, const Json& json, const std::string& field, const Json& points) {
   if (has_figure(shape)) {
     try {
@@ -75,7 +75,7 @@ struct Extents {
       high[i % dimension] = std::max(high[i % dimension], numbers[i] + room);
     }
   }
-  /// Whether the first `count` numbers are within one more size of the figures.
+  /// True if the first `count` numbers are within one more size of the figures.
   bool near(const std::vector<double>& numbers, std::size_t count) const {
     double size = 0;
     for (std::size_t i = 0; i < dimension; ++i) size = std::max(size, high[i] - low[i]);
@@ -92,14 +92,14 @@ bool is_round(const SpaceFigure& figure) { return figure.kind == SpaceFigure::Ki
 bool is_endless(const Figure& figure) { return figure.kind == Figure::Kind::line || figure.kind == Figure::Kind::ray; }
 bool is_endless(const SpaceFigure& figure) { return figure.kind == SpaceFigure::Kind::plane; }
 
-/// Whether an answer may name a place that is not there.
+/// True if an answer may contain an index out of range.
 bool has_index(const Shape& shape) {
   return shape.kind == Shape::Kind::index ||
          std::any_of(shape.parts.begin(), shape.parts.end(),
                      [](const Shape::Part& part) { return has_index(*part.shape); });
 }
 
-/// What the operation draws itself of the answer; nothing where it does not, or where it is no complete answer.
+/// The operation's own drawing of the answer; empty if it has none, or if the answer is incomplete.
 Drawing as_truth(const Operation& operation, const Json& answer, const Question& question) {
   Drawing drawing;
   if (operation.row().draw == nullptr || has_index(operation.answer_shape())) return drawing;
@@ -120,7 +120,7 @@ std::vector<AnyFigure> of_answer(const std::vector<AnyFigure>& figures) {
   return own;
 }
 
-/// Bodies move as the answer has them; where it is not drawn, they do not.
+/// Bodies move according to the answer; if it is not drawn, they do not move.
 void let_move_as_answered(std::vector<SpaceFigure>& bodies, const std::vector<SpaceFigure>& answered) {
   for (SpaceFigure& body : bodies) {
     const auto same = std::find_if(answered.begin(), answered.end(), [&](const SpaceFigure& other) {
@@ -130,7 +130,7 @@ void let_move_as_answered(std::vector<SpaceFigure>& bodies, const std::vector<Sp
   }
 }
 
-/// `placed`: vectors stand where they belong already.
+/// `placed`: vectors are already at their positions.
 template <class AnyFigure>
 void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::size_t dimension, bool placed) {
   const auto coordinates = [&](const AnyFigure& figure) {
@@ -147,7 +147,7 @@ void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::
       return other.answer && other.kind == figure.kind && other.label == figure.label;
     });
     if (figure.kind == AnyFigure::Kind::arrow && !placed) {
-      // A vector stands where the truth's does.
+      // A vector is drawn where the truth's is.
       if (truth == drawn.end()) continue;
       for (std::size_t i = 0; i < dimension; ++i) {
         figure.numbers[i] = truth->numbers[i];

@@ -6,9 +6,9 @@
 
 namespace touchstone::report {
 
-/// Adds what was answered to the scene of an operation's question, by the shape of its answers or, where the
-/// operation draws its own, as it draws the truth: where it can be
-/// drawn, differs from the truth, and lies where the input does: else it would shrink everything else to a dot.
+/// Adds an answer to the scene of an operation's question, by the shape of its answers or, if the operation draws its
+/// own, like the truth. Only if it can be drawn, differs from the truth, and lies near the input: otherwise it would
+/// shrink everything else to a dot.
 void draw_answered(Drawing& scene, const Operation& operation, const Json& answer, const Question& question);
 
 }  // namespace touchstone::report

@@ -22,7 +22,7 @@ bool is_word(const std::string& name) {
   return std::find(std::begin(words), std::end(words), name) != std::end(words);
 }
 
-/// One that stands for nothing else: `min`, `center`, `left`.
+/// One without another meaning: `min`, `center`, `left`.
 bool is_long_name(const std::string& name) {
   return name.size() > 2 && std::count_if(name.begin(), name.end(), is_digit) == 0;
 }
@@ -40,7 +40,7 @@ class Formula {
  private:
   struct Item {
     std::string html;
-    std::string inner;  ///< without its parentheses, if it has some
+    std::string inner;  ///< without its parentheses, if any
     const std::string& bare() const { return inner.empty() ? html : inner; }
   };
 
@@ -50,10 +50,10 @@ class Formula {
     while (now() == ' ') ++at_;
   }
 
-  /// Up to the closing character, which is left, or the end.
+  /// Reads up to the closing character, which stays, or the end.
   std::string row(char closing) {
     std::vector<Item> items;
-    std::size_t product = 0;  // where the product that a `/` would divide begins
+    std::size_t product = 0;  // start of the product that a `/` would divide
     bool long_name_before = false;
     for (skip_spaces(); !failed_ && now() != '\0' && now() != closing; skip_spaces()) {
       const std::size_t begun = at_;
@@ -109,7 +109,7 @@ class Formula {
     items.back() = {element("msup", element("mrow", items.back().html) + element("mrow", sign + power.bare())), ""};
   }
 
-  /// What joins factors or sums; empty where there is none, and then nothing is read.
+  /// The operator between factors or sums; empty if there is none, and then nothing is read.
   std::string read_sign(bool follows_something) {
     struct Sign {
       const char *text, *shown;
@@ -173,7 +173,7 @@ class Formula {
     return {element("mn", text_.substr(begun, at_ - begun)), ""};
   }
 
-  /// A name with its indices and primes, and what it is applied to.
+  /// A name with its indices and primes, and its argument.
   Item named() {
     const std::string name = name_here();
     at_ += name.size();

@@ -15,9 +15,9 @@ namespace {
 using Findings = std::vector<const Finding*>;
 using Change = std::function<void(Json&)>;
 
-constexpr std::size_t fewest = 2;         ///< findings that a hint goes by
-constexpr std::size_t shortest_list = 8;  ///< that is worth a word
-constexpr double least_part = 0.25;       ///< of the answers is wrong where all questions are read otherwise
+constexpr std::size_t fewest = 2;         ///< findings that support a hint
+constexpr std::size_t shortest_list = 8;  ///< that is worth mentioning
+constexpr double least_part = 0.25;       ///< of the answers is wrong if all questions are misread
 constexpr double degree = 3.14159265358979323846 / 180, six_digits = 0x1p-20, double_digits = 0x1p-40,
                  least_float = 0x1p-126, most_float = 0x1p127;
 
@@ -63,7 +63,7 @@ std::string about_digits(const Findings& findings) {
               : "";
 }
 
-/// Whether each answer is right for another question. An engine that failed has not read its question otherwise.
+/// True if each answer is right for another question. An engine that failed has not misread its question.
 bool right_for(const Operation& operation, const Findings& findings, const Declaration& declaration,
                const Change& change) {
   Findings answered;
@@ -82,7 +82,7 @@ bool right_for(const Operation& operation, const Findings& findings, const Decla
   });
 }
 
-/// Applied to every point and vector, a list of two numbers or three.
+/// Applied to every point and vector, i.e. a list of two numbers or three.
 void to_points(Json& value, const std::function<void(Json&)>& change) {
   const bool flat = std::none_of(value.begin(), value.end(), [](const Json& part) { return !part.is_number(); });
   if (value.is_array() && flat && (value.size() == 2 || value.size() == 3)) return change(value);
@@ -93,7 +93,7 @@ void to_points(Json& value, const std::function<void(Json&)>& change) {
 
 void negate(Json& number) { number = -number.get<double>(); }
 
-/// Another reading of all questions: so much is wrong that no special case is to blame.
+/// Another reading of all questions: so many answers are wrong that no special case is to blame.
 std::vector<std::string> about_readings(const Operation& operation, const Findings& findings,
                                         const Declaration& declaration) {
   std::vector<std::string> said;
@@ -167,7 +167,7 @@ std::string about_axes(const Cell& total) {
                  : "";
 }
 
-/// The length of the longest list of bodies, points or the like.
+/// The length of the longest list of bodies, points or similar.
 std::size_t longest_list(const Json& value) {
   std::size_t longest = 0;
   if (!value.is_structured()) return longest;

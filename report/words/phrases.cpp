@@ -8,7 +8,7 @@
 namespace touchstone::report {
 namespace {
 
-/// How an enumerator is worded. `beside`: of those types alone that have that other enumerator too.
+/// The wording of an enumerator. `beside`: only for types that also have that other enumerator.
 struct Phrase {
   const char *word, *words, *beside = nullptr;
 };
@@ -104,7 +104,7 @@ bool say_each(const Operation& operation, const std::string& name, const Json& l
   return true;
 }
 
-/// Adds what a field holds; false where that is too much for a sentence.
+/// Adds the content of a field; returns false if that is too much for a sentence.
 bool say(const Operation& operation, const std::string& key, const Json& value, std::string& text) {
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   std::string name = key;

@@ -7,18 +7,18 @@
 #include "catalogue/operation/operation.h"
 #include "report/uses.h"
 
-/// Answers as one says them.
+/// Answers in plain English.
 namespace touchstone::report {
 
-/// An answer's word in plain words: "left" of orientation is "left of the line". A word without a phrase stands as it
-/// is, "_" a space; of several with "/" between them ("convex/ccw") each has its own.
+/// An answer's enumerator in plain words: "left" of orientation is "left of the line". An enumerator without a phrase
+/// is unchanged, with spaces for "_"; of several with "/" between them ("convex/ccw") each has its own phrase.
 std::string phrase(const Operation& operation, const std::string& word);
 
-/// A complete answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)".
-/// `answer` is shown as it is given: exact values are not shortened here.
+/// A complete answer: its enumerators, then its numbers if they are few: "meeting in a point, t = 0.5, point (1, 2)".
+/// `answer` is shown as given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
 
-/// What was answered instead of what: “on it” where the truth is “left of the line”.
+/// The answer and the truth: “on it” where the truth is “left of the line”.
 std::string phrase(const Operation& operation, const Way& way);
 
 }  // namespace touchstone::report

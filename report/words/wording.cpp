@@ -24,7 +24,7 @@ bool is_exact_value(const std::string& text) {
          std::count(text.begin(), text.end(), '/') <= 1;
 }
 
-/// The number of a text with a root, to as many digits as anybody reads; empty where it is none.
+/// The value of a text with a root, to enough digits for any reader; nullopt if it is not one.
 std::optional<mpq_class> number_with_root(const std::string& text) {
   constexpr long bits = 1074 + 200;
   if (text.find("sqrt(") == std::string::npos) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<mpq_class> number_with_root(const std::string& text) {
   }
 }
 
-/// Long exact values made short.
+/// Shortens long exact values.
 Json abbreviated(const Json& answer, std::size_t most, std::size_t digits_kept) {
   if (answer.is_string()) {
     const std::string& text = answer.get_ref<const std::string&>();
@@ -56,7 +56,7 @@ bool mentions_nan(const Json& answer) {
          std::any_of(answer.begin(), answer.end(), [](const Json& part) { return mentions_nan(part); });
 }
 
-/// Whether the textbook formula in the engine's own number type decides rightly; empty where that cannot be asked.
+/// True if the textbook formula in the engine's own number type decides rightly; nullopt if it cannot be evaluated.
 std::optional<bool> formula_is_right(const Finding& finding, const Operation* operation, bool binary32) {
   if (!operation) return std::nullopt;
   try {
@@ -67,7 +67,7 @@ std::optional<bool> formula_is_right(const Finding& finding, const Operation* op
   }
 }
 
-/// "point[1]": where that number stands in the answer, and another one in the truth; empty where it is not found.
+/// "point[1]": the path of that number in the answer, and another one in the truth; empty if it is not found.
 std::string place_of(double answered, const Json& truth, const Json& answer, const std::string& path) {
   if (answer.is_number()) return answer.get<double>() == answered && answer != truth ? path : "";
   if (answer.type() != truth.type() || !answer.is_structured()) return "";
@@ -93,8 +93,8 @@ std::string place_of_number(const Finding& finding, const Operation* operation) 
   }
 }
 
-/// "The decision is right, but number `distance` is inexact: 12 ulps off. "; where nothing is decided, without its
-/// first part.
+/// "The decision is right, but number `distance` is inexact: 12 ulps off. "; if nothing is decided, without its first
+/// part.
 std::string about_number(const Finding& finding, const Operation* operation) {
   const bool decides = operation && !operation->words().empty();
   const std::string place = place_of_number(finding, operation);
@@ -156,7 +156,7 @@ std::string why_rounding(const Finding& finding, const Operation* operation, Spe
          ": rounding is the presumed cause. The engine's own formula was not seen.";
 }
 
-/// What is wrong with the answer, as a sentence before others: a number, or what a checker says.
+/// The defect of the answer, as a sentence before others: a number, or the checker's message.
 std::string defect_of(const Finding& finding, const Operation* operation) {
   if (finding.judgement.number) return about_number(finding, operation);
   std::string text = finding.judgement.remark;
@@ -177,12 +177,12 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
 }
 
 std::string ulps_in_words(double ulps) {
-  if (ulps >= 0x1p990) return "more than 1e298 ulps";  // where the judge stops counting
+  if (ulps >= 0x1p990) return "more than 1e298 ulps";  // the judge stops counting there
   return fmt::format("{:.3g}", ulps) + (ulps == 1 ? " ulp" : " ulps");
 }
 
 std::string off_in_words(const Judgement& judgement) {
-  constexpr double most = 1e6;  // from there on nobody reads a distance as one
+  constexpr double most = 1e6;  // beyond this a distance is meaningless to a reader
   const auto& number = judgement.number;
   if (!number || (number->exact != 0 && judgement.ulps <= most)) return ulps_in_words(judgement.ulps) + " off";
   return fmt::format("expected {}, got {}", number->exact, number->answered);

@@ -11,7 +11,7 @@
 #include "audit/counting/tally.h"
 #include "report/uses.h"
 
-/// What tables and pages say in words, once for both.
+/// Texts shared by tables and pages.
 namespace touchstone::report {
 
 /// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not everything.
@@ -20,20 +20,20 @@ std::string share(std::uint64_t part, std::uint64_t whole);
 /// A distance in units in the last place: "0.5 ulps", "4.5e+15 ulps", "more than 1e298 ulps".
 std::string ulps_in_words(double ulps);
 
-/// How far off a number is: "12 ulps off"; both numbers where the distance says nothing: "expected 0, got -1.92".
+/// The error of a number: "12 ulps off"; both numbers if the distance is meaningless: "expected 0, got -1.92".
 std::string off_in_words(const Judgement& judgement);
 
 /// "textbook formulas (binary64)"
 std::string subject(const Declaration& declaration);
 
-/// Whose answer it is: "by rounding" is decided, and so explained, differently for each.
+/// The author of an answer: "by rounding" is decided, and so explained, differently for each.
 enum class Speaker { reference, robust, foreign };
 Speaker speaker_of(const Declaration& declaration);
-/// What a verdict means, in a few words.
+/// The meaning of a verdict, in a few words.
 std::string meaning(Verdict verdict, Speaker speaker);
-/// Why an answer was given this verdict, in one or two plain sentences. binary32: the engine's number type.
+/// The reason for a verdict, in one or two plain sentences. binary32: the engine's number type.
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32);
-/// "none of 1,498 answers is right: ...", what to do then.
+/// "none of 1,498 answers is right: ...", and what to do then.
 std::string nothing_right_in_words(const Cell& cell);
 /// "70 answers name other points, as near as the contract's: right for `nearest` any"
 std::string other_nearest_in_words(const Cell& cell);
@@ -43,21 +43,21 @@ std::string not_asked_in_words(const Cell& cell);
 /// "1,234 elements listed beyond the truth, 12.3% of what is apart", and whether that is too much.
 std::string surplus_in_words(const Cell& cell, double most);
 
-/// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most`
-/// characters.
+/// An exact value for display: "3/7", or "about 1.234e-310" to that many digits if it is longer than `most` characters.
 std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);
-/// Any answer for the eye: numbers as they were typed become numbers, long exact values are abbreviated.
+/// Any answer for display: numbers as they were typed become numbers, long exact values are abbreviated.
 Json readable(const Json& answer, std::size_t most = 48, std::size_t digits = 20);
 
-/// The first word in an answer ("left", "overlap"), or "value".
+/// The first enumerator in an answer ("left", "overlap"), or "value".
 std::string word_in(const Json& answer);
 
-/// Where a finding was found: "family collinear, case 7"; of recorded calls "game.cpp:120, call 7".
+/// The origin of a finding: "family collinear, case 7"; for recorded calls "game.cpp:120, call 7".
 std::string place_in_words(const std::string& family, const Finding& finding, const Repeat& repeat);
-/// What was asked: "2,000 cases per operation, seed 1", "1,234 recorded calls of game.log".
+/// The questions asked: "2,000 cases per operation, seed 1", "1,234 recorded calls of game.log".
 std::string asked_in_words(const Tally& tally);
 
-/// The shell line that asks a question again, a foreign engine as well; the input as decimals that read back exactly.
+/// The shell command that asks a question again, also to a foreign engine; the input as decimals that read back
+/// exactly.
 std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker, const Repeat& repeat);
 
 /// Sums over operations.

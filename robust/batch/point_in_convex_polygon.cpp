@@ -6,7 +6,7 @@
 
 namespace touchstone::robust::batch {
 
-/// A convex polygon is a polygon: once it is known to be convex, the ray to +x tells where a point lies.
+/// A convex polygon is a polygon: once convexity is established, the ray to +x locates a point.
 void point_in_convex_polygon(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
                              Instructions at_most) {
   if (count == 0) return;

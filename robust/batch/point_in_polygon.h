@@ -6,8 +6,8 @@
 
 namespace touchstone::robust::batch {
 
-/// robust::point_in_polygon of one polygon and each point, its Location: inside 0, boundary 1, outside 2.
-/// A polygon that is refused is named as there, without a row: it is asked once.
+/// robust::point_in_polygon of one polygon and each point, its Location: inside 0, boundary 1, outside 2. The error of
+/// a refused polygon names its field without a row: it is validated once.
 void point_in_polygon(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
                       Instructions at_most = Instructions::avx512);
 

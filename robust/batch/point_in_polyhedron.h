@@ -6,8 +6,8 @@
 
 namespace touchstone::robust::batch {
 
-/// robust::point_in_polyhedron of one mesh and each point, its Location: inside 0, boundary 1, outside 2.
-/// A mesh that is refused is named as there, without a row.
+/// robust::point_in_polyhedron of one mesh and each point, its Location: inside 0, boundary 1, outside 2. The error of
+/// a refused mesh names its field without a row.
 void point_in_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
                          Instructions at_most = Instructions::avx512);
 

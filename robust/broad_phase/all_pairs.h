@@ -10,11 +10,11 @@
 
 namespace touchstone::robust {
 
-/// Which of several balls, or of several boxes, meet: the pairs of places i < j in the list, sorted. Solids that only
-/// touch meet; a ball of radius 0 and a box with min == max are points.
+/// Finds which of several balls, or of several boxes, meet: the pairs of indices i < j in the list, sorted. Solids that
+/// only touch meet; a ball of radius 0 and a box with min == max are points.
 ///
 /// Right for all finite doubles in every floating-point environment. Balls: sort and sweep along the axis on which they
-/// overlap least, in time n log n for the order and then one look at each pair whose intervals meet on that axis.
+/// overlap least, in time n log n for the order and then one test of each pair whose intervals meet on that axis.
 /// Boxes: a tree made for the list (robust/structures/pair_tree.h), in time n log n and the number of pairs; long boxes
 /// across each other take about n^1.5. At most 2^32 - 1 solids. NaN and infinities throw InvalidInput, which names the
 /// field and "finite number"; so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract:
@@ -22,20 +22,20 @@ namespace touchstone::robust {
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
 
-/// The pairs of boxes and what shows that none is missing: a tree over the boxes, and how it was searched. `certify`
-/// and certify.py check it; oracle/certificates/README.md says how it is written and read.
+/// The pairs of boxes, and evidence that none is missing: a tree over the boxes, and the search of it. `certify` and
+/// certify.py check it; oracle/certificates/README.md defines the format.
 struct PairsWithCertificate {
-  std::vector<IndexPair> pairs;     ///< as all_pairs has them
-  std::vector<Index> order;         ///< the boxes in the order of the tree
-  std::vector<Index> cuts;          ///< of each node in preorder: how many boxes its first child has; 0: a leaf
+  std::vector<IndexPair> pairs;     ///< as in all_pairs
+  std::vector<Index> order;         ///< the boxes in tree order
+  std::vector<Index> cuts;          ///< for each node in preorder: the count of boxes of its first child, 0 = leaf
   std::vector<std::uint8_t> steps;  ///< 2 bits a step, the lowest first
 };
 PairsWithCertificate pairs_with_certificate(const std::vector<Aabb3d>& boxes);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The latest stage that one of its decisions needed. Boxes are compared only: always the first.
+/// The latest stage that one of its decisions needed. Boxes are only compared: always the first.
 struct all_pairs {
   static Decided<std::vector<IndexPair>> ask(const std::vector<Sphere3d>& spheres);
   static Decided<std::vector<IndexPair>> ask(const std::vector<Aabb3d>& boxes);

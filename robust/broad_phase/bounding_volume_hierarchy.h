@@ -9,7 +9,7 @@
 
 namespace touchstone::robust {
 
-/// What `broad_phase` answers, and refuses, by a balanced tree of boxes (robust/structures/box_tree.h). Right for all
+/// Answers and refuses as `broad_phase` does, by a balanced tree of boxes (robust/structures/box_tree.h). Right for all
 /// finite doubles in every floating-point environment; NaN and infinities throw InvalidInput.
 Replies bounding_volume_hierarchy(const std::vector<Aabb3d>& boxes, const std::vector<Commandd>& commands);
 

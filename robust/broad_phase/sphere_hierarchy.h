@@ -9,9 +9,9 @@
 
 namespace touchstone::robust {
 
-/// What `all_pairs` answers, and refuses: balls by a hierarchy of spheres (robust/structures/ball_tree.h), boxes by one
-/// of boxes (robust/structures/box_tree.h). Right for all finite doubles in every floating-point environment; NaN and
-/// infinities throw InvalidInput.
+/// Answers and refuses as `all_pairs` does: balls by a hierarchy of spheres (robust/structures/ball_tree.h), boxes by
+/// one of boxes (robust/structures/box_tree.h). Right for all finite doubles in every floating-point environment; NaN
+/// and infinities throw InvalidInput.
 std::vector<IndexPair> sphere_hierarchy(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> sphere_hierarchy(const std::vector<Aabb3d>& boxes);
 

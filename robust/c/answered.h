@@ -9,14 +9,14 @@
 #include "robust/kernel/filters/strict_math.h"
 #include "touchstone_robust.h"
 
-/// What the functions for C share: nothing is thrown out of them.
+/// Shared by the functions for C: no exception leaves them.
 namespace touchstone::robust::c {
 
-/// Fills in what was refused, where the caller wants to know it, and returns the code. "questions[17].p1[0]" becomes
-/// the question 17 and the field "p1[0]". What is longer than its place is cut short.
+/// Fills in the error if the caller wants it, and returns the code. "questions[17].p1[0]" becomes the question 17 and
+/// the field "p1[0]". Text longer than its buffer is truncated.
 int failed(touchstone_error* error, touchstone_code code, std::string_view field, std::string_view rule) noexcept;
 
-/// Calls call(), and returns what became of it.
+/// Calls call(), and returns its code, or that of its exception.
 template <class Call>
 int answered(touchstone_error* error, const Call& call) noexcept {
   try {

@@ -4,17 +4,17 @@
 
 #include "robust/hulls/solid.h"
 
-// Most points of a cloud are far from its hull. The farthest point in each of some hundred directions around the
-// centre of the box is found, and the hull of those. Finer cells of directions then know which of its facets their
-// rays can meet, and a distance within which a point is certainly inside: one comparison for most. A point beyond that
-// is outside if and only if it is strictly above one of the facets that its ray can meet, which is decided exactly;
-// those few go on, sorted by cell, so that neighbours in space are neighbours in memory.
+// Most points of a cloud are far from its hull. The farthest point in each of some hundred directions from the centre
+// of the box is found, and the hull of those. A finer grid of directions then stores for each cell which facets its
+// rays can meet, and a distance within which a point is certainly inside: one comparison for most points. A point
+// beyond that distance is outside if and only if it is strictly above one of the facets that its ray can meet, which is
+// decided exactly. Those few remain, sorted by cell, so that neighbours in space are neighbours in memory.
 //
-// What holds however numbers are rounded: the centre O lies inside the surface by 10^-4 of each normal's length
+// With any rounding the centre O lies inside the surface by 10^-4 of each normal's length
 // (checked; |q| < 2). So the ray from O to a point p meets the surface once, in a facet f, and p is outside if and
-// only if it is above f. Directions are rounded by less than 10^-15, so that a facet is met in a cell, or 10^-11
-// beside it, at most; each cell's list has all facets that come within 10^-9 of it. It may have more: being above
-// another facet is being outside too.
+// only if it is above f. Directions are rounded by less than 10^-15, so that a facet is met in a cell, or at most
+// 10^-11 outside it; each cell's list has all facets that come within 10^-9 of it. It may have more: a point above any
+// other facet is outside, too.
 namespace touchstone::robust::hulls {
 namespace {
 
@@ -23,7 +23,7 @@ constexpr std::array<std::size_t, 3> next{1, 2, 0};
 
 double length(const Facet& f) { return std::sqrt(f.n[0] * f.n[0] + f.n[1] * f.n[1] + f.n[2] * f.n[2]); }
 
-/// How far the surface is above the centre, at least, in units of the normal's length.
+/// A lower bound of the surface's height above the centre, in units of the normal's length.
 double depth_below(const Facet& f, const FramePoint& centre) { return -f.height(centre) - 3 * double{f.error}; }
 
 /// A cube map of k * k cells on each face, as Directions has it, with the facets that each cell's rays can meet.
@@ -33,7 +33,7 @@ class CubeMap {
 
   std::size_t cells() const { return static_cast<std::size_t>(6) * static_cast<std::size_t>(k_ * k_); }
 
-  /// False where that would be more than `most` entries.
+  /// Returns false if there would be more than `most` entries.
   bool list_facets(std::size_t most) {
     struct Entry {
       std::int32_t cell, facet;
@@ -60,7 +60,7 @@ class CubeMap {
     return true;
   }
 
-  /// Up to which distance on the axis of a cell's face a point is below all of the cell's facets. Along a ray of
+  /// The distance, on the axis of a cell's face, up to which a point is below all of the cell's facets. Along a ray of
   /// direction v, 1 on that axis, the plane is reached at depth / (n . v), and n . v is greatest in a corner of the
   /// cell. Its rounding, 10^-14 |n|, is far less than 10^-6 of the depth. Not proved by machine.
   std::vector<double> inside_of_cells() const {
@@ -93,7 +93,7 @@ class CubeMap {
   };
   using Corner = std::array<double, 3>;  // across, up, ahead
 
-  /// The cells of a face in whose box the facet's projection on it lies: the facet is cut down to the face's pyramid.
+  /// The cells of a face that lie in the box of the facet's projection: the facet is clipped to the face's pyramid.
   std::optional<Box> box_on(int face, const Facet& f) const {
     const auto axis = static_cast<std::size_t>(face / 2);
     const double sign = face % 2 == 1 ? -1 : 1;
@@ -142,7 +142,7 @@ class CubeMap {
   FramePoint centre_;
 };
 
-/// The farthest of each cell, in the order of cells; sets the grain of all.
+/// The farthest point of each cell, in the order of cells; sets the grain of all points.
 std::vector<std::size_t> far_points(const std::vector<Point3d>& points, const Frame& frame, int k, Grain& grain) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<double> most(static_cast<std::size_t>(6 * k * k), -1);
@@ -166,7 +166,7 @@ struct Outside {
   std::size_t point;
 };
 
-/// The points outside, in order of the list.
+/// The points outside, in the order of the list.
 std::vector<Outside> outside_of(const Surface& surface, const CubeMap& map, const std::vector<Point3d>& points,
                                 const Frame& frame, int k) {
   const std::vector<double> inside = map.inside_of_cells();
@@ -196,7 +196,7 @@ std::vector<Outside> outside_of(const Surface& surface, const CubeMap& map, cons
   return outside;
 }
 
-/// Each once, sorted by cell.
+/// Keeps each point once, sorted by cell.
 void keep_outside(Surface& surface, const std::vector<Outside>& outside, std::size_t cells,
                   const std::vector<Point3d>& points, const Frame& frame) {
   std::vector<std::size_t> ends(cells + 1, 0);

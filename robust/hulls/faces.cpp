@@ -32,7 +32,7 @@ class Merged {
     return static_cast<Index>(surface_.points[static_cast<std::size_t>(corner)].place);
   }
 
-  /// Bit i of flat_: across edge i lies a facet in the same plane.
+  /// Bit i of flat_ is set if a coplanar facet lies across edge i.
   bool find_flat_edges(std::int32_t f) {
     const Facet& one = facet(f);
     bool any = false;
@@ -81,10 +81,10 @@ class Merged {
     for (const std::int32_t plane : planes) cut(rim(at_rim[static_cast<std::size_t>(plane)]));
   }
 
-  /// Once round the rim of a face, from a facet that has an edge in it. A corner is extreme where the faces beyond the
-  /// two edges that meet in it differ; where it is one face, the corner lies inside an edge of the hull.
+  /// The corners around the rim of a face, from a facet that has an edge in it. A corner is extreme if the faces beyond
+  /// its two edges differ; if they are one face, the corner lies inside an edge of the hull.
   std::vector<Index> rim(std::int32_t start) const {
-    std::vector<std::pair<Index, std::int32_t>> edges;  // where it begins, and which face lies beyond
+    std::vector<std::pair<Index, std::int32_t>> edges;  // its start, and the face beyond it
     std::int32_t f = start;
     std::size_t i = 0;
     while (flat(f, i)) ++i;
@@ -92,7 +92,7 @@ class Merged {
     do {
       edges.push_back({place(facet(f).corner[i]), plane_[static_cast<std::size_t>(facet(f).beyond[i])]});
       i = (i + 1) % 3;
-      while (flat(f, i)) {  // round the corner
+      while (flat(f, i)) {  // around the corner
         const std::int32_t corner = facet(f).corner[i];
         f = facet(f).beyond[i];
         for (i = 0; facet(f).corner[i] != corner; ++i) {
@@ -111,7 +111,7 @@ class Merged {
     for (std::size_t k = 2; k < corners.size(); ++k) faces_.push_back({corners[0], corners[k - 1], corners[k]});
   }
 
-  /// By the first place in one pass, then the few that share it.
+  /// Sorts by the first index in one pass, then the few faces that share it.
   void put_in_order() {
     Index most = 0;
     for (const Face& face : faces_) most = std::max(most, face.a);

@@ -8,9 +8,9 @@
 
 namespace touchstone::robust::hulls {
 
-/// The faces of a surface that is done: what lies in one plane is one convex polygon, of extreme points alone, and is
-/// cut from its corner of the least place. Triangles begin with their least place and come in the order of their
-/// places: the same list, whichever way the surface grew.
+/// The faces of a finished surface: coplanar facets form one convex polygon of extreme points only, fanned from its
+/// corner of least index. Triangles begin with their least index and are sorted by their indices, so that the list does
+/// not depend on how the surface grew.
 std::vector<Face> faces_of(const Surface& surface);
 
 }  // namespace touchstone::robust::hulls

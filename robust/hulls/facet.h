@@ -12,7 +12,7 @@
 
 namespace touchstone::robust::hulls {
 
-/// A point in the frame, and its place in the list. next: the one after it in the list of points above a facet.
+/// A point in the frame, and its index in the list. next: the following point in the list of points above a facet.
 struct FramePoint {
   double x, y, z;
   std::int32_t place, next;
@@ -27,13 +27,13 @@ struct alignas(64) Facet {
   double n[3], d;
   std::int32_t corner[3], beyond[3];
   float error;
-  std::int32_t above;  ///< the farthest of the points that are kept for this facet, -1 where there are none
+  std::int32_t above;  ///< the farthest of the points kept for this facet, -1 if there are none
 
   double height(const FramePoint& p) const { return n[0] * p.x + n[1] * p.y + n[2] * p.z - d; }
   bool alive() const { return corner[0] >= 0; }
 };
 
-/// The sides of facets' planes on which points of one frame lie.
+/// Decides on which sides of facets' planes the points of one frame lie.
 class Sides {
  public:
   Sides(const Frame& frame, Grain grain, Stage& latest)
@@ -49,7 +49,7 @@ class Sides {
   /// reach: n_k is off by 4 u Q_k (two differences, a product, the last difference; u = 2^-53), and is multiplied by
   /// |p_k - a_k| <= 2 R_k: 8 u in units of the sum of Q_k R_k. n . p and n . a lose 3 u each (a product, two sums),
   /// their difference, at most twice the sum, 2 u. Together 16 u; 20 u pays for terms of u^2 and for the bound's own
-  /// roundings. Underflow costs less than 2^-1070 (1 + R_0 + R_1 + R_2). Where a term overflows the bound is infinite:
+  /// roundings. Underflow costs less than 2^-1070 (1 + R_0 + R_1 + R_2). If a term overflows the bound is infinite:
   /// then nothing is certain. Below 1e37 nothing overflows, and the bound may be a float. Not proved by machine.
   ///
   /// On a narrow lattice n_k is below 2^35, n . p and d below 3 * 2^51 in units of 2^-45, and all of it is exact.
@@ -74,7 +74,7 @@ class Sides {
     else f.error = error < 1e37 ? static_cast<float>(error * (1 + 1e-6)) : std::numeric_limits<float>::infinity();
   }
 
-  /// 1 above, 0 on the plane, -1 below; `height` is computed on the way. points: where the facet's corners are.
+  /// Returns 1 above, 0 on the plane, -1 below, and sets `height`. points: holds the facet's corners.
   int of(const Facet& f, const FramePoint& p, const std::vector<FramePoint>& points, double& height) const {
     height = f.height(p);
     if (height > double{f.error}) return 1;
@@ -83,7 +83,7 @@ class Sides {
   }
 
   bool collinear(const FramePoint& a, const FramePoint& b, const FramePoint& c) const;
-  /// 1, 0, -1: the turn at b, of the coordinates i and j alone.
+  /// Returns 1, 0, -1: the turn at b, from the coordinates i and j alone.
   int turn(std::size_t i, std::size_t j, const FramePoint& a, const FramePoint& b, const FramePoint& c) const;
 
  private:

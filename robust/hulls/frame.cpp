@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-// The two passes over all points, for the vectors that the processor has: three times as fast as for the least of them.
-// (Where a function can be compiled several times: not beside sanitizers, which are not ready when it is chosen.)
+// The two passes over all points are compiled for each vector width of the processor: three times as fast as for the
+// narrowest. (Only if a function can be compiled several times, and not with sanitizers, which are not ready when the
+// version is chosen.)
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__OPTIMIZE__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOUCHSTONE_FOR_EACH_VECTOR_WIDTH __attribute__((target_clones("avx512f", "avx2", "default")))
@@ -21,7 +22,7 @@ struct Bounds {
   bool finite;
 };
 
-/// Eight points side by side. 0 * x is 0 where x is finite, else NaN.
+/// Processes eight points at a time. 0 * x is 0 if x is finite, otherwise NaN.
 TOUCHSTONE_FOR_EACH_VECTOR_WIDTH
 void extend(const double* numbers, std::size_t count, Bounds& bounds) {
   constexpr std::size_t lanes = 24;
@@ -49,7 +50,8 @@ void extend(const double* numbers, std::size_t count, Bounds& bounds) {
   bounds.finite = all == 0;
 }
 
-/// Bit 0: not narrow; bit 1: not wide; bit 2: lossy. Adding and taking away 3/2 times 2^52 units rounds to units.
+/// Returns bit 0: not narrow; bit 1: not wide; bit 2: lossy. Adding and subtracting 3/2 times 2^52 units rounds to
+/// units.
 TOUCHSTONE_FOR_EACH_VECTOR_WIDTH
 int directions(const double* __restrict numbers, int count, const Frame& frame, int k, Directions& found) {
   const double origin_x = frame.origin[0], origin_y = frame.origin[1], origin_z = frame.origin[2];

@@ -19,7 +19,7 @@ bool before(const Place& p, const Place& q) {
   return p.at.y != q.at.y ? p.at.y < q.at.y : p.index < q.index;
 }
 
-/// From left to right below all points, then back above them (monotone chain).
+/// Goes from left to right below all points, then back above them (monotone chain).
 std::vector<Place> chain(std::vector<Place> places, Stage& latest) {
   std::sort(places.begin(), places.end(), before);
   const auto equal = [](const Place& p, const Place& q) { return p.at == q.at; };
@@ -34,13 +34,13 @@ std::vector<Place> chain(std::vector<Place> places, Stage& latest) {
       }
       ring.push_back(p);
     }
-    ring.pop_back();  // the next way starts with it
+    ring.pop_back();  // the next chain starts with it
     std::reverse(places.begin(), places.end());
   }
   return places.size() > 1 ? ring : places;
 }
 
-/// The points farthest in eight directions, as rounded: which points these are matters for speed alone.
+/// The points farthest in eight directions, up to rounding: which points these are affects only speed.
 std::vector<Place> far_points(const std::vector<Point2d>& points) {
   std::array<Index, 8> far{};
   std::array<double, 8> most{};
@@ -63,7 +63,7 @@ constexpr std::size_t worth_looking = 32;
 
 std::vector<Index> planar_hull(const std::vector<Point2d>& points, Stage& latest) {
   std::vector<Place> corners;
-  Stage of_corners = Stage::filter;  // its decisions are none of the hull's
+  Stage of_corners = Stage::filter;  // its decisions are not those of the hull
   if (points.size() >= worth_looking) corners = chain(far_points(points), of_corners);
   std::vector<Place> places;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -8,10 +8,10 @@
 
 namespace touchstone::robust {
 
-/// The extreme points of points in the plane, by their places: counter-clockwise, from the lexicographically least on;
-/// of equal points the first. One if all are equal, two if all lie on one line. The points are finite, there is at
-/// least one, and arithmetic is IEEE's (kernel/control_word.h). `latest` becomes the later one of what it was and the
-/// last stage that any decision needed.
+/// The indices of the extreme points in the plane: counter-clockwise, from the lexicographically least; of equal points
+/// the first. One if all are equal, two if all are collinear. Requires at least one point, all finite, and IEEE
+/// arithmetic (kernel/control_word.h). `latest` becomes the later one of its value and the last stage that any decision
+/// needed.
 std::vector<Index> planar_hull(const std::vector<Point2d>& points, Stage& latest);
 
 }  // namespace touchstone::robust

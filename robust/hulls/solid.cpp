@@ -8,7 +8,7 @@
 namespace touchstone::robust::hulls {
 namespace {
 
-/// Both zeros are one number.
+/// Makes both zeros one number.
 std::uint64_t bits_of(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   return bits << 1 == 0 ? 0 : bits;
@@ -21,7 +21,7 @@ std::uint64_t mixed(const FramePoint& p) {
   return (sum ^ sum >> 32) * 0x9e3779b97f4a7c15u >> 16;
 }
 
-/// All points, without regard to where they lie.
+/// Starts from all points, wherever they lie.
 Solid directly(const std::vector<Point3d>& points, Frame frame, Stage& latest) {
   Grain grain = grain_of(points, frame);
   if (grain == Grain::lossy) frame.enlarge_only(), grain = Grain::fine;

@@ -12,15 +12,15 @@ struct Solid {
   std::vector<FramePoint> simplex;
 };
 
-/// The convex hull of finite points, at least one. Of equal points the first in the list is named. `latest` becomes the
-/// later one of what it was and the last stage that any decision needed. Of `worth_looking` points on the far ones are
-/// looked for first, which is a matter of time alone.
+/// The convex hull of finite points, at least one. Equal points are represented by the first in the list. `latest`
+/// becomes the later one of its value and the last stage that any decision needed. From `worth_looking` points on, the
+/// far ones are searched first, which affects only time.
 inline constexpr std::size_t usually_worth_looking = 32;
 Solid solid_of(const std::vector<Point3d>& points, const Frame& frame, Stage& latest,
                std::size_t worth_looking = usually_worth_looking);
 
-/// A surface that has grown over the points far out, with those of the others that are above it kept for its facets;
-/// empty where the surface is too thin for that to be told. (directions.cpp)
+/// A surface that has grown over the far points, with the other points above it kept for its facets; nullopt if the
+/// surface is too thin to be certain. (directions.cpp)
 std::optional<Surface> surface_of_far_points(const std::vector<Point3d>& points, const Frame& frame, Stage& latest);
 
 inline FramePoint framed(const Frame& frame, const std::vector<Point3d>& points, std::size_t i) {
@@ -28,11 +28,11 @@ inline FramePoint framed(const Frame& frame, const std::vector<Point3d>& points,
   return {x, y, z, static_cast<std::int32_t>(i), -1};
 }
 
-/// Which points are there already, by their coordinates: of equal ones only the first is new.
+/// The set of points so far, by their coordinates: of equal ones only the first is new.
 class Seen {
  public:
   explicit Seen(std::size_t most);
-  /// `points` holds the point of every number that was given before.
+  /// `points` holds the point of every number passed before.
   bool is_new(const FramePoint& p, std::int32_t number, const std::vector<FramePoint>& points);
 
  private:

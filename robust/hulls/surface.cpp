@@ -8,7 +8,7 @@ namespace {
 
 std::size_t next_corner(std::size_t i) { return i == 2 ? 0 : i + 1; }
 
-/// A list of more points waits for its turn.
+/// A facet with a longer list waits for its turn.
 constexpr std::int32_t long_list = 512;
 
 double squared(double x, double y, double z) { return x * x + y * y + z * z; }
@@ -31,7 +31,7 @@ std::int32_t Surface::facet_of(std::int32_t a, std::int32_t b, std::int32_t c) {
   return f;
 }
 
-/// The farthest stays the first of the list.
+/// The farthest point stays the first of the list.
 void Surface::keep(std::int32_t q, std::int32_t f, double height, std::size_t slot) {
   Facet& of = facet(f);
   ++kept_[slot];
@@ -50,7 +50,8 @@ void Surface::wait(std::int32_t f, std::size_t slot) {
   else if (kept_[slot] > 0) stack_.push_back(f);
 }
 
-/// The search for the next point's facet starts where the last one's was: neighbours in the list are often neighbours.
+/// The search for the next point's facet starts at the last one's: neighbours in the list are often neighbours in
+/// space.
 void Surface::hand_out_loose() {
   const std::size_t count = fresh_.size();
   open_slots(count);
@@ -66,7 +67,8 @@ void Surface::hand_out_loose() {
   for (std::size_t i = 0; i < count; ++i) wait(fresh_[i], i);
 }
 
-/// The facets below p, from facet f on: they go into seen_, their points into loose_, the edges round them into rim_.
+/// Collects the facets below p, from facet f on: they go into seen_, their points into loose_, the edges around them
+/// into rim_.
 void Surface::see_from(std::int32_t f, const FramePoint& p) {
   ++stamp_;
   seen_.assign(1, f), rim_.clear(), loose_.clear();
@@ -110,7 +112,7 @@ void Surface::add_farthest_of(std::int32_t f) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (outer.corner[i] == edge.to && outer.corner[next_corner(i)] == edge.from) outer.beyond[i] = made;
     }
-    point(edge.from).next = made;  // corners are in no list any more
+    point(edge.from).next = made;  // corners are no longer in any list
   }
   for (const std::int32_t made : fresh_) {
     const std::int32_t after = point(facet(made).corner[1]).next;
@@ -150,7 +152,7 @@ std::optional<std::vector<FramePoint>> Surface::start() {
   }
   const FramePoint pa = point(a), pb = point(b);
   if (a == b) return std::vector{pa};
-  // The one farthest from their line, as far as rounding lets see.
+  // The one farthest from their line, up to rounding.
   std::int32_t c = a;
   most = -1;
   const double x = pb.x - pa.x, y = pb.y - pa.y, z = pb.z - pa.z;
@@ -164,7 +166,7 @@ std::optional<std::vector<FramePoint>> Surface::start() {
     }
     if (c == count) return std::vector{pa, pb};
   }
-  // And from their plane.
+  // And the one farthest from their plane.
   Facet plane{};
   plane.corner[0] = a, plane.corner[1] = b, plane.corner[2] = c;
   sides.span(plane, pa, pb, point(c));

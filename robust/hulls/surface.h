@@ -8,31 +8,31 @@
 namespace touchstone::robust::hulls {
 
 /// A convex surface of triangles that grows until no point is above it (quickhull). Each facet keeps the points that
-/// are strictly above it, each point is kept once. The farthest of a facet's points is added: the facets that it is
-/// above go, and its triangles with the edges of the hole take their place and their points.
+/// are strictly above it; each point is kept once. The farthest of a facet's points is added: the facets that it is
+/// above are removed, and triangles between it and the edges of the hole take their place and their points.
 ///
 /// "Above" is strict and exact. So the facets that go are connected, even where others lie in one plane with the
 /// point, and so are those that stay (in the dual polytope each are the vertices on one side of a plane): the hole is
 /// bounded by one cycle that meets itself nowhere. No new triangle is degenerate, because the point is not on the
-/// plane of the facet that was there. A point above a facet that went and above no new one is inside: it is below both
-/// facets of each edge of the hole, hence below the planes between them. Facets of one plane, and corners inside edges
-/// and faces, remain until the end (faces.h).
+/// plane of the facet beyond the hole's edge. A point above a removed facet and above no new one is inside: it is below
+/// both facets of each edge of the hole, hence below the planes between them. Facets of one plane, and corners inside
+/// edges and faces, remain until the end (faces.h).
 class Surface {
  public:
   Surface(const Frame& frame, Grain grain, Stage& latest) : sides(frame, grain, latest) {}
 
-  /// Four of the points that lie in no plane become the first facets, the others are handed to them. Otherwise nothing
-  /// changes, and the corners of a largest simplex are returned, which is less.
+  /// Makes the first facets of four points that are not coplanar, and distributes the others over them. If all are
+  /// coplanar, nothing changes, and the corners of a largest simplex, which is smaller, are returned.
   std::optional<std::vector<FramePoint>> start();
 
-  /// Until no facet has a point above it.
+  /// Grows until no facet has a point above it.
   void grow();
 
-  /// Before points are handed to facets: each of these is given a slot below `count`, which begins empty.
+  /// Called before points are assigned to facets: each of these facets gets a slot below `count`, which begins empty.
   void open_slots(std::size_t count) { farthest_.assign(count, 0), kept_.assign(count, 0); }
   /// Point q is `height` above facet f, which has that slot.
   void keep(std::int32_t q, std::int32_t f, double height, std::size_t slot);
-  /// The facet waits to be grown over: long lists in turn, short ones at once, so that its points are still at hand.
+  /// Queues the facet to be grown over: long lists in turn, short ones at once, while their points are in the cache.
   void wait(std::int32_t f, std::size_t slot);
 
   Facet& facet(std::int32_t f) { return facets[static_cast<std::size_t>(f)]; }
@@ -56,7 +56,7 @@ class Surface {
   std::vector<std::int32_t> marks_, free_, stack_, queue_, seen_, loose_, fresh_;
   std::vector<Edge> rim_;
   std::vector<double> farthest_;    ///< height of the farthest point, by slot
-  std::vector<std::int32_t> kept_;  ///< how many, by slot
+  std::vector<std::int32_t> kept_;  ///< number of points, by slot
   std::int32_t stamp_ = 0;
 };
 

@@ -36,7 +36,7 @@ Height stages::explicit_line::exact(double slope, double intercept, const Point2
 
 namespace {
 
-/// The filter once more, where the guard may have failed: all heights over 2^700, and with them the slope or else x.
+/// The filter again, if the guard may have failed: all heights over 2^700, and with them the slope or else x.
 Perhaps<Height> filter_of_large(double slope, double intercept, Point2d point) {
   constexpr double large = 0x1p300;
   const bool steep = !(filters::FloatFormat<double>::magnitude(slope) <= large);

@@ -8,14 +8,14 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies above, on or below the line y = slope x + intercept, y up.
+/// Decides whether a point lies above, on or below the line y = slope x + intercept, y up.
 ///
 /// `on` means exactly on the line, however near the others are. No vertical line has this form; a slope of 0 is valid.
 /// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
 /// the field and "finite number". Contract: reference/lines/explicit_line.h.
 inline Height explicit_line(double slope, double intercept, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct explicit_line : Filtered<explicit_line, decltype(robust::explicit_line)> {

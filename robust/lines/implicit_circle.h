@@ -9,19 +9,19 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies inside of a circle, on it (`boundary`) or outside.
+/// Decides whether a point lies inside of a circle, on it (`boundary`) or outside.
 ///
 /// `boundary` means exactly on the circle; a circle of radius 0 is its center, which is all boundary. Right for all
 /// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
 /// "finite number"; so does a negative radius ("radius >= 0"). Contract: reference/lines/implicit_circle.h.
 inline Location implicit_circle(const Circle2d& circle, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct implicit_circle : Filtered<implicit_circle, decltype(robust::implicit_circle)> {
   static Perhaps<Location> filter(const Circle2d& circle, const Point2d& point) {
-    if (kernel::sign_bit(circle.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+    if (kernel::sign_bit(circle.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
     return filters::by_sign(filters::circle(point - circle.center, circle.radius), Location::inside, Location::outside);
   }
   static Partial lattice;

@@ -61,8 +61,8 @@ LineLine<double> answer_of(const kernel::Crossing& crossing) {
   return {LineRelation::crossing, crossing.ta, crossing.tb, crossing.point};
 }
 
-/// The stage `enclosed`, where there is an answer made of its crossing. Inlined into both that make one: an answer of
-/// several numbers that is made elsewhere and copied costs a tenth of the whole (Perhaps says why).
+/// The stage `enclosed`, if there is an answer made of its crossing. Inlined into both callers: constructing an answer
+/// of several numbers out of place and copying it costs a tenth of the total (Perhaps explains it).
 [[gnu::always_inline]] inline std::optional<kernel::Crossing> enclosed_crossing(const Line2d& a, const Line2d& b) {
   if (!kernel::in_window(Two(a.p), Two(a.q), Two(b.p), Two(b.q))) return std::nullopt;
   if (!kernel::rounds_to_nearest()) return std::nullopt;

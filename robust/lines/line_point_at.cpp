@@ -10,7 +10,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Of the window only the lower bound is asked. What is too large makes an infinity of the product or of the sum, of
+/// Only the lower bound of the window is checked. A number that is too large makes the product or the sum infinite, of
 /// which two_sum makes NaN, and that is not enclosed.
 [[gnu::always_inline]] inline std::optional<kernel::Two> enclosed_point(const ParametricLine2d& line, double t) {
   using namespace kernel;
@@ -65,7 +65,7 @@ void validate_line_point_at(const ParametricLine2d& line, double t) {
       validation::validate("t", t);
 }
 
-/// Apart from the usual way, which then has no registers to save.
+/// Out of line, so that the usual path has no registers to save.
 [[gnu::noinline]] Point2d past_enclosure(const ParametricLine2d& line, double t) {
   return answer_in_turn<stages::line_point_at, validate_line_point_at, Stage::lattice, Stage::exact>(line, t);
 }

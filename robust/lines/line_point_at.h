@@ -7,17 +7,17 @@
 
 namespace touchstone::robust {
 
-/// The point origin + t direction of a line; t counts in lengths of the direction as given, and has any sign.
+/// The point origin + t direction of a line; t is in units of the direction's length, and has any sign.
 ///
 /// Both coordinates correctly rounded for all finite doubles, in every floating-point environment; beyond the range
 /// they are infinite. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a
 /// direction of length 0 ("nonzero direction"). Contract: reference/lines/line_point_at.h.
 Point2d line_point_at(const ParametricLine2d& line, double t);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: a number has to be found.
+/// There is no filter: a number has to be computed.
 struct line_point_at : Signatures<decltype(robust::line_point_at)> {
   static Partial enclosed, lattice;
   static Total exact;

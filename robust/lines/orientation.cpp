@@ -7,7 +7,7 @@
 namespace touchstone::robust {
 namespace {
 
-// Without branches: near a line nobody can predict the side.
+// Without branches: near a line the side is unpredictable.
 Side side(int turn) {
   static_assert(static_cast<int>(Side::left) == 0 && static_cast<int>(Side::on) == 1 &&
                 static_cast<int>(Side::right) == 2);
@@ -36,8 +36,8 @@ Side stages::orientation::exact(const Point2d& p0, const Point2d& p1, const Poin
   return side_of(kernel::integers_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y).at);
 }
 
-/// The lattice by hand: called as a stage it costs 5 to 10 percent more. Numbers on a lattice are finite: nothing to
-/// validate before.
+/// The lattice inline: called as a stage it costs 5 to 10 percent more. Numbers on a lattice are finite, so nothing
+/// needs validation before.
 Decided<Side> stages::orientation::past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y))
     return {side_of(lattice->at), Stage::lattice};

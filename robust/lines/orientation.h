@@ -9,14 +9,14 @@
 
 namespace touchstone::robust {
 
-/// On which side of the directed line p0 -> p1 the point p lies, y up: `left` is counter-clockwise.
+/// Decides on which side of the directed line p0 -> p1 the point p lies, y up: `left` is counter-clockwise.
 ///
-/// `on` means exactly on the line, however near the other sides are; where p0 == p1 every point is on it. Right for all
-/// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
+/// `on` means exactly on the line, however close to either side; if p0 == p1 every point is on it. Right for all finite
+/// doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
 /// "finite number". Contract: reference/lines/orientation.h.
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct orientation : Filtered<orientation, decltype(robust::orientation)> {

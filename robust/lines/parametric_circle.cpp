@@ -64,11 +64,11 @@ Point2d stages::parametric_circle::exact(const Circle2d& circle, double u) {
   if (validation::zero(circle.radius)) return {sum_rounded(c.x, 0), sum_rounded(c.y, 0)};
   if (validation::zero(u)) return {sum_rounded(c.x, circle.radius), sum_rounded(c.y, 0)};
   // The sine and cosine of a rational number other than 0 are transcendental (Lindemann), so both coordinates are:
-  // never zero, never a double, never half-way between two. Some precision therefore tells on which side of every such
+  // never zero, never a double, never halfway between two. Some precision therefore decides on which side of every such
   // number they lie.
   const Scaled<mpz_class> x = integer(c.x), y = integer(c.y), radius = integer(circle.radius);
   std::optional<double> across, up;
-  // A small angle has a small sine: its leading zeros are no precision.
+  // A small angle has a small sine: its leading zeros are not significant digits.
   const kernel::Decoded angle = kernel::decode(u);
   unsigned long bits = 128 + static_cast<unsigned long>(std::max(0, -angle.exponent - 53));
   for (; !across || !up; bits *= 2) {

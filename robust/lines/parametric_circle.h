@@ -16,10 +16,10 @@ namespace touchstone::robust {
 /// negative radius ("radius >= 0"). Contract: reference/lines/parametric_circle.h.
 Point2d parametric_circle(const Circle2d& circle, double u);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: a number has to be found.
+/// There is no filter: a number has to be computed.
 struct parametric_circle : Signatures<decltype(robust::parametric_circle)> {
   static Partial enclosed;
   static Total exact;

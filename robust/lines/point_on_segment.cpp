@@ -52,7 +52,7 @@ Incidence stages::point_on_segment::decision::exact(const Point2d& point, const 
   return relation_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
 }
 
-/// Numbers on a lattice are finite: nothing to validate before.
+/// Numbers on a lattice are finite, so nothing needs validation before.
 Decided<Incidence> stages::point_on_segment::decision::past_filter(const Point2d& point, const Segment2d& segment) {
   return in_turn<decision, Stage::lattice, validate_point_on_segment, Stage::exact>(point, segment);
 }
@@ -78,7 +78,7 @@ PointOnSegment<double> stages::point_on_segment::exact(const Point2d& point, con
   return answer_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
 }
 
-/// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
+/// If the filter answers, the numbers are constructed here: copying them costs more than deciding.
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
   using decision = stages::point_on_segment::decision;
   if (decision::filter(point, segment)) return {Incidence::off, std::nullopt};

@@ -17,7 +17,7 @@ struct Question {
   int position, direction;
 };
 
-/// How they meet; on_one_line: both ends of the segment lie on the ray's line. Then `first` is the first common point.
+/// The relation; on_one_line: both ends of the segment lie on the ray's line. Then `first` is the first common point.
 template <class Integer>
 struct Meeting {
   RayRelation relation;
@@ -25,7 +25,7 @@ struct Meeting {
   Segment2<Integer> common;
 };
 
-/// Whether q comes after p on a line along v; both lie on it.
+/// True if q comes after p on a line along v; both lie on it.
 template <class Integer>
 bool ahead(const Vector2<Integer>& v, const Point2<Integer>& p, const Point2<Integer>& q) {
   const int along = kernel::sign_of(v.x);
@@ -47,7 +47,8 @@ Meeting<Integer> meeting_of(const Question<Integer>& q) {
   const int a = kernel::turn(q.v, q.segment.a - q.origin), b = kernel::turn(q.v, q.segment.b - q.origin);
   if (a * b > 0) return {RayRelation::none, false, {}};
   if (a == 0 && b == 0) return along_the_ray(q);
-  // The line of the ray meets the segment once: at t = ((a - origin) x s) / (v x s), and b - a is how v x s turns.
+  // The line of the ray meets the segment once: at t = ((a - origin) x s) / (v x s), and the turn of b - a has the sign
+  // of v x s.
   const int ahead = kernel::turn(q.segment.a - q.origin, q.segment.b - q.segment.a);
   return {ahead * (b - a) >= 0 ? RayRelation::point : RayRelation::none, false, {}};
 }
@@ -90,7 +91,7 @@ Decided<RayRelation> stages::ray_segment::decision::past_filter(const Ray2d& ray
   return in_turn<decision, validate_ray_segment, Stage::lattice, Stage::exact>(ray, segment);
 }
 
-/// The numbers where the filter says that they meet in a point.
+/// The numbers, if the filter says that they meet in a point.
 Perhaps<RaySegment<double>> stages::ray_segment::enclosed(const Ray2d& ray, const Segment2d& segment) {
   if (filters::ray(ray.origin, ray.direction, segment) != filters::Sign::negative) return std::nullopt;
   using namespace kernel;
@@ -153,7 +154,7 @@ RaySegment<double> stages::ray_segment::exact(const Ray2d& ray, const Segment2d&
   return answer_of(as_integers(ray, segment));
 }
 
-/// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
+/// If the filter answers, the numbers are constructed here: copying them costs more than deciding.
 RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment) {
   using decision = stages::ray_segment::decision;
   const auto relation = decision::filter(ray, segment);

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Whether a ray meets a closed segment, and where first: `none`; `point`, with t and the point; or `overlap`, a common
-/// segment with its ends in order of t, and t of the first. t >= 0 counts in lengths of the direction as given.
+/// Decides whether a ray meets a closed segment, and where first: `none`; `point`, with t and the point; or `overlap`,
+/// a common segment with its ends in order of t, and t of the first. t >= 0 is in units of the direction's length.
 ///
 /// The ray's origin and both ends of the segment belong to them, so a touch is a `point`; a segment of length 0 is a
 /// point. Right for all finite doubles in every floating-point environment, and every number correctly rounded. NaN and
@@ -20,7 +20,7 @@ RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment);
 /// The decision alone, which costs less.
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_segment : Signatures<decltype(robust::ray_segment)> {

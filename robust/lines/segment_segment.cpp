@@ -10,7 +10,7 @@ namespace {
 
 using kernel::before;
 
-/// How two segments meet; on_one_line: all four ends lie on one line (or on one point).
+/// The relation of two segments; on_one_line: all four ends are collinear (or coincide).
 struct MeetingSegments {
   SegmentRelation relation;
   bool on_one_line;
@@ -22,8 +22,8 @@ Segment2<Integer> in_order(const Segment2<Integer>& s) {
   return before(s.b, s.a) ? Segment2<Integer>{s.b, s.a} : s;
 }
 
-/// What two segments on one line have in common, empty if its ends come out in the wrong order. A segment of length
-/// zero is its point.
+/// The intersection of two collinear segments, empty if its ends come out in the wrong order. A segment of length zero
+/// is its point.
 template <class Integer>
 Segment2<Integer> common_part(const Segment2<Integer>& a, const Segment2<Integer>& b) {
   const Segment2<Integer> first = in_order(a), second = in_order(b);
@@ -36,8 +36,8 @@ MeetingSegments meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& 
   if (ba * bb > 0) return {SegmentRelation::disjoint, false};
   const int aa = kernel::turn(b.a, b.b, a.a), ab = kernel::turn(b.a, b.b, a.b);
   if (aa * ab > 0) return {SegmentRelation::disjoint, false};
-  // Where both are zero, so are the others: a point that is not on the line of b turns equally twice for it and has
-  // left above.
+  // If both are zero, so are the others: a point that is not on the line of b turns equally twice for it and has
+  // returned above.
   if (ba != 0 || bb != 0) return {SegmentRelation::point, false};
   const Segment2<Integer> common = common_part(a, b);
   if (before(common.b, common.a)) return {SegmentRelation::disjoint, true};
@@ -65,7 +65,7 @@ void validate_segment_segment(const Segment2d& a, const Segment2d& b) {
   validation::validate("a", a), validation::validate("b", b);
 }
 
-/// The filter's boxes; refuses what is not finite.
+/// Compares the filter's boxes; refuses numbers that are not finite.
 bool apart(const Segment2d& a, const Segment2d& b) {
   if (!filters::apart(a, b)) return false;
   validate_segment_segment(a, b);
@@ -85,13 +85,13 @@ SegmentRelation stages::segment_segment::decision::exact(const Segment2d& a, con
   return meeting_of(first_segment_in<mpz_class>(n), second_segment_in<mpz_class>(n)).relation;
 }
 
-/// Numbers on a lattice are finite: nothing to validate before.
+/// Numbers on a lattice are finite, so nothing needs validation before.
 Decided<SegmentRelation> stages::segment_segment::decision::past_filter(const Segment2d& a, const Segment2d& b) {
   if (apart(a, b)) return {SegmentRelation::disjoint, Stage::filter};
   return in_turn<decision, Stage::lattice, validate_segment_segment, Stage::exact>(a, b);
 }
 
-/// The numbers where the filter says that the segments cross.
+/// The numbers, if the filter says that the segments cross.
 Perhaps<SegmentSegment<double>> stages::segment_segment::enclosed(const Segment2d& a, const Segment2d& b) {
   if (filters::segments(a, b) != filters::Sign::negative) return std::nullopt;
   using kernel::Two;
@@ -145,7 +145,7 @@ SegmentSegment<double> stages::segment_segment::exact(const Segment2d& a, const 
   return answer_of(first_segment_in<mpz_class>(n.at), second_segment_in<mpz_class>(n.at), n.exponent);
 }
 
-/// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
+/// If the filter answers, the numbers are constructed here: copying them costs more than deciding.
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   using decision = stages::segment_segment::decision;
   const auto relation = decision::filter(a, b);

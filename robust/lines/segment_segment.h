@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// What two closed segments have in common: `disjoint`; `point`, with the point and both parameters, 0 at a segment's a
-/// and 1 at its b; or `overlap`, the common segment with its ends in lexicographic order.
+/// Finds the intersection of two closed segments: `disjoint`; `point`, with the point and both parameters, 0 at a
+/// segment's a and 1 at its b; or `overlap`, the common segment with its ends in lexicographic order.
 ///
 /// A touch in an end is a `point`, and so are collinear segments that share one point. A segment of length 0 is a
 /// point, with parameter 0. Right for all finite doubles in every floating-point environment, and every number
@@ -20,14 +20,14 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
 /// The decision alone, which costs less.
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_segment : Signatures<decltype(robust::segment_segment)> {
   static Partial enclosed, lattice;
   static Total exact;
 
-  /// Past this filter the boxes of the segments are compared, before the other stages.
+  /// After this filter the boxes of the segments are compared, before the other stages.
   struct decision : Filtered<decision, decltype(robust::segment_segment_relation)> {
     static Perhaps<SegmentRelation> filter(const Segment2d& a, const Segment2d& b) {
       return filters::by_sign(filters::segments(a, b), SegmentRelation::disjoint, SegmentRelation::point);

@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Where the height is least. The normal's sign is read from its bits; where the coordinate is 0 either end will do.
+/// The corner of least height. The normal's sign is read from its bits; if the coordinate is 0 either end will do.
 Point3d lowest_corner(const Aabb3d& box, const Vector3d& n) {
   const auto end = [](double slope, double min, double max) { return kernel::sign_bit(slope) ? max : min; };
   return {end(n.x, box.min.x, box.max.x), end(n.y, box.min.y, box.max.y), end(n.z, box.min.z, box.max.z)};
@@ -19,7 +19,7 @@ bool flat(const Aabb3d& box) {
          validation::same(box.min.z, box.max.z);
 }
 
-/// By the sign of the least height.
+/// The contact by the sign of the least height.
 Contact contact(int sign, const Aabb3d& box) {
   if (sign > 0) return Contact::disjoint;
   return sign < 0 && !flat(box) ? Contact::overlapping : Contact::touching;
@@ -49,7 +49,7 @@ Contact stages::aabb_plane::exact(const Aabb3d& aabb, const Plane3d& plane) {
   return contact(sgn(height.n), aabb);
 }
 
-/// The filter looks at one corner alone, so the box is validated before it.
+/// The filter reads only one corner, so the box is validated before it.
 Decided<Contact> stages::aabb_plane::ask(const Aabb3d& aabb, const Plane3d& plane) {
   return in_turn<aabb_plane, validate_aabb_plane, Stage::filter, Stage::lattice, Stage::exact>(aabb, plane);
 }

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Whether an axis-aligned box and the half-space normal . p + offset <= 0, the plane and its back, as closed solids,
-/// are `disjoint`, only touch or overlap.
+/// Decides whether an axis-aligned box and the half-space normal . p + offset <= 0, the plane and its back, as closed
+/// solids, are `disjoint`, only touch or overlap.
 ///
 /// `touching`: they have a common point and no common interior point: the box only reaches the plane from in front; or
 /// it is flat, because min == max on an axis, and some of it is in the half-space, however deep. A box within the
@@ -18,7 +18,7 @@ namespace touchstone::robust {
 /// ("nonzero normal"). Contract: reference/mixed/aabb_plane.h.
 Contact aabb_plane(const Aabb3d& aabb, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct aabb_plane : Signatures<decltype(robust::aabb_plane)> {

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Whether two capsules, as closed solids, are `disjoint`, only touch or overlap. A capsule is all that is no farther
-/// than its radius from its segment.
+/// Decides whether two capsules, as closed solids, are `disjoint`, only touch or overlap. A capsule is the set of
+/// points no farther than its radius from its segment.
 ///
 /// `touching`: they have a common point and no common interior point: one only reaches the other, or a radius is 0. A
 /// segment of length 0 is a point. Right for all finite doubles in every floating-point environment. NaN and infinities
@@ -17,7 +17,7 @@ namespace touchstone::robust {
 /// reference/mixed/capsule_capsule.h.
 Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct capsule_capsule : Signatures<decltype(robust::capsule_capsule)> {

@@ -8,13 +8,13 @@
 
 namespace touchstone::robust {
 
-/// Whether two convex polyhedra have a common point; if not, points of both that are as near to each other as any,
-/// their distance and its square.
+/// Decides whether two convex polyhedra have a common point; if not, returns a pair of nearest points, their distance
+/// and its square.
 ///
-/// Touching is `meeting`: both distances are 0, without points. Where many pairs are as near, the one whose point on a
-/// is nearest to a.vertices[0]. The meshes are closed, their faces triangles that run counter-clockwise as seen from
-/// outside, or all the other way round. Every call makes sure that they are closed and convex, which takes faces times
-/// vertices steps, most of the time. Right for all finite doubles in every floating-point environment, and every number
+/// Touching is `meeting`: both distances are 0, without points. If several pairs are nearest, the one whose point on a
+/// is nearest to a.vertices[0]. The meshes are closed, and their faces are triangles that run counter-clockwise as seen
+/// from outside, or all clockwise. Every call checks that they are closed and convex, which takes faces times vertices
+/// steps, most of the time. Right for all finite doubles in every floating-point environment, and every number is
 /// correctly rounded on its own. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
 /// does every mesh that is not the surface of a convex solid (with the face). Contract:
 /// reference/mixed/convex_distance.h.

@@ -15,7 +15,7 @@ void validate_ray_aabb(const kernel::Line& line, const kernel::Box& aabb) {
 
 }  // namespace
 
-/// The filter does not see what is not finite: lines and boxes are validated first.
+/// The filter does not detect numbers that are not finite: lines and boxes are validated first.
 Decided<Passage<double>> stages::ray_aabb::ask(const kernel::Line& ray, const kernel::Box& aabb) {
   return in_turn<ray_aabb, validate_ray_aabb, Stage::filter, Stage::enclosed, Stage::exact>(ray, aabb);
 }

@@ -7,12 +7,12 @@
 
 namespace touchstone::robust {
 
-/// Where a ray enters and leaves an axis-aligned box, in the plane and in space: `hit` with the first and the last t,
-/// in lengths of the direction as given; or `none`.
+/// Finds where a ray enters and leaves an axis-aligned box, in the plane and in space: `hit` with the first and the
+/// last t, in units of the direction's length; or `none`.
 ///
 /// Touching is a hit, grazing along a face too; flat boxes are valid; zeros in the direction are no special case. first
-/// is 0 where the origin is in the box. Right for all finite doubles in every floating-point environment, and both
-/// numbers correctly rounded. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a
+/// is 0 if the origin is in the box. Right for all finite doubles in every floating-point environment, and both numbers
+/// correctly rounded. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a
 /// direction of length 0 ("nonzero direction") and min > max ("min <= max"). Contract: reference/mixed/ray_aabb.h.
 inline Passage<double> ray_aabb(const Ray2d& ray, const Aabb2d& aabb);
 inline Passage<double> ray_aabb(const Ray3d& ray, const Aabb3d& aabb);
@@ -21,10 +21,10 @@ inline Passage<double> ray_aabb(const Ray3d& ray, const Aabb3d& aabb);
 inline PassageRelation ray_aabb_relation(const Ray2d& ray, const Aabb2d& aabb);
 inline PassageRelation ray_aabb_relation(const Ray3d& ray, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows rays that miss: no number has to be found.
+/// The filter decides rays that miss: then there is no number to compute.
 struct ray_aabb : kernel::BoxPassage {
   static Decided<Passage<double>> ask(const kernel::Line& ray, const kernel::Box& aabb);
 

@@ -51,7 +51,7 @@ LinePlane<double> stages::ray_plane::exact(const Ray3d& ray, const Plane3d& plan
   return line_of(ray, plane).answer(false);
 }
 
-/// The filter finds no number: it saves those who have none.
+/// The filter computes no number: it saves the cost if there is none.
 LinePlane<double> ray_plane(const Ray3d& ray, const Plane3d& plane) {
   const auto relation = stages::ray_plane::decision::filter(ray, plane);
   if (relation && *relation == LinePlaneRelation::none) return {LinePlaneRelation::none, std::nullopt, std::nullopt};

@@ -8,11 +8,11 @@
 
 namespace touchstone::robust {
 
-/// What a ray in space and the thin plane normal . p + offset = 0 have in common: `none`; `point`, with its t in
-/// lengths of the direction as given, from either side; or `inside`, all of the ray.
+/// Finds the intersection of a ray in space and the thin plane normal . p + offset = 0: `none`; `point`, with its t in
+/// units of the direction's length, from either side; or `inside`, all of the ray.
 ///
 /// An origin on the plane is a `point` at t = 0, unless the ray leads along the plane. Right for all finite doubles in
-/// every floating-point environment, and every number correctly rounded (infinite where the exact one is beyond the
+/// every floating-point environment, and every number correctly rounded (infinite if the exact one is beyond the
 /// range). NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a direction of
 /// length 0 ("nonzero direction") and a normal of length 0 ("nonzero normal"). Contract: reference/mixed/ray_plane.h.
 LinePlane<double> ray_plane(const Ray3d& ray, const Plane3d& plane);
@@ -20,7 +20,7 @@ LinePlane<double> ray_plane(const Ray3d& ray, const Plane3d& plane);
 /// The decision alone, which costs less.
 inline LinePlaneRelation ray_plane_relation(const Ray3d& ray, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_plane : Signatures<decltype(robust::ray_plane)> {
@@ -28,8 +28,8 @@ struct ray_plane : Signatures<decltype(robust::ray_plane)> {
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::ray_plane_relation)> {
-    /// Where the origin is not on the plane and the ray not along it. The rise N . direction is the height of the point
-    /// `direction` over the parallel plane through 0.
+    /// Decides if the origin is not on the plane and the ray not parallel to it. The rise N . direction is the height
+    /// of the point `direction` over the parallel plane through 0.
     static Perhaps<LinePlaneRelation> filter(const Ray3d& ray, const Plane3d& plane) {
       const auto& [x, y, z] = ray.direction;
       const filters::Sign height = filters::plane(plane, ray.origin),

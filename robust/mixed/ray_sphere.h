@@ -7,13 +7,13 @@
 
 namespace touchstone::robust {
 
-/// Where a ray enters and leaves a ball, or in the plane a disc, as closed solids: `hit` with the first and the last t,
-/// in lengths of the direction as given; or `none`.
+/// Finds where a ray enters and leaves a ball, or in the plane a disc, as closed solids: `hit` with the first and the
+/// last t, in units of the direction's length; or `none`.
 ///
-/// A tangent ray is a hit; radius 0 is a point. first is 0 where the origin is in the ball. Right for all finite
-/// doubles in every floating-point environment, and both numbers correctly rounded. NaN and infinities throw
-/// InvalidInput, which names the field and "finite number"; so do a direction of length 0 ("nonzero direction") and a
-/// negative radius ("radius >= 0"). Contract: reference/mixed/ray_sphere.h.
+/// A tangent ray is a hit; radius 0 is a point. first is 0 if the origin is in the ball. Right for all finite doubles
+/// in every floating-point environment, and both numbers correctly rounded. NaN and infinities throw InvalidInput,
+/// which names the field and "finite number"; so do a direction of length 0 ("nonzero direction") and a negative radius
+/// ("radius >= 0"). Contract: reference/mixed/ray_sphere.h.
 inline Passage<double> ray_sphere(const Ray2d& ray, const Circle2d& sphere);
 inline Passage<double> ray_sphere(const Ray3d& ray, const Sphere3d& sphere);
 
@@ -21,10 +21,10 @@ inline Passage<double> ray_sphere(const Ray3d& ray, const Sphere3d& sphere);
 inline PassageRelation ray_sphere_relation(const Ray2d& ray, const Circle2d& sphere);
 inline PassageRelation ray_sphere_relation(const Ray3d& ray, const Sphere3d& sphere);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows rays that miss: no number has to be found.
+/// The filter decides rays that miss: then there is no number to compute.
 struct ray_sphere : kernel::BallPassage {
   static Decided<Passage<double>> ask(const kernel::Line& ray, const kernel::Ball& sphere);
 

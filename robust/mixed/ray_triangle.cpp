@@ -16,7 +16,7 @@ using kernel::Clipped;
 using Relation = SegmentTriangleRelation;
 using Vector = Vector3<mpz_class>;
 
-/// In integers times 2^exponent; the part of the ray in the triangle.
+/// The question in integers times 2^exponent, and the part of the ray in the triangle.
 struct Question {
   Point3<mpz_class> origin;
   Vector direction;
@@ -40,7 +40,7 @@ struct Question {
     return part.first < part.last ? Relation::segment : Relation::point;
   }
 
-  /// Of the first common point: inside of all three edges; without area there is no inside.
+  /// Locates the first common point: inside if it is inside of all three edges; without area there is no inside.
   Location location() const {
     const auto& [a, b, c] = triangle;
     const mpz_class &n = part.first.numerator, &d = part.first.denominator;
@@ -85,7 +85,7 @@ Decided<Relation> stages::ray_triangle::decision::past_filter(const Ray3d& ray, 
   return in_turn<decision, validate_ray_triangle, Stage::lattice, Stage::exact>(ray, triangle);
 }
 
-/// Where the filter says `point`, all three edges are on one side of the ray: it is inside.
+/// If the filter says `point`, all three edges are on one side of the ray: it is inside.
 Perhaps<RayTriangle<double>> stages::ray_triangle::enclosed(const Ray3d& ray, const Triangle3d& triangle) {
   const auto relation = decision::filter(ray, triangle);
   if (!relation) return std::nullopt;

@@ -8,12 +8,12 @@
 
 namespace touchstone::robust {
 
-/// What a ray and a triangle in space have in common: `none`; `point`, with its t in lengths of the direction as given,
-/// and whether it is `inside` the triangle or on its `boundary`; or `segment`, with the first t and point.
+/// Finds the intersection of a ray and a triangle in space: `none`; `point`, with its t in units of the direction's
+/// length, and whether it is `inside` the triangle or on its `boundary`; or `segment`, with the first t and point.
 ///
 /// The origin, edges and corners belong to them. A triangle without area is the segment or the point that its corners
 /// span, all of it boundary. Right for all finite doubles in every floating-point environment, and every number
-/// correctly rounded (infinite where the exact one is beyond the range). NaN and infinities throw InvalidInput, which
+/// correctly rounded (infinite if the exact one is beyond the range). NaN and infinities throw InvalidInput, which
 /// names the field and "finite number"; so does a direction of length 0 ("nonzero direction"). Contract:
 /// reference/mixed/ray_triangle.h.
 RayTriangle<double> ray_triangle(const Ray3d& ray, const Triangle3d& triangle);
@@ -21,7 +21,7 @@ RayTriangle<double> ray_triangle(const Ray3d& ray, const Triangle3d& triangle);
 /// The decision alone, which costs less.
 inline SegmentTriangleRelation ray_triangle_relation(const Ray3d& ray, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_triangle : Signatures<decltype(robust::ray_triangle)> {
@@ -29,9 +29,9 @@ struct ray_triangle : Signatures<decltype(robust::ray_triangle)> {
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::ray_triangle_relation)> {
-    /// Where the origin is certainly not on the triangle's plane and the ray not along it. If it leads away, there is
-    /// nothing in common. Else its line crosses the plane once, ahead of the origin: inside of the triangle if it has
-    /// all three edges on one side of itself, outside if it has two of them on different sides.
+    /// Decides if the origin is certainly not on the triangle's plane and the ray not parallel to it. If the ray leads
+    /// away, there is no intersection. Otherwise its line crosses the plane once, ahead of the origin: inside the
+    /// triangle if it has all three edges on one side, outside if it has two of them on different sides.
     static Perhaps<SegmentTriangleRelation> filter(const Ray3d& ray, const Triangle3d& triangle) {
       using filters::Sign;
       const auto& [p, v] = ray;

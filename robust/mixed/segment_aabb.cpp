@@ -15,7 +15,7 @@ void validate_segment_aabb(const kernel::Line& line, const kernel::Box& aabb) {
 
 }  // namespace
 
-/// The filter does not see what is not finite: lines and boxes are validated first.
+/// The filter does not detect numbers that are not finite: lines and boxes are validated first.
 Decided<Passage<double>> stages::segment_aabb::ask(const kernel::Line& segment, const kernel::Box& aabb) {
   return in_turn<segment_aabb, validate_segment_aabb, Stage::filter, Stage::enclosed, Stage::exact>(segment, aabb);
 }

@@ -7,11 +7,11 @@
 
 namespace touchstone::robust {
 
-/// Where a closed segment enters and leaves an axis-aligned box, in the plane and in space: `hit` with the first and
-/// the last t, 0 at a and 1 at b; or `none`.
+/// Finds where a closed segment enters and leaves an axis-aligned box, in the plane and in space: `hit` with the first
+/// and the last t, 0 at a and 1 at b; or `none`.
 ///
-/// Touching is a hit, grazing along a face too; flat boxes are valid; zeros in the way are no special case. first is 0
-/// where a is in the box, last is 1 where b is; a segment of length 0 is a point, both are 0. Right for all finite
+/// Touching is a hit, grazing along a face too; flat boxes are valid; zeros in the displacement are no special case.
+/// first is 0 if a is in the box, last is 1 if b is; a segment of length 0 is a point, both are 0. Right for all finite
 /// doubles in every floating-point environment, and both numbers correctly rounded. NaN and infinities throw
 /// InvalidInput, which names the field and "finite number"; so does min > max ("min <= max"). Contract:
 /// reference/mixed/segment_aabb.h.
@@ -22,10 +22,10 @@ inline Passage<double> segment_aabb(const Segment3d& segment, const Aabb3d& aabb
 inline PassageRelation segment_aabb_relation(const Segment2d& segment, const Aabb2d& aabb);
 inline PassageRelation segment_aabb_relation(const Segment3d& segment, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows segments that miss: no number has to be found.
+/// The filter decides segments that miss: then there is no number to compute.
 struct segment_aabb : kernel::BoxPassage {
   static Decided<Passage<double>> ask(const kernel::Line& segment, const kernel::Box& aabb);
 

@@ -53,7 +53,7 @@ LinePlane<double> stages::segment_plane::exact(const Segment3d& segment, const P
   return line_of(segment, plane).answer(true);
 }
 
-/// The filter finds no number: it saves those who have none.
+/// The filter computes no number: it saves the cost if there is none.
 LinePlane<double> segment_plane(const Segment3d& segment, const Plane3d& plane) {
   const auto relation = stages::segment_plane::decision::filter(segment, plane);
   if (relation && *relation == LinePlaneRelation::none) return {LinePlaneRelation::none, std::nullopt, std::nullopt};

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// What a closed segment in space and the thin plane normal . p + offset = 0 have in common: `none`; `point`, with its
-/// t on the segment, from either side; or `inside`, all of the segment.
+/// Finds the intersection of a closed segment in space and the thin plane normal . p + offset = 0: `none`; `point`,
+/// with its t on the segment, from either side; or `inside`, all of the segment.
 ///
 /// An end on the plane is a `point`; a segment of length 0 is `inside` or `none`. Right for all finite doubles in every
 /// floating-point environment, and every number correctly rounded. NaN and infinities throw InvalidInput, which names
@@ -20,7 +20,7 @@ LinePlane<double> segment_plane(const Segment3d& segment, const Plane3d& plane);
 /// The decision alone, which costs less.
 inline LinePlaneRelation segment_plane_relation(const Segment3d& segment, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_plane : Signatures<decltype(robust::segment_plane)> {
@@ -28,7 +28,7 @@ struct segment_plane : Signatures<decltype(robust::segment_plane)> {
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::segment_plane_relation)> {
-    /// Where neither end is on the plane: on one side both, or one on either.
+    /// Decides if neither end is on the plane: both on one side, or one on each.
     static Perhaps<LinePlaneRelation> filter(const Segment3d& segment, const Plane3d& plane) {
       const filters::Sign at_a = filters::plane(plane, segment.a), at_b = filters::plane(plane, segment.b);
       if (at_a == filters::Sign::unknown || at_b == filters::Sign::unknown) return std::nullopt;

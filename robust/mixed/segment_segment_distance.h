@@ -9,17 +9,16 @@
 
 namespace touchstone::robust {
 
-/// Points of two closed segments that are as near to each other as any, their distance and its square. In the plane and
-/// in space.
+/// A pair of nearest points of two closed segments, their distance and its square. In the plane and in space.
 ///
-/// Of parallel segments, where many pairs are as near, the pair with the least parameter on a. A segment of length 0 is
+/// For parallel segments with several nearest pairs, the pair with the least parameter on a. A segment of length 0 is
 /// a point. Right for all finite doubles in every floating-point environment, and every number correctly rounded on its
 /// own: the distance is neither the root of the rounded square nor that of the rounded points. NaN and infinities throw
 /// InvalidInput, which names the field and "finite number". Contract: reference/mixed/segment_segment_distance.h.
 ClosestPair2<double> segment_segment_distance(const Segment2d& a, const Segment2d& b);
 ClosestPair3<double> segment_segment_distance(const Segment3d& a, const Segment3d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_segment_distance {

@@ -7,13 +7,13 @@
 
 namespace touchstone::robust {
 
-/// Where a closed segment enters and leaves a ball, or in the plane a disc, as closed solids: `hit` with the first and
-/// the last t, 0 at a and 1 at b; or `none`.
+/// Finds where a closed segment enters and leaves a ball, or in the plane a disc, as closed solids: `hit` with the
+/// first and the last t, 0 at a and 1 at b; or `none`.
 ///
-/// A tangent segment is a hit; radius 0 is a point. first is 0 where a is in the ball, last is 1 where b is; a segment
-/// of length 0 is a point, both are 0. Right for all finite doubles in every floating-point environment, and both
-/// numbers correctly rounded. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does
-/// a negative radius ("radius >= 0"). Contract: reference/mixed/segment_sphere.h.
+/// A tangent segment is a hit; radius 0 is a point. first is 0 if a is in the ball, last is 1 where b is; a segment of
+/// length 0 is a point, both are 0. Right for all finite doubles in every floating-point environment, and both numbers
+/// correctly rounded. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a
+/// negative radius ("radius >= 0"). Contract: reference/mixed/segment_sphere.h.
 inline Passage<double> segment_sphere(const Segment2d& segment, const Circle2d& sphere);
 inline Passage<double> segment_sphere(const Segment3d& segment, const Sphere3d& sphere);
 
@@ -21,10 +21,10 @@ inline Passage<double> segment_sphere(const Segment3d& segment, const Sphere3d& 
 inline PassageRelation segment_sphere_relation(const Segment2d& segment, const Circle2d& sphere);
 inline PassageRelation segment_sphere_relation(const Segment3d& segment, const Sphere3d& sphere);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows segments that miss: no number has to be found.
+/// The filter decides segments that miss: then there is no number to compute.
 struct segment_sphere : kernel::BallPassage {
   static Decided<Passage<double>> ask(const kernel::Line& segment, const kernel::Ball& sphere);
 

@@ -15,8 +15,8 @@ void validate_sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
   validation::validate("sphere", sphere), validation::validate("capsule", capsule);
 }
 
-/// At least the sum of both, in every environment: the sum loses no more than 2^-52 of itself, and where a part is
-/// flushed or read as zero less than 2^-1020; the product loses another 2^-52. Not proved by machine.
+/// At least the sum of both, in every environment: the sum loses no more than 2^-52 of itself, and if a part is flushed
+/// or read as zero less than 2^-1020; the product loses another 2^-52. Not proved by machine.
 double at_least_sum(double r, double s) { return (r + s) * (1 + 0x1p-50) + 0x1p-1000; }
 
 }  // namespace

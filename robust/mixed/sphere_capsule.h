@@ -9,8 +9,8 @@
 
 namespace touchstone::robust {
 
-/// Whether a ball and a capsule, as closed solids, are `disjoint`, only touch or overlap. A capsule is all that is no
-/// farther than its radius from its segment.
+/// Decides whether a ball and a capsule, as closed solids, are `disjoint`, only touch or overlap. A capsule is the set
+/// of points no farther than its radius from its segment.
 ///
 /// `touching`: they have a common point and no common interior point: one only reaches the other, or a radius is 0. A
 /// segment of length 0 is a point. Right for all finite doubles in every floating-point environment. NaN and infinities
@@ -18,10 +18,10 @@ namespace touchstone::robust {
 /// reference/mixed/sphere_capsule.h.
 Contact sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter first knows balls that are beyond the box around the ends of the segment.
+/// The filter first decides balls that are beyond the box around the ends of the segment.
 struct sphere_capsule : Signatures<decltype(robust::sphere_capsule)> {
   static Partial filter;
   static Total exact;

@@ -9,7 +9,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Of a ball whose center is in the half-space. The radius as bits: a subnormal one may be read as zero.
+/// The contact of a ball whose center is in the half-space. Reads the radius as bits: a subnormal may be read as zero.
 Contact around_center(double radius) { return validation::zero(radius) ? Contact::touching : Contact::overlapping; }
 
 void validate_sphere_plane(const Sphere3d& sphere, const Plane3d& plane) {
@@ -20,17 +20,17 @@ void validate_sphere_plane(const Sphere3d& sphere, const Plane3d& plane) {
 
 }  // namespace
 
-/// A ball at rest meets the thin plane at the start or never: then its center tells on which side it is.
+/// A ball at rest meets the thin plane at the start or never: then the side of its center decides.
 Perhaps<Contact> stages::sphere_plane::filter(const Sphere3d& sphere, const Plane3d& plane) {
   using filters::Meeting;
-  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
   const Meeting meeting = filters::Heights<double>(sphere, {0, 0, 0}, plane).meeting();
   if (meeting == Meeting::at_start) return Contact::overlapping;
   if (meeting != Meeting::never) return std::nullopt;
   return filters::by_sign(filters::plane(plane, sphere.center), Contact::disjoint, around_center(sphere.radius));
 }
 
-/// The sign of E, then that of E^2 - r^2 N . N, both squares on one power of two.
+/// The sign of E, then that of E^2 - r^2 N . N, both squares over one power of two.
 Contact stages::sphere_plane::exact(const Sphere3d& sphere, const Plane3d& plane) {
   using namespace kernel;
   const Scaled<mpz_class> height = exact_sum(height_over(plane, sphere.center));

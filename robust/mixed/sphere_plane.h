@@ -8,7 +8,7 @@
 
 namespace touchstone::robust {
 
-/// Whether a ball and the half-space normal . p + offset <= 0, the plane and its back, as closed solids, are
+/// Decides whether a ball and the half-space normal . p + offset <= 0, the plane and its back, as closed solids, are
 /// `disjoint`, only touch or overlap.
 ///
 /// `touching`: they have a common point and no common interior point: the ball only reaches the plane from in front; or
@@ -18,11 +18,11 @@ namespace touchstone::robust {
 /// reference/mixed/sphere_plane.h.
 Contact sphere_plane(const Sphere3d& sphere, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows centers that are neither as far from the plane as the radius nor so far behind it. There is no
-/// lattice: squares of heights go beyond it.
+/// The filter decides centers whose distance from the plane clearly differs from the radius, in front or behind. There
+/// is no lattice: squares of heights exceed it.
 struct sphere_plane : Signatures<decltype(robust::sphere_plane)> {
   static Partial filter;
   static Total exact;

@@ -18,13 +18,13 @@ void validate_sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle
 }  // namespace
 
 Perhaps<Contact> stages::sphere_triangle::filter(const Sphere3d& sphere, const Triangle3d& triangle) {
-  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
   if (const auto apart = filters::beyond_box(sphere.center, sphere.radius, triangle.a, triangle.b, triangle.c))
     return apart;
   return filters::contact(triangle, 0, sphere.center, sphere.radius, true);
 }
 
-/// No distance is less than the radius of a point: that it has no interior needs no case.
+/// No distance is less than the radius 0 of a point, so that its lack of an interior needs no special case.
 Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d& triangle) {
   using namespace kernel;
   const auto& [a, b, c] = triangle;

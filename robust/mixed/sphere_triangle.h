@@ -9,7 +9,7 @@
 
 namespace touchstone::robust {
 
-/// Whether a ball and a closed triangle in space are `disjoint`, only touch or overlap.
+/// Decides whether a ball and a closed triangle in space are `disjoint`, only touch or overlap.
 ///
 /// `touching`: they have a common point, and no interior point of the ball is in the triangle: the ball only reaches
 /// it, or has the radius 0. A triangle without area is the segment or the point that its corners span. Right for all
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 /// "finite number"; so does a negative radius ("radius >= 0"). Contract: reference/mixed/sphere_triangle.h.
 Contact sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter first knows balls that are beyond the box around the corners.
+/// The filter first decides balls that are beyond the box around the corners.
 struct sphere_triangle : Signatures<decltype(robust::sphere_triangle)> {
   static Partial filter;
   static Total exact;

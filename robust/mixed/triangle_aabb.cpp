@@ -13,13 +13,13 @@
 namespace touchstone::robust {
 namespace {
 
-/// Of doubles as bits: no subnormal is read as 0.
+/// Compares doubles as bits: no subnormal is read as 0.
 constexpr auto less = []<class Real>(const Real& x, const Real& y) {
   if constexpr (std::is_same_v<Real, double>) return kernel::ordered_bits(x) < kernel::ordered_bits(y);
   else return x < y;
 };
 
-/// What is seen along one axis of space: a triangle and a rectangle of the plane.
+/// The projection along one axis of space: a triangle and a rectangle of the plane.
 template <class Real>
 struct Shadow {
   std::array<Point2<Real>, 3> corners;
@@ -31,7 +31,8 @@ struct Shadow {
   }
 };
 
-/// Along x, y and z, so that the triangle turns left in one where the coordinate of its normal is positive.
+/// The projections along x, y and z, oriented so that the triangle turns left in one if the coordinate of its normal is
+/// positive.
 template <class Real>
 std::array<Shadow<Real>, 3> shadows(const Triangle3<Real>& t, const Aabb3<Real>& box) {
   const auto& [a, b, c] = t;
@@ -56,7 +57,8 @@ std::array<Interval<Real>, 3> intervals(const Triangle3<Real>& t, const Aabb3<Re
   return {of(a.x, b.x, c.x, min.x, max.x), of(a.y, b.y, c.y, min.y, max.y), of(a.z, b.z, c.z, min.z, max.z)};
 }
 
-/// Where a normal whose coordinates have these signs is highest over the box; where one is 0 either end will do.
+/// The corner of the box at which a normal whose coordinates have these signs is highest; if one is 0 either end will
+/// do.
 template <class Real>
 Point3<Real> highest(const Aabb3<Real>& box, int x, int y, int z) {
   return {x > 0 ? box.max.x : box.min.x, y > 0 ? box.max.y : box.min.y, z > 0 ? box.max.z : box.min.z};
@@ -70,9 +72,9 @@ bool inside(const Aabb3d& box, const Point3d& p) {
 
 }  // namespace
 
-/// All signs are of proved filters. The coordinates of the normal must be certain: only then is it known on which side
-/// of an edge the triangle is, and which corners of the box are extreme. Where they are, none of the contract's 13 axes
-/// is zero, and each is asked on the only side on which it can keep them apart; the plane on both.
+/// All signs are those of proved filters. The coordinates of the normal must be certain: they determine the side of an
+/// edge on which the triangle lies, and the extreme corners of the box. If they are certain, none of the contract's 13
+/// axes is zero, and each is tested on the only side on which it can separate them; the plane on both.
 Perhaps<Contact> stages::triangle_aabb::filter(const Triangle3d& t, const Aabb3d& box) {
   using filters::Sign;
   bool overlap = true;
@@ -109,8 +111,8 @@ Perhaps<Contact> stages::triangle_aabb::filter(const Triangle3d& t, const Aabb3d
 
 namespace {
 
-/// In each shadow an edge keeps the rectangle apart on the side on which the triangle is not: on either, where the
-/// shadow has no area, and there the edges lead both ways.
+/// In each projection an edge separates the rectangle on the side opposite to the triangle: on either side if the
+/// projection has no area, and there the edges lead in both directions.
 template <class Integer>
 Contact contact(const std::array<Integer, 15>& n) {
   const auto at = [&n](std::size_t i) { return Point3<Integer>{n[i], n[i + 1], n[i + 2]}; };

@@ -9,16 +9,16 @@
 
 namespace touchstone::robust {
 
-/// Whether a triangle and an axis-aligned box are `disjoint`, only touch or overlap.
+/// Decides whether a triangle and an axis-aligned box are `disjoint`, only touch or overlap.
 ///
-/// `overlapping`: the triangle has an interior point of the box; `touching`: it has a point of the box, but none of its
-/// interior. A triangle without area is a segment or a point, and overlaps the box as any other does. A flat box, min
-/// == max on an axis, has no interior: whatever meets it touches it, however deep. Right for all finite doubles in
-/// every floating-point environment. NaN and infinities throw InvalidInput, which names the field and "finite number";
-/// so does min > max ("min <= max"). Contract: reference/mixed/triangle_aabb.h.
+/// `overlapping`: the triangle contains an interior point of the box; `touching`: it contains a point of the box, but
+/// none of its interior. A triangle without area is a segment or a point, and overlaps the box as any other does. A
+/// flat box, min == max on an axis, has no interior: a triangle that meets it touches it, however deep. Right for all
+/// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
+/// "finite number"; so does min > max ("min <= max"). Contract: reference/mixed/triangle_aabb.h.
 Contact triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct triangle_aabb : Signatures<decltype(robust::triangle_aabb)> {

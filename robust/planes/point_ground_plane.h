@@ -10,10 +10,10 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies above, on or below the ground, the plane y = 0; y is up.
+/// Decides whether a point lies above, on or below the ground, the plane y = 0; y is up.
 ///
 /// `on` means y is exactly 0, or -0.0. Right for all finite doubles in every floating-point environment: sign and zero
-/// are read from bits, because where denormals are zero a comparison takes 2^-1074 for the ground. NaN and infinities
+/// are read from bits, because a comparison that reads denormals as zero puts 2^-1074 on the ground. NaN and infinities
 /// throw InvalidInput, which names the field and "finite number". Contract: reference/planes/point_ground_plane.h.
 inline Height point_ground_plane(const Point3d& point) {
   if (!kernel::valid(point)) validation::validate("point", point);

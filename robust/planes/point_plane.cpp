@@ -33,8 +33,8 @@ PlaneSide stages::point_plane::decision::exact(const Plane3d& plane, const Point
 
 namespace {
 
-/// The filter once more, where the guard may have failed: with the normal, the point or both over 2^700. Both are
-/// factors of the sum, so the offset goes with each.
+/// The filter again, if the guard may have failed: with the normal, the point or both over 2^700. Both are factors of
+/// the sum, so the offset is scaled with each.
 Perhaps<PlaneSide> filter_of_large(Plane3d plane, Point3d point) {
   Vector3d& n = plane.normal;
   const auto large = [](double x, double y, double z) {

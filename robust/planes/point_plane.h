@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Where a point lies of a plane, all points with normal . p + offset = 0: in `front`, to which the normal points, `on`
-/// it or on its `back`; and its distance, which is negative on the back.
+/// Decides on which side of a plane, all points with normal . p + offset = 0, a point lies: in `front`, to which the
+/// normal points, `on` it or on its `back`; and computes its distance, which is negative on the back.
 ///
 /// `on` means exactly on the plane. The normal may have any length but 0. Right for all finite doubles in every
 /// floating-point environment, and the distance correctly rounded. NaN and infinities throw InvalidInput, which names
@@ -20,7 +20,7 @@ PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point);
 /// The decision alone, which costs less.
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct point_plane : Signatures<decltype(robust::point_plane)> {

@@ -10,7 +10,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// -0.0 is 0, whatever the environment makes of it.
+/// Turns -0.0 into 0, in every environment.
 double positive_zero(double x) { return validation::zero(x) ? 0.0 : x; }
 
 FirstHit<double> at_start(const Point3d& start) {
@@ -63,7 +63,7 @@ double between(const Second& e0, const Second& e1, const Integer& start, const I
   return kernel::round_quotient(multiply(e0, end) + multiply(Second(-e1), start), Second(e0 - e1), exponent);
 }
 
-/// The ends of the step as integers on one power of two: x, y, z of start, then of end.
+/// The ends of the step as integers over one power of two: x, y, z of start, then of end.
 template <class Second, class Numbers>
 PointPlaneToi<double> answer_of(const Second& e0, const Second& e1, const Point3d& start, const Numbers& ends) {
   if (kernel::sign_of(e0) <= 0) return {at_end(kernel::sign_of(e1)), at_start(start)};

@@ -18,10 +18,12 @@ struct Numbers {
   }
 };
 
-/// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
+/// The stage `enclosed`, inlined where an answer is made of its numbers: constructed out of place and copied it would
+/// cost more.
 ///
-/// Two triangles of the fan round vertex 0 at a time: with a, b, c three vertices as seen from there, a x b + b x c = b
-/// x (c - a). Where the last triangle is alone, c is vertex 0. Not proved by machine: what sum_of_squares carries over.
+/// Takes two triangles of the fan around vertex 0 at a time: with a, b, c three vertices relative to it, a x b + b x c
+/// = b x (c - a). If the last triangle is alone, c is vertex 0. Not proved by machine: the errors that sum_of_squares
+/// carries over.
 [[gnu::always_inline]] inline std::optional<Numbers> enclosed_numbers(const Polygon3d& polygon) {
   using namespace kernel;
   const std::size_t n = polygon.size();
@@ -39,7 +41,7 @@ struct Numbers {
     window.add(of_b).add(of_c).add(zs);
     const Factor<Two> p = vector_between(xy(hub), of_b), q = vector_between(xy(a), of_c),
                       z = vector_between(Two(hub.z, a.z), zs);
-    // p and q as three lanes each: (x, y) and z, the latter beside each other.
+    // p and q as three lanes each: (x, y) and z, the z of both in one pair.
     return Terms{product(both(second(p), first(z)), both(second(z), first(q))),
                  product(both(first(z), first(p)), both(second(q), second(z))), product(p, swapped(q))};
   };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// The sides of all triangles: side 3 i + k goes from corner k of triangle i to the next one round its piece, which is
+/// The sides of all triangles: side 3 i + k goes from corner k of triangle i to the next one around its piece, which is
 /// the triangle at first.
 class Sides {
  public:
@@ -26,7 +26,7 @@ class Sides {
     pair_up();
   }
 
-  /// Takes out, one by one, every diagonal without which the angles at its ends stay convex or flat.
+  /// Removes, one by one, every diagonal without which the angles at its ends stay convex or flat.
   void take_out_unneeded(Stage& latest) {
     for (std::uint32_t s = 0; s < sides_.size(); ++s) {
       const std::uint32_t t = sides_[s].twin;
@@ -54,13 +54,13 @@ class Sides {
  private:
   struct OneSide {
     Index from;
-    std::uint32_t next, previous, twin;  ///< twin: the same diagonal the other way round
+    std::uint32_t next, previous, twin;  ///< twin: the same diagonal in the opposite direction
     bool there;
   };
 
   Index to(std::uint32_t s) const { return sides_[sides_[s].next].from; }
 
-  /// Each diagonal is two sides. Sorted by its ends they come together.
+  /// Each diagonal is two sides. Sorting by ends brings them together.
   void pair_up() {
     std::vector<std::uint32_t> order;
     const auto lower = [&](std::uint32_t s) { return std::min(sides_[s].from, to(s)); };
@@ -75,7 +75,7 @@ class Sides {
     }
   }
 
-  /// How the boundary would turn where side s begins, between the sides before and after it.
+  /// The turn of the boundary at the start of side s, between the sides before and after it.
   Side turn(std::uint32_t before, std::uint32_t s, std::uint32_t after, Stage& latest) const {
     return stages::orientation::ask(polygon_[sides_[before].from], polygon_[sides_[s].from], polygon_[to(after)])
         .noting(latest);

@@ -12,7 +12,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Of a simple ring: its turn at the vertex that is lexicographically first, which is a corner of the hull.
+/// The orientation of a simple ring: its turn at the lexicographically first vertex, which is a corner of the hull.
 bool counter_clockwise(const Polygon2d& ring) {
   std::size_t first = 0;
   const kernel::ControlWord ieee;
@@ -22,7 +22,7 @@ bool counter_clockwise(const Polygon2d& ring) {
   return orientation(ring.previous(first), ring[first], ring.next(first)) == Side::left;
 }
 
-/// From p -> from counter-clockwise to p -> to.
+/// The angle from p -> from counter-clockwise to p -> to.
 std::optional<double> enclosed_angle(const Point2d& p, const Point2d& from, const Point2d& to) {
   using namespace kernel;
   const Two at(p), first(from), last(to);

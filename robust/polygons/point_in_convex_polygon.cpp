@@ -9,7 +9,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// The side of the inside, for a polygon that is convex; others are refused.
+/// The side of the inside if the polygon is convex; others are refused.
 Side validate_convex(const Polygon2d& given, const Polygon2d& polygon, Stage& latest) {
   const PolygonConvexity found = stages::polygon_convexity::ask(given).noting(latest);
   const Side inner = found.orientation == Winding::ccw ? Side::left : Side::right;

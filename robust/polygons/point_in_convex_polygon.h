@@ -7,15 +7,15 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies inside of a convex polygon, on its `boundary` or outside.
+/// Decides whether a point lies inside of a convex polygon, on its `boundary` or outside.
 ///
-/// The polygon may run in either direction and have flat vertices. Every call makes sure that it is convex. Right for
+/// The polygon may run in either direction and have flat vertices. Every call checks that it is convex. Right for
 /// all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field
 /// and "finite number"; so do fewer than 3 vertices, and a polygon that is flat, not simple or not convex (with the
 /// vertex). Contract: reference/polygons/point_in_convex_polygon.h.
 Location point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

@@ -25,21 +25,21 @@ Lanes magnitude(const Lanes& lanes) {
 }
 Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 
-/// What the ray to +x meets, told by signs alone: with each vertex seen from the point as (x, y), an edge from (x, y)
-/// to (x1, y1) crosses the ray where y and y1 differ in sign and x y1 - y x1 has the sign of y1. All edges are looked
-/// at alike, without branches; in the end the signs are trusted if every |x y1 - y x1| exceeds one bound.
+/// Counts the crossings of the ray to +x by signs alone: with each vertex relative to the point as (x, y), an edge from
+/// (x, y) to (x1, y1) crosses the ray if y and y1 differ in sign and x y1 - y x1 has the sign of y1. All edges are
+/// processed alike, without branches; at the end the signs are trusted if every |x y1 - y x1| exceeds one bound.
 ///
 /// Bound, with u, n, H and (1) to (6) as in filters.h: let sx and sy be the sums of all |x| and |y|, that of the vertex
-/// before the first edge included (of a whole ring it counts twice), sx + sy <= H. A NaN or an infinity stays in them,
+/// before the first edge included (in a full ring it counts twice), sx + sy <= H. A NaN or an infinity stays in them,
 /// and rounding is monotone, so that they are at least the extents as cross_sign there computes them for any edge. So
 /// its C and A serve here: no |x y1 - y x1| beyond C sx sy + A has the wrong sign.
 ///
-/// The sign of y is in doubt where y is 0, or so small that FTZ or DAZ changed it: then the true |y| is at most 5 n.
+/// The sign of y is uncertain if y is 0, or so small that FTZ or DAZ changed it: then the true |y| is at most 5 n.
 /// Let every vertex but the ends of a part move upwards or downwards, by less than 6 n, until its y has the sign that
-/// was computed. On the way each y is off by 11 n instead of 5 n (1), which costs 14 n H more in (3): A is enough for
+/// was computed. Meanwhile each y is off by 11 n instead of 5 n (1), which costs 14 n H more in (3): A is enough for
 /// that, 2 A are taken. So no determinant becomes 0, the ring never passes over the point, and the point stays in or
 /// out. At the end no y is 0, and the signs tell the crossings. Proved, for any number of edges (crossings_right): each
-/// determinant has the exact sign, wherever on these ways the vertices are, and the answer is the parity of the
+/// determinant has the exact sign, wherever on these paths the vertices are, and the answer is the parity of the
 /// crossings at their end.
 struct Crossings {
   explicit Crossings(const Point2d& point) : origin_{point.x, point.y} {}
@@ -72,7 +72,7 @@ struct Crossings {
     parity_[1] = kept;
   }
 
-  /// The parity, of all edges added.
+  /// The parity of all edges added.
   Perhaps<Location> location() const {
     using B = filters::Bounds<double>;
     const double sx = sum_x_[0] + sum_x_[1], sy = sum_y_[0] + sum_y_[1];
@@ -88,15 +88,15 @@ struct Crossings {
   Bits parity_{};
 };
 
-/// Whether FTZ and DAZ cannot have changed the sign of a difference: beyond 16 n.
+/// True if FTZ and DAZ cannot have changed the sign of a difference: beyond 16 n.
 bool sign_is_certain(double difference) { return !(std::fabs(difference) < 0x1p-1018); }
 
-/// Some edges in a row: from `before` to the first of the vertices, and so on to the last. Each stage answers for them
-/// `boundary`, or `inside` if the ray crosses an odd number of them, or `outside`; for whole rings these are the
-/// answers of the contract. An end on the ray's line counts as below it, so that parts told by different stages fit
+/// Consecutive edges: from `before` to the first of the vertices, and so on to the last. Each stage answers `boundary`
+/// for them, or `inside` if the ray crosses an odd number of them, or `outside`; for full rings these are the answers
+/// of the contract. An end on the ray's line counts as below it, so that parts decided by different stages fit
 /// together.
 struct Part {
-  const Point2d *before, *first, *last;  // the last is one behind
+  const Point2d *before, *first, *last;  // one past the last
   bool whole;
 };
 
@@ -105,7 +105,7 @@ Location parity(bool odd) { return odd ? Location::inside : Location::outside; }
 Perhaps<Location> by_filter(const Part& part, const Point2d& point) {
   Crossings crossings(point);
   const Lanes before = crossings.started(*part.before);
-  // No bound is below 2 A, and to multiply what underflows is slow.
+  // No bound is below 2 A, and multiplications that underflow are slow.
   if (std::fabs(before[0]) + std::fabs(before[1]) < 0x1p-400) return std::nullopt;
   Lanes x{0, before[0]}, y{0, before[1]};  // of the vertex before in lane 1
   const Point2d* at = part.first;
@@ -125,7 +125,7 @@ Perhaps<Location> by_filter(const Part& part, const Point2d& point) {
   return crossings.location();
 }
 
-/// On whole numbers that are multiples of one power of two, the point at the origin.
+/// Decides on integers that are multiples of one power of two, with the point at the origin.
 Perhaps<Location> by_lattice(const Part& part, const Point2d& point) {
   std::uint64_t greatest = 0;  // of the magnitudes, as bits
   const auto raise = [&](double number) { greatest = std::max(greatest, std::bit_cast<std::uint64_t>(number) << 1); };
@@ -146,7 +146,7 @@ Perhaps<Location> by_lattice(const Part& part, const Point2d& point) {
     odd ^= ((y > 0) != (y1 > 0)) & ((determinant > 0) == (y1 > 0));
     if (determinant == 0 && kernel::multiply(x, x1) + kernel::multiply(y, y1) <= 0) {
       if (lost != 0) return std::nullopt;
-      return Location::boundary;  // whatever comes
+      return Location::boundary;  // the other edges do not matter
     }
     x = x1, y = y1;
   }
@@ -154,15 +154,15 @@ Perhaps<Location> by_lattice(const Part& part, const Point2d& point) {
   return parity(odd);
 }
 
-/// Integers in the order of the doubles, whatever the control word says; -0.0 is 0.
+/// Integers in the order of the doubles, whatever the control word; -0.0 is 0.
 std::int64_t rank(double value) {
   const auto bits = std::bit_cast<std::int64_t>(value);
   return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
 }
 int compared(double a, double b) { return (rank(a) > rank(b)) - (rank(a) < rank(b)); }
 
-/// Edge by edge. turn(a, b): 1, 0, -1 as a, b and the point turn; it is asked only of edges from one side of the ray's
-/// line to the other that do not lie beside the point.
+/// Edge by edge. turn(a, b): 1, 0, -1 as a, b and the point turn; it is called only for edges that cross the ray's line
+/// and are neither entirely left nor entirely right of the point.
 template <class Turn>
 Location by_turns(const Part& part, const Point2d& point, const Turn& turn) {
   bool odd = false;
@@ -172,9 +172,9 @@ Location by_turns(const Part& part, const Point2d& point, const Turn& turn) {
     const int bx = compared(b->x, point.x), by = compared(b->y, point.y);
     if (bx == 0 && by == 0) return Location::boundary;
     if (ay == 0 && by == 0) {
-      if (ax != bx) return Location::boundary;  // along the ray's line, from the one side of the point to the other
+      if (ax != bx) return Location::boundary;  // along the ray's line, from one side of the point to the other
     } else if ((ay > 0) != (by > 0)) {
-      // An end on the ray's line is where the edge meets it.
+      // If an end is on the ray's line, the edge meets the line there.
       int right = ay == 0 ? ax : by == 0 ? bx : ax == bx ? ax : 0;
       if (right == 0) {
         const int side = turn(*a, *b);
@@ -195,7 +195,7 @@ Location by_integers(const Part& part, const Point2d& p) {
   });
 }
 
-/// The same, but not of edges that a filter or a lattice of their own decides.
+/// The same, but edges are decided by their own filter or lattice first.
 Location edge_by_edge(const Part& part, const Point2d& p) {
   return by_turns(part, p,
                   [&](const Point2d& a, const Point2d& b) { return 1 - static_cast<int>(orientation(a, b, p)); });
@@ -215,7 +215,7 @@ void validate(const Polygon2d& polygon, const Point2d& point) {
         validation::validate("polygon", polygon), validation::validate("point", point);
 }
 
-/// Validation, then the stages for one part after another: one hard edge does not make all of them hard.
+/// Validates, then runs the stages for one part after another: one hard edge does not make all of them hard.
 Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
   constexpr std::ptrdiff_t edges_of_a_part = 16;
   if (validation::fewer_than_three(polygon.vertices)) validate(polygon, point);
@@ -234,7 +234,7 @@ Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
     part = {first == ring.first ? ring.before : first - 1, first, first + std::min(edges_of_a_part, ring.last - first),
             false};
     Perhaps<Location> found = std::nullopt;
-    if (failures < 2) {  // else the scale is to blame, and it would fail again
+    if (failures < 2) {  // otherwise the scale is the cause, and it would fail again
       found = by_filter(part, point);
       failures += !found;
     }

@@ -7,19 +7,19 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies inside of a polygon, on its `boundary` or outside: a ray from it crosses the edges an odd
-/// number of times, it lies on an edge, or neither.
+/// Decides whether a point lies inside of a polygon, on its `boundary` or outside: a ray from it crosses the edges an
+/// odd number of times, it lies on an edge, or neither.
 ///
 /// Any closed ring in either direction: it may cross or touch itself, repeat vertices, or lie on one line. Right for
 /// all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field
 /// and "finite number"; so do fewer than 3 vertices. Contract: reference/polygons/point_in_polygon.h.
 Location point_in_polygon(const Polygon2d& polygon, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows only of points that are near to no line through an edge. `ask` goes on past it part by part of the
-/// ring: the latest stage that a part needed.
+/// The filter decides only points that are near to no line through an edge. After it, `ask` decides the ring part by
+/// part and reports the latest stage that a part needed.
 struct point_in_polygon : Signatures<decltype(robust::point_in_polygon)> {
   static Partial filter, lattice;
   static Total exact;

@@ -12,11 +12,11 @@ namespace {
 /// Lexicographic. Only in IEEE arithmetic: a flushed denormal would be 0.
 bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
-/// What one walk round the ring finds.
+/// Counts from one walk around the ring.
 struct Walk {
   std::size_t left = 0, right = 0;  ///< turns
-  std::size_t flips = 0;     ///< edges that lead up after one that leads down, or the other way (lexicographically)
-  Side at_first = Side::on;  ///< the turn at the vertex that is lexicographically first
+  std::size_t flips = 0;            ///< edges that lead up after one that leads down, or vice versa (lexicographically)
+  Side at_first = Side::on;         ///< the turn at the vertex that is lexicographically first
   Stage latest = Stage::filter;
 };
 
@@ -49,22 +49,22 @@ PolygonConvexity convexity(const Polygon2d& given, Stage& latest) {
   if (repeated_neighbours(polygon)) return degenerate;
   const Walk found = walk(polygon);
   latest = found.latest;
-  // Neighbours differ, so vertices on one line with those before them are all on the first edge's line.
+  // Neighbours differ, so if no vertex turns, all are on the first edge's line.
   if (found.left == 0 && found.right == 0) return degenerate;
   const bool both = found.left > 0 && found.right > 0;
   if (!both) {
-    // The edges' directions go round one way and flip twice each time round. Once round: convex (the ring's support
-    // function is that of a convex polygon). A simple ring goes round once (Hopf's Umlaufsatz), so others cross. A ring
-    // that turns back on itself is not simple and flips more often: if it went up once and down once and turned back at
-    // the top, both ways would bend to the same side of that last edge's line, and could not start in one point unless
-    // both are that line.
+    // If the edges' directions turn one way, they flip twice for each full turn. One full turn: convex (the ring's
+    // support function is that of a convex polygon). A simple ring makes one full turn (Hopf's Umlaufsatz), so the
+    // others cross. A ring that reverses on itself is not simple and flips more often: if it went up once and down once
+    // and reversed at the top, both paths would bend to the same side of that last edge's line, and could not start in
+    // one point unless both are that line.
     if (found.flips != 2) return not_simple;
     const bool strict = found.left + found.right == polygon.size();
     return {PolygonClass::convex, strict, found.left > 0 ? Winding::ccw : Winding::cw};
   }
   if (ring_defect(polygon)) return not_simple;
-  // The first vertex of all is a corner of the convex hull, and its angle is not flat: one of its neighbours would be
-  // before it.
+  // The lexicographically first vertex is a corner of the convex hull, and its angle is not flat: otherwise one of its
+  // neighbours would come before it.
   return {PolygonClass::concave, false, found.at_first == Side::left ? Winding::ccw : Winding::cw};
 }
 

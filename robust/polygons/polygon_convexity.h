@@ -7,17 +7,17 @@
 
 namespace touchstone::robust {
 
-/// Whether a ring of vertices is `convex`, `concave`, `not_simple` (edges meet elsewhere than neighbours do) or
-/// `degenerate` (equal neighbours, or all on one line); which way round it runs, ccw or cw; and whether it is strictly
-/// convex, without three neighbours on a line.
+/// Classifies a ring of vertices as `convex`, `concave`, `not_simple` (edges other than neighbours meet) or
+/// `degenerate` (equal neighbours, or all collinear); its orientation, ccw or cw; and whether it is strictly convex,
+/// without three collinear neighbours.
 ///
-/// Right for all finite doubles in every floating-point environment. If no two turns differ in sign, the number of
-/// times that the ring goes round tells convex from crossing, in linear time; only a ring that turns both ways is
+/// Right for all finite doubles in every floating-point environment. If no two turns differ in sign, the winding number
+/// of the directions distinguishes convex from crossing, in linear time; only a ring that turns to both sides is
 /// searched for edges that meet. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
 /// do fewer than 3 vertices. Contract: reference/polygons/polygon_convexity.h.
 PolygonConvexity polygon_convexity(const Polygon2d& polygon);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

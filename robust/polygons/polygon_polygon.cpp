@@ -69,7 +69,7 @@ class Meeting {
     return !before(p, std::min(q, r, before)) && !before(std::max(q, r, before), p);
   }
 
-  /// What edge i of a and edge j of b have in common, as far as they tell: contacts in vertices are looked at by the
+  /// The contact of edge i of a and edge j of b, as far as they determine it: contacts in vertices are decided by the
   /// edges that start there.
   Contact edges(std::size_t i, std::size_t j) {
     const Point2d &p = a_[i], &q = a_.next(i), &r = b_[j], &s = b_.next(j);
@@ -78,7 +78,7 @@ class Meeting {
     const int rp = turn(r, s, p), rq = turn(r, s, q);
     if (rp * rq > 0) return Contact::disjoint;
     if (pr * ps < 0 && rp * rq < 0) return Contact::overlapping;
-    // An end of one lies on the other, for their boxes meet.
+    // An end of one lies on the other, because their boxes meet.
     const bool p_overlaps = rp == 0 && between(r, p, s) && cones_overlap(p, angle_of(a_, i), angle_at(b_, j, p));
     const bool r_overlaps = pr == 0 && between(p, r, q) && cones_overlap(r, angle_of(b_, j), angle_at(a_, i, r));
     return p_overlaps || r_overlaps ? Contact::overlapping : Contact::touching;
@@ -89,7 +89,7 @@ class Meeting {
     Point2d from, to;
   };
   static Angle angle_of(const Polygon2d& ring, std::size_t i) { return {ring.next(i), ring.previous(i)}; }
-  /// p lies on edge i, perhaps in one of its ends.
+  /// p lies on edge i, possibly at one of its ends.
   static Angle angle_at(const Polygon2d& ring, std::size_t i, const Point2d& p) {
     if (p == ring[i]) return angle_of(ring, i);
     const std::size_t end = i + 1 == ring.size() ? 0 : i + 1;
@@ -110,7 +110,7 @@ class Meeting {
     return !(turn(apex, angle.to, p) > 0 && turn(apex, p, angle.from) > 0);
   }
 
-  /// Two open arcs overlap exactly if one of them begins in the other or where the other begins.
+  /// Two open arcs overlap exactly if one of them begins inside the other or at its beginning.
   bool cones_overlap(const Point2d& apex, const Angle& one, const Angle& other) {
     return in_cone(apex, other, one.from) || in_cone(apex, one, other.from);
   }

@@ -7,15 +7,15 @@
 
 namespace touchstone::robust {
 
-/// Whether two simple polygons, as closed solids, are `disjoint`, only touch or overlap.
+/// Decides whether two simple polygons, as closed solids, are `disjoint`, only touch or overlap.
 ///
-/// `overlapping`: they have a common interior point, also where one lies within the other. `touching`: all that they
-/// have in common is on both boundaries. Either direction. Right for all finite doubles in every floating-point
-/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do fewer than 3
-/// vertices and a polygon that is not simple (with the vertex). Contract: reference/polygons/polygon_polygon.h.
+/// `overlapping`: they have a common interior point, even if one lies within the other. `touching`: their intersection
+/// lies on both boundaries. Either orientation. Right for all finite doubles in every floating-point environment. NaN
+/// and infinities throw InvalidInput, which names the field and "finite number"; so do fewer than 3 vertices and a
+/// polygon that is not simple (with the vertex). Contract: reference/polygons/polygon_polygon.h.
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

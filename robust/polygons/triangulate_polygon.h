@@ -13,13 +13,13 @@ namespace touchstone::robust {
 /// counter-clockwise.
 ///
 /// The polygon may run in either direction and have flat vertices. Right for all finite doubles, and the same triangles
-/// in the same order in every floating-point environment. One sweep over the plane tells whether the polygon is simple
-/// and cuts it up, in time n log n. NaN and infinities throw InvalidInput, which names the field and "finite number";
-/// so do fewer than 3 vertices and a polygon that is not simple (with the vertex). Contract:
+/// in the same order in every floating-point environment. One sweep over the plane tests whether the polygon is simple
+/// and triangulates it, in time n log n. NaN and infinities throw InvalidInput, which names the field and "finite
+/// number"; so do fewer than 3 vertices and a polygon that is not simple (with the vertex). Contract:
 /// reference/polygons/triangulate_polygon.h.
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

@@ -8,22 +8,23 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies inside of a convex polyhedron, on its `boundary` or outside.
+/// Decides whether a point lies inside of a convex polyhedron, on its `boundary` or outside.
 ///
-/// The mesh is closed, its faces triangles that run counter-clockwise as seen from outside, or all the other way round.
-/// Every call makes sure that it is closed and convex: faces times vertices sides of planes, nearly all by the filter.
+/// The mesh is closed, and its faces are triangles that run counter-clockwise as seen from outside, or all clockwise.
+/// Every call checks that it is closed and convex: faces times vertices sides of planes, nearly all by the filter.
 /// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
 /// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face).
 /// Contract: reference/polyhedra/point_in_convex_polyhedron.h.
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
 struct point_in_convex_polyhedron : Signatures<decltype(robust::point_in_convex_polyhedron)> {
   static Staged ask;
-  /// The same of a mesh and a point that were validated; outside: what kernel::validate_convex answered of the mesh.
+  /// The same for a mesh and a point that have been validated; outside: the result of kernel::validate_convex for the
+  /// mesh.
   static Decided<Location> of_valid(const Meshd& mesh, const Point3d& point, int outside);
 };
 

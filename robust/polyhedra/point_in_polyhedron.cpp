@@ -14,7 +14,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Coordinates to be compared, whatever the control word says.
+/// Coordinates that can be compared whatever the control word.
 using Place = std::array<std::int64_t, 3>;
 Place place(const Point3d& p) {
   return {kernel::ordered_bits(p.x), kernel::ordered_bits(p.y), kernel::ordered_bits(p.z)};
@@ -22,7 +22,7 @@ Place place(const Point3d& p) {
 
 using Coordinate = double Point3d::*;
 
-/// How the ends of each edge of a triangle and the point turn, in two coordinates: 1 left, 0 on one line, -1 right.
+/// The turns of each edge of a triangle and the point, in two coordinates: 1 left, 0 collinear, -1 right.
 using Turns = std::array<int, 3>;
 Turns turns_of(const std::array<const Point3d*, 3>& corners, const Point3d& p, Coordinate u, Coordinate v,
                Stage& latest) {
@@ -33,14 +33,15 @@ Turns turns_of(const std::array<const Point3d*, 3>& corners, const Point3d& p, C
   return {turn(*corners[0], *corners[1]), turn(*corners[1], *corners[2]), turn(*corners[2], *corners[0])};
 }
 
-/// The point is beside the triangle, which may be a segment or a point; if not, it may still be beyond its end.
+/// True if the point is outside the triangle, which may be a segment or a point; otherwise it may still be beyond its
+/// end.
 bool beside(const Turns& turns) {
   return std::max({turns[0], turns[1], turns[2]}) == 1 && std::min({turns[0], turns[1], turns[2]}) == -1;
 }
 
-/// A turn of a, b and the point in y and z after the point was moved by (0, e, e^2), e > 0 less than any number: if it
-/// is 0, it gets the sign of what it gains by e, a.z - b.z times e, or if that is 0, by e^2. 0 only for an edge along
-/// the ray.
+/// A turn of a, b and the point in y and z after the point was moved by (0, e, e^2) for infinitesimal e > 0: if it is
+/// 0, it gets the sign of its change by e, a.z - b.z times e, or if that is 0, by e^2. 0 only for an edge along the
+/// ray.
 int moved(int turn, const Place& a, const Place& b) {
   if (turn != 0) return turn;
   if (a[2] != b[2]) return a[2] > b[2] ? 1 : -1;
@@ -49,10 +50,10 @@ int moved(int turn, const Place& a, const Place& b) {
 
 enum class Meeting { none, crossed, held };
 
-/// Whether the ray to +x from the point, moved by (0, e, e^2), crosses a face, or whether the face holds the point as
-/// it is. Every line in y and z has the moved point on it for two e at most, so for all small e the ray's line meets no
-/// edge, and crosses a face once or not at all: where the three turns agree. If no face holds the point, none comes
-/// between it and its moved place for small e, and they are inside or outside together.
+/// Decides whether the ray to +x from the point, moved by (0, e, e^2), crosses a face, or whether the face contains the
+/// unmoved point. Every line in y and z contains the moved point for at most two e, so for all small e the ray's line
+/// meets no edge, and crosses a face at most once: if the three turns agree. If no face contains the point, none comes
+/// between it and its moved position for small e, and they are inside or outside together.
 Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Place& at, Stage& latest) {
   const std::array corners{&mesh.vertices[face.a], &mesh.vertices[face.b], &mesh.vertices[face.c]};
   const Place a = place(*corners[0]), b = place(*corners[1]), c = place(*corners[2]);
@@ -64,8 +65,9 @@ Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Pla
   const int first = moved(turns[0], a, b);
   const bool met = first != 0 && moved(turns[1], b, c) == first && moved(turns[2], c, a) == first;
   if (below(0)) return met ? Meeting::crossed : Meeting::none;
-  // The point is in the face's box. In its plane too, the face holds it if it is not beside it along any axis: a
-  // triangle with an area has one along some axis; of a segment or a point it is then on the line, and the box ends it.
+  // The point is in the face's box. If it is also in its plane, the face contains it if it is outside of its projection
+  // along no axis: a triangle with an area has one along some axis; if it is a segment or a point, the point is on the
+  // line, and the box bounds it.
   const int side = kernel::FaceSide(mesh, face).of(p).noting(latest);
   if (side != 0) return met && side != first ? Meeting::crossed : Meeting::none;
   const bool held = !beside(turns_of(corners, p, &Point3d::z, &Point3d::x, latest)) &&

@@ -15,7 +15,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Each component of the mesh alone, over its own vertices, in the order in which its faces name them.
+/// Each component of the mesh separately, over its own vertices, in the order in which its faces use them.
 std::vector<Meshd> parts_of(const Meshd& mesh, const std::vector<Index>& components) {
   std::vector<Meshd> parts;
   std::vector<Index> place(mesh.vertices.size());
@@ -46,7 +46,8 @@ Aabb3d box_of(const Meshd& part) {
   return box;
 }
 
-/// Which component of a closed embedded mesh contains which, by a vertex of each. components: of each face.
+/// The pairs of components of a closed embedded mesh of which one contains the other, by a vertex of each. components:
+/// that of each face.
 std::vector<IndexPair> nesting(const Meshd& mesh, const std::vector<Index>& components) {
   const std::vector<Meshd> parts = parts_of(mesh, components);
   std::vector<Aabb3d> boxes;

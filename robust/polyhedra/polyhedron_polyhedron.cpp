@@ -23,7 +23,7 @@ namespace {
 
 using kernel::SpaceBox;
 
-/// A vertex of the mesh lies in the interior of the solid. Vertices that no face names do not count.
+/// True if a vertex of the mesh lies in the interior of the solid. Vertices that no face uses do not count.
 bool any_vertex_inside(const Meshd& mesh, const Meshd& solid, Stage& latest) {
   const SpaceBox box = SpaceBox::around(solid);
   std::vector<bool> asked(mesh.vertices.size());
@@ -70,7 +70,7 @@ struct Solid {
   }
 };
 
-/// Vertices that faces name: of each part whose faces share vertices, the first.
+/// The first vertex of each part whose faces share vertices.
 std::vector<Index> one_of_each_part(const Meshd& mesh) {
   std::vector<Index> up(mesh.vertices.size());
   std::iota(up.begin(), up.end(), Index{0});
@@ -110,8 +110,8 @@ std::vector<Index> named(const Meshd& mesh) {
   return found;
 }
 
-/// Whether a point just off the face is inside of both, of points on both sides, near the middle and near each corner,
-/// at several distances. They are as they are rounded: what is asked is where they are.
+/// True if a point just off the face is inside of both. Tries points on both sides, near the middle and near each
+/// corner, at several distances. Their rounding does not matter: each is located where it is.
 bool common_interior_near(const Meshd& mesh, const Face& f, const Solid& a, const Solid& b) {
   const auto& [p, q, r] = triangle(mesh, f);
   const Vector3d normal = cross(q - p, r - p);
@@ -131,7 +131,7 @@ bool common_interior_near(const Meshd& mesh, const Face& f, const Solid& a, cons
   return false;
 }
 
-/// Without a common point of the faces, each part of one that shares vertices is inside or outside of the other as any
+/// If no faces have a common point, each part of one that shares vertices is inside or outside of the other as any
 /// vertex of it is.
 Decided<PolyhedronPolyhedron> of_many_faces(const Solid& a, const Solid& b) {
   Stage latest = Stage::filter;
@@ -167,7 +167,7 @@ Decided<PolyhedronPolyhedron> of_many_faces(const Solid& a, const Solid& b) {
   return {{common ? Contact::overlapping : Contact::touching, step}, Stage::exact};
 }
 
-/// From so many on, trees are worth their making.
+/// The number of faces from which trees are worth building.
 constexpr std::size_t many_faces = 1024;
 
 }  // namespace

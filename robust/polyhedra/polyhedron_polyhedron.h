@@ -8,19 +8,20 @@
 
 namespace touchstone::robust {
 
-/// How the solids within two closed meshes lie to each other: `disjoint`, `touching` or `overlapping`; and which step
-/// of the test decides: `bounding_volumes`, `vertex_inside` or `edge_against_face`.
+/// Classifies the solids within two closed meshes as `disjoint`, `touching` or `overlapping`, and tells which step of
+/// the test decides: `bounding_volumes`, `vertex_inside` or `edge_against_face`.
 ///
-/// The meshes are closed: every edge, a pair of vertices in whichever order, is in an even number of faces. They may be
-/// concave, of several parts, cross themselves, have faces twice or without area, turn either way: inside is what a ray
-/// leaves through an odd number of faces. The time is the number of faces of one times that of the other, or from 1024
-/// faces on, that of sorting both into trees and of the pairs whose boxes meet; where the surfaces meet and no point
-/// near the meeting is seen to be inside of both, many times the former. Right for all finite doubles in every
-/// floating-point environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
-/// does a mesh that is not closed (with the face and the edge). Contract: reference/polyhedra/polyhedron_polyhedron.h.
+/// The meshes are closed: every edge, an unordered pair of vertices, is in an even number of faces. They may be
+/// concave, have several parts, cross themselves, have duplicate faces or faces without area, and have either
+/// orientation: a point is inside if a ray leaves it through an odd number of faces. The time is the number of faces of
+/// one times that of the other, or from 1024 faces on, that of sorting both into trees and of the pairs whose boxes
+/// meet; if the surfaces meet and no point near the contact is found inside of both, many times the former. Right for
+/// all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field
+/// and "finite number"; so does a mesh that is not closed (with the face and the edge). Contract:
+/// reference/polyhedra/polyhedron_polyhedron.h.
 PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

@@ -15,7 +15,7 @@ namespace {
 using kernel::Clipped;
 using Relation = SegmentTriangleRelation;
 
-/// In integers times 2^exponent.
+/// The question in integers times 2^exponent.
 struct Question {
   Segment3<mpz_class> segment;
   Triangle3<mpz_class> triangle;

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// What a segment and a triangle in space have in common: `none`; `point`, with its t on the segment; or `segment`, the
-/// common part, its ends in the direction of the segment.
+/// Finds the intersection of a segment and a triangle in space: `none`; `point`, with its t on the segment; or
+/// `segment`, the common part, its ends in the direction of the segment.
 ///
 /// Ends, edges and corners belong to them. A segment of length 0 is a point (t is 0), a triangle without area the
 /// segment or the point that its corners span. Right for all finite doubles in every floating-point environment, and
@@ -20,7 +20,7 @@ SegmentTriangle<double> segment_triangle(const Segment3d& segment, const Triangl
 /// The decision alone, which costs less.
 inline SegmentTriangleRelation segment_triangle_relation(const Segment3d& segment, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_triangle : Signatures<decltype(robust::segment_triangle)> {
@@ -28,9 +28,9 @@ struct segment_triangle : Signatures<decltype(robust::segment_triangle)> {
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::segment_triangle_relation)> {
-    /// Where both ends are certainly not on the triangle's plane: on one side of it there is nothing in common. On two
-    /// sides the line crosses the plane once, and does it inside of the triangle if it has all three edges on one side
-    /// of itself, outside if it has two of them on different sides. Every sign is that of FacePlane.
+    /// Decides if both ends are certainly not on the triangle's plane. On one side of it there is no intersection. On
+    /// two sides the line crosses the plane once, inside the triangle if it has all three edges on one side, outside if
+    /// it has two of them on different sides. Every sign is that of FacePlane.
     static Perhaps<SegmentTriangleRelation> filter(const Segment3d& segment, const Triangle3d& triangle) {
       using filters::Sign;
       using Plane = filters::FacePlane<double>;

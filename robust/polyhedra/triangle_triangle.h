@@ -8,20 +8,20 @@
 
 namespace touchstone::robust {
 
-/// Of which dimension the common part of two triangles in space is: `none`, `point`, `segment` or `area`.
+/// The dimension of the intersection of two triangles in space: `none`, `point`, `segment` or `area`.
 ///
 /// Edges and corners belong to them. A triangle without area is the segment or the point that its corners span. Right
 /// for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the
 /// field and "finite number". Contract: reference/polyhedra/triangle_triangle.h.
 inline TriangleTriangleRelation triangle_triangle(const Triangle3d& a, const Triangle3d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct triangle_triangle : Filtered<triangle_triangle, decltype(robust::triangle_triangle)> {
-  /// Where all corners of one are certainly on one side of the other's plane there is nothing in common. Where each
-  /// plane certainly has corners of the other triangle on both sides and none on itself, both triangles meet the line
-  /// of the two planes in a segment, and two signs say whether these overlap. Every sign is that of FacePlane.
+  /// If all corners of one are certainly on one side of the other's plane there is no intersection. If each plane
+  /// certainly has corners of the other triangle on both sides and none on itself, both triangles meet the line of the
+  /// two planes in a segment, and two signs decide whether these overlap. Every sign is that of FacePlane.
   static Perhaps<TriangleTriangleRelation> filter(const Triangle3d& a, const Triangle3d& b);
   static Partial lattice;
   static Total exact;

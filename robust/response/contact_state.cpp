@@ -15,7 +15,7 @@ ContactState state(int sign) {
   return sign > 0 ? ContactState::separating : sign < 0 ? ContactState::colliding : ContactState::resting;
 }
 
-/// Velocities, angular velocities, places and the normal, each on a power of two of its own. `numbers` takes any count
+/// Velocities, angular velocities, positions and the normal, each over its own power of two. `numbers` takes any count
 /// of doubles.
 template <class Numbers>
 auto in_units(const MovingBodyd& a, const MovingBodyd& b, const Point3d& p, const Vector3d& n, const Numbers& numbers) {
@@ -31,8 +31,8 @@ auto straight_part(const Velocities& v) {
   using Integer = typename Velocities::value_type;
   return Vector3<Integer>{Integer(v[0] - v[3]), Integer(v[1] - v[4]), Integer(v[2] - v[5])};
 }
-/// wa x (p - a) - wb x (p - b), in units of turns times places. On a lattice places differ by less than 2^62: four
-/// products below 2^123 each.
+/// wa x (p - a) - wb x (p - b), in units of angular velocity times position. On a lattice positions differ by less than
+/// 2^62: four products below 2^123 each.
 template <class Turns, class Places>
 auto turning_part(const Turns& w, const Places& places) {
   using Integer = typename Turns::value_type;
@@ -43,7 +43,7 @@ auto turning_part(const Turns& w, const Places& places) {
   return kernel::axis_across(kernel::vector_at(w, 0), arm(0)) - kernel::axis_across(kernel::vector_at(w, 3), arm(3));
 }
 
-/// As odd as they can be together.
+/// Shifts out their common trailing zeros.
 template <std::size_t N>
 kernel::Lattice<N> reduced(kernel::Lattice<N> numbers) {
   std::uint64_t bits = std::uint64_t{1} << 61;
@@ -89,7 +89,7 @@ Perhaps<ContactState> stages::contact_state::lattice(const MovingBodyd& a, const
   const auto w = reduced(*turns);
   const auto p = reduced(*places);
   const Vector3<std::int64_t> whole = straight_part(v.at);
-  const int finer = v.exponent - (w.exponent + p.exponent);  // how much the unit of turning is finer
+  const int finer = v.exponent - (w.exponent + p.exponent);  // how much finer the unit of rotation is
   const auto straight = shifted(Vector3<Int128>{whole.x, whole.y, whole.z}, std::max(finer, 0)),
              turning = shifted(turning_part(w.at, p.at), std::max(-finer, 0));
   if (!straight || !turning) return std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Whether two bodies that touch at a point part there, stay (`resting`), or collide: by the sign of their relative
-/// velocity at that point along the normal, which points from b to a.
+/// Decides whether two bodies that touch at a point separate there, stay (`resting`), or collide: by the sign of their
+/// relative velocity at that point along the normal, which points from b to a.
 ///
 /// `resting` means exactly 0; bodies that slide or roll on each other are resting. The normal may have any length but
 /// 0. Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which
@@ -18,7 +18,7 @@ namespace touchstone::robust {
 inline ContactState contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                   const Vector3d& normal);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct contact_state : Filtered<contact_state, decltype(robust::contact_state)> {

@@ -11,7 +11,7 @@ namespace {
 ///
 /// A quotient of degree 3 by degree 2, one more than where lines cross (robust/kernel/enclosed/window.h): it is 0 or
 /// lies between 2^-668 and 2^512, its head is a multiple of 2^-694, and what is left of the numerator one of 2^-998,
-/// above 2^-1022. What may underflow afterwards is below 2^-1022, or 2^-922 after a product with a number of the input,
+/// above 2^-1022. Later underflow is below 2^-1022, or 2^-922 after a product with a number of the input,
 /// and E 2^-768 holds it.
 [[gnu::always_inline]] inline std::optional<kernel::Pushed> enclosed_velocity(const Vector3d& v, const Vector3d& n,
                                                                               double k) {

@@ -7,8 +7,8 @@
 
 namespace touchstone::robust {
 
-/// The velocity of a particle after it bounced off a plane and lost speed: what it has along the normal is multiplied
-/// by -k, whether the particle comes or goes, and what it has along the plane stays.
+/// The velocity of a particle after it bounced off a plane and lost speed: its component along the normal is multiplied
+/// by -k, whether the particle approaches or recedes, and the tangential component stays.
 ///
 /// k is any finite number: 1 is reflect_plane, 0 leaves the part along the plane, -1 the velocity as it is. The normal
 /// may have any length but 0, and point to either side. Every component is the double nearest to the exact one, for all
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 /// normal"). Contract: reference/response/damped_reflection.h.
 Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found. Of degree 6, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 6, too high for the lattice.
 struct damped_reflection : Signatures<decltype(robust::damped_reflection)> {
   static Partial enclosed;
   static Total exact;

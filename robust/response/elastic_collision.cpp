@@ -7,7 +7,8 @@
 namespace touchstone::robust {
 namespace {
 
-/// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
+/// The stage `enclosed`, inlined where an answer is made of its numbers: constructed out of place and copied it would
+/// cost more.
 [[gnu::always_inline]] inline std::optional<kernel::Impelled> enclosed_velocities(const Massesd& masses,
                                                                                   const Velocitiesd& velocities,
                                                                                   const Vector3d& n) {

@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 
 /// The velocities of two bodies after they bounced off each other without loss: momentum and kinetic energy are kept,
-/// and so is what is across the normal of their contact.
+/// and so are the tangential components.
 ///
 /// The normal may have any length but 0, and point to either body. Bodies that part are answered by the same law. Every
 /// component is the double nearest to the exact one, for all finite doubles in every floating-point environment; beyond
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 /// reference/response/elastic_collision.h.
 Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found. Of degree 7, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 7, too high for the lattice.
 struct elastic_collision : Signatures<decltype(robust::elastic_collision)> {
   static Partial enclosed;
   static Total exact;

@@ -55,7 +55,7 @@ struct Wall {
   Rational offset;
 };
 
-/// A box of doubles around a ball on its flight to the end of the step: balls with boxes that are apart do not meet.
+/// A box of doubles around a ball's path to the end of the step: balls with disjoint boxes do not meet.
 struct AroundFlight {
   Vector3d low, high;
 
@@ -73,7 +73,7 @@ struct AroundFlight {
   }
 };
 
-/// Of two bodies, or of a body with a wall: `other` is the place in the answer, beyond the bodies for a wall.
+/// Two bodies, or a body and a wall: `other` is the index in the answer, after the bodies for a wall.
 struct BodyPair {
   std::size_t body, other;
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
@@ -148,7 +148,7 @@ class ImpactStep {
     return is_wall(pair.other) ? clock : std::max(clock, flights_[pair.other].clock);
   }
 
-  /// The distance from where they touch, in squares for two balls: not positive where they meet.
+  /// The distance to contact, in squares for two balls: not positive if they meet.
   template <class Number>
   Number gap(const BodyPair& pair, const Vector3<Number>& normal) const {
     const Rational reach = flights_[pair.body].radius + flights_[pair.other].radius;
@@ -160,7 +160,7 @@ class ImpactStep {
     const Flight& f = flights_[pair.body];
     return Number(dot(normal, f.from) + offset) + t * Number(dot(normal, f.way));
   }
-  /// Whether a body meets a wall, from its height over it times the length of the normal.
+  /// True if a body meets a wall, from its height over it times the length of the normal.
   template <class Number>
   bool at_wall(const BodyPair& pair, const Number& height) const {
     const Vector3<Rational>& normal = walls_[pair.other - flights_.size()].normal;
@@ -169,8 +169,8 @@ class ImpactStep {
     return sign(OneRoot(height * height - Number(radius * radius * dot(normal, normal)))) <= 0;
   }
 
-  /// Makes `least` the time at which the pair collides, if that is earlier, or there is none yet and it is at most 1.
-  /// That it is is told from signs at `least` itself, where a pair that approached before meets, or parts again.
+  /// Sets `least` to the time at which the pair collides, if that is earlier, or there is none yet and it is at most 1.
+  /// The decision is by signs at `least` itself, where a pair that approached before meets, or separates again.
   void look_at(const BodyPair& pair, std::optional<OneRoot>& least) const {
     const Rational& start = start_of(pair);
     const OneRoot limit = least ? *least : OneRoot(1);
@@ -228,7 +228,7 @@ class ImpactStep {
     met.collides = sign(met.parting) < 0 && settled_.count(pair) == 0;
     return met;
   }
-  /// The contacts of a moment by bodies that hang together, of those groups in which something collides.
+  /// The contacts at one time in groups connected by bodies, without groups in which nothing collides.
   std::vector<std::vector<Met>> groups_at(const OneRoot& t) const {
     std::vector<std::vector<Met>> groups;
     visit_pairs([&](const BodyPair& pair) {
@@ -256,7 +256,7 @@ class ImpactStep {
     return groups;
   }
 
-  /// 1, -1 or 0 times the inverse mass: how the contact's impulse moves that body.
+  /// 1, -1 or 0 times the inverse mass: the effect of the contact's impulse on that body.
   Rational push(const BodyPair& pair, std::size_t place) const {
     if (!moves(place)) return 0;
     const Rational& w = flights_[place].inverse_mass;
@@ -274,7 +274,7 @@ class ImpactStep {
     }
     return kernel::impulses_of(program);
   }
-  /// At a moment that is rational. Bodies are counted in the order in which contacts name them.
+  /// For a rational time. Bodies are numbered in the order in which contacts name them.
   std::vector<OneRoot> rational_impulses(const std::vector<Met>& group) const {
     std::vector<PointBody<Rational>> bodies;
     std::map<std::size_t, Index> index;

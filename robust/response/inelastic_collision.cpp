@@ -25,7 +25,7 @@ void validate_inelastic_collision(const Massesd& masses, const Velocitiesd& velo
 
 }  // namespace
 
-/// (m1 v + m2 w) / (m1 + m2): of degree 2 by degree 1, less than the window is for.
+/// (m1 v + m2 w) / (m1 + m2): of degree 2 by degree 1, well within the window.
 Perhaps<Vector3d> stages::inelastic_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities) {
   using namespace kernel;
   const auto& [v, w] = velocities;

@@ -7,7 +7,7 @@
 
 namespace touchstone::robust {
 
-/// The velocity that two bodies have in common after they met and stuck together, so that momentum is kept.
+/// The common velocity of two bodies after they met and stuck together, so that momentum is kept.
 ///
 /// Every component is the double nearest to the exact one, for all finite doubles in every floating-point environment;
 /// zero is +0. It lies between those before, so none is infinite. NaN and infinities throw InvalidInput, which names
@@ -15,10 +15,10 @@ namespace touchstone::robust {
 /// reference/response/inelastic_collision.h.
 Vector3d inelastic_collision(const Massesd& masses, const Velocitiesd& velocities);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found.
+/// There is no filter: numbers have to be computed.
 struct inelastic_collision : Signatures<decltype(robust::inelastic_collision)> {
   static Partial enclosed;
   static Total exact;

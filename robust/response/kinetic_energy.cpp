@@ -7,8 +7,8 @@
 
 namespace touchstone::robust {
 
-/// Of degree 3, less than the window is for. A sum of squares is settled, so each term is a product as Sum has it, but
-/// for mass times the error of the square, which is carried apart.
+/// The degree is 3, well within the window. A sum of squares is settled, so each term is a product like those of Sum,
+/// except for mass times the error of the square, which is carried separately.
 Perhaps<double> stages::kinetic_energy::enclosed(const std::vector<Bodyd>& bodies) {
   using namespace kernel;
   if (bodies.size() > most_enclosed_bodies || !rounds_to_nearest()) return std::nullopt;

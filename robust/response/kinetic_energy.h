@@ -9,7 +9,7 @@
 
 namespace touchstone::robust {
 
-/// The kinetic energy of bodies together, half the sum of mass times squared speed; none have the energy 0.
+/// The total kinetic energy of bodies, half the sum of mass times squared speed; no bodies have the energy 0.
 ///
 /// The double nearest to the exact sum, for all finite doubles in every floating-point environment, in whatever order
 /// the bodies come; beyond the range it is infinite, and zero is +0. NaN and infinities throw InvalidInput, which names
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 /// reference/response/kinetic_energy.h.
 double kinetic_energy(const std::vector<Bodyd>& bodies);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found.
+/// There is no filter: numbers have to be computed.
 struct kinetic_energy : Signatures<decltype(robust::kinetic_energy)> {
   static Partial enclosed;
   static Total exact;

@@ -7,7 +7,7 @@
 
 namespace touchstone::robust {
 
-/// Of degree 2, less than the window is for.
+/// The degree is 2, well within the window.
 Perhaps<Vector3d> stages::momentum::enclosed(const std::vector<Bodyd>& bodies) {
   using namespace kernel;
   if (bodies.size() > most_enclosed_bodies || !rounds_to_nearest()) return std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace touchstone::robust {
 
-/// The momentum of bodies together, the sum of mass times velocity; none have the momentum 0.
+/// The total momentum of bodies, the sum of mass times velocity; no bodies have the momentum 0.
 ///
 /// Every component is the double nearest to the exact sum, for all finite doubles in every floating-point environment,
 /// in whatever order the bodies come; beyond the range it is infinite, and zero is +0. NaN and infinities throw
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 /// reference/response/momentum.h.
 Vector3d momentum(const std::vector<Bodyd>& bodies);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found.
+/// There is no filter: numbers have to be computed.
 struct momentum : Signatures<decltype(robust::momentum)> {
   static Partial enclosed;
   static Total exact;

@@ -15,8 +15,8 @@ namespace touchstone::robust {
 /// factor; of the quotient 17, of its product with N 14.6, as there. Together 89, and 160 are taken, eight times the
 /// error of Sum.
 ///
-/// A quotient of degree 3 by degree 2, which lies between 2^-658 and 2^512, as in damped_reflection. What may underflow
-/// is below 2^-922 again, and the bound, which is at least 2^-680 where it is not 0, has it to spare.
+/// A quotient of degree 3 by degree 2, which lies between 2^-658 and 2^512, as in damped_reflection. Underflow is again
+/// below 2^-922, and the bound, which is at least 2^-680 unless it is 0, covers it.
 Perhaps<Vector3d> stages::penalty_force::enclosed(const Point3d& p, const Vector3d& v, const Plane3d& plane,
                                                   double stiffness, double damping) {
   using namespace kernel;

@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 
 /// The force on a particle behind a plane, all points with normal . p + offset = 0: a spring and a damper along the
-/// normal. On the plane and in front of it the force is 0; behind, the damper acts on the way in and on the way out.
+/// normal. On the plane and in front of it the force is 0; behind, the damper acts both inwards and outwards.
 ///
 /// The normal may have any length but 0, stiffness and damping may be any finite numbers. Every component is the double
 /// nearest to the exact one, for all finite doubles in every floating-point environment; beyond the range it is
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 Vector3d penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness,
                        double damping);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found. Of degree 4 and more, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 4 and more, too high for the lattice.
 struct penalty_force : Signatures<decltype(robust::penalty_force)> {
   static Partial enclosed;
   static Total exact;

@@ -7,7 +7,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// v - 2 (v . n / n . n) n: the window is that of where lines cross. A normal of 0, which is refused, makes NaN, which
+/// v - 2 (v . n / n . n) n: the window is that of line crossings. A normal of 0, which is refused, makes NaN, which
 /// nothing encloses.
 [[gnu::always_inline]] inline std::optional<kernel::Pushed> enclosed_velocity(const Vector3d& v, const Vector3d& n) {
   using namespace kernel;

@@ -7,8 +7,8 @@
 
 namespace touchstone::robust {
 
-/// The velocity of a particle after it bounced, without loss, off a plane: what it has along the normal is turned
-/// round, whether the particle comes or goes, and what it has along the plane stays.
+/// The velocity of a particle after it bounced, without loss, off a plane: its component along the normal is reversed,
+/// whether the particle approaches or recedes, and the tangential component stays.
 ///
 /// The normal may have any length but 0, and point to either side. Every component is the double nearest to the exact
 /// one, for all finite doubles in every floating-point environment; beyond the range it is infinite, and zero is +0.
@@ -16,10 +16,10 @@ namespace touchstone::robust {
 /// ("nonzero normal"). Contract: reference/response/reflect_plane.h.
 Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found. Of degree 5, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 5, too high for the lattice.
 struct reflect_plane : Signatures<decltype(robust::reflect_plane)> {
   static Partial enclosed;
   static Total exact;

@@ -11,9 +11,9 @@
 namespace touchstone::robust {
 
 /// The velocity of a particle after it bounced, without loss, off a wall that is perpendicular to a coordinate axis:
-/// the component along that axis is negated, whether the particle comes or goes.
+/// the component along that axis is negated, whether the particle approaches or recedes.
 ///
-/// Exact for all finite doubles in every floating-point environment: the sign bit of one component is turned over, the
+/// Exact for all finite doubles in every floating-point environment: the sign bit of one component is flipped, the
 /// other components are returned bit for bit. NaN and infinities throw InvalidInput, which names the field and "finite
 /// number". Contract: reference/response/reflect_wall.h.
 inline Vector3d reflect_wall(const Vector3d& velocity, Axis axis) {

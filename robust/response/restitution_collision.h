@@ -8,8 +8,8 @@
 namespace touchstone::robust {
 
 /// The velocities of two bodies after they bounced off each other with a coefficient of restitution e, from 0 to 1:
-/// momentum is kept, the relative velocity along the normal of their contact is multiplied by -e, and what is across
-/// the normal stays.
+/// momentum is kept, the relative velocity along the normal of their contact is multiplied by -e, and the tangential
+/// components stay.
 ///
 /// The normal may have any length but 0, and point to either body. Bodies that part are answered by the same law. Every
 /// component is the double nearest to the exact one, for all finite doubles in every floating-point environment; beyond
@@ -19,10 +19,10 @@ namespace touchstone::robust {
 Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                   double e);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found. Of degree 8, they fit no lattice.
+/// There is no filter: numbers have to be computed. Their degree is 8, too high for the lattice.
 struct restitution_collision : Signatures<decltype(robust::restitution_collision)> {
   static Partial enclosed;
   static Total exact;

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// The slide's formula, body beside body, each step with its bound. A bound holds whatever the steps before: there is
-/// no sum of bounds to be proved here. Flattened: an enclosure that is handed over in memory costs more than a product.
+/// The slide's formula for both bodies at once, each step with its bound. A bound holds whatever the steps before: no
+/// sum of bounds needs a proof here. Flattened: passing an enclosure through memory costs more than a product.
 [[gnu::flatten]] Perhaps<Motions<double>> stages::rigid_body_collision::enclosed(const RigidBodyd& a,
                                                                                  const RigidBodyd& b, const Point3d& p,
                                                                                  const Vector3d& n, double e) {
@@ -63,7 +63,7 @@ using kernel::Dyadic;
 
 Inertia<Dyadic> exactly(const Inertiad& i) { return {kernel::dyadic(i.x), kernel::dyadic(i.y), kernel::dyadic(i.z)}; }
 
-/// A body, and what a moment of impulse turns it by, times the determinant of its inertia.
+/// A body, and its rotation by a unit impulse, times the determinant of its inertia.
 struct Struck {
   Dyadic mass, determinant, bend;
   Vector3<Dyadic> velocity, angular_velocity, turn, at_contact;
@@ -116,7 +116,7 @@ void validate_rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, con
 
 }  // namespace
 
-/// All over the product of both masses, both determinants, and what an impulse meets.
+/// Everything over the product of both masses, both determinants, and the effective inverse mass.
 Motions<double> stages::rigid_body_collision::exact(const RigidBodyd& a, const RigidBodyd& b, const Point3d& p,
                                                     const Vector3d& normal, double e) {
   const Vector3<Dyadic> n = kernel::dyadic(normal), point = kernel::dyadic(Vector3d{p.x, p.y, p.z});

@@ -7,9 +7,9 @@
 
 namespace touchstone::robust {
 
-/// How two turning bodies move after they collided at a point, with a coefficient of restitution e, from 0 to 1: an
-/// impulse along the normal keeps momentum and angular momentum and makes the relative velocity of the two points at
-/// the contact, along the normal, -e times what it was.
+/// The motion of two rotating bodies after they collided at a point, with a coefficient of restitution e, from 0 to 1:
+/// an impulse along the normal keeps momentum and angular momentum and multiplies the relative velocity of the two
+/// points at the contact, along the normal, by -e.
 ///
 /// The normal may have any length but 0, and point to either body. Bodies that part are answered by the same law. Every
 /// component is the double nearest to the exact one, for all finite doubles in every floating-point environment; beyond
@@ -20,10 +20,10 @@ namespace touchstone::robust {
 Motions<double> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
                                      const Vector3d& normal, double e);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// There is no filter: numbers have to be found. They fit no lattice.
+/// There is no filter: numbers have to be computed. They fit no lattice.
 struct rigid_body_collision : Signatures<decltype(robust::rigid_body_collision)> {
   static Partial enclosed;
   static Total exact;

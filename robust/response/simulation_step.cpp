@@ -37,7 +37,7 @@ void validate_simulation_step(const std::vector<StepBodyd>& bodies, const std::v
 int sign(const Dyadic& a) { return sgn(a.n); }
 bool at_most(const Dyadic& a, const Dyadic& b) { return sign(b - a) >= 0; }
 
-/// The least exponent of numbers that are not 0, and integers in units of 2 to that power.
+/// The least exponent of nonzero numbers, and integers in units of 2 to that power.
 class Unit {
  public:
   void add(const Dyadic& a) {
@@ -98,7 +98,7 @@ class SimulationStep {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (movable(i)) velocities_[i].above = velocities_[i].above + velocities_[i].below * fall_;
   }
-  /// With which a body flies, times what stands below its velocity.
+  /// The mean velocity of a body during the step, times the denominator of its velocity.
   Vector3<Dyadic> mean(std::size_t body, const Velocity& v) const {
     const Dyadic half{1, -1};
     const bool curved = movable(body) && settings_.motion == StepMotion::parabola;
@@ -209,7 +209,7 @@ class SimulationStep {
   const std::vector<Plane3d>& walls_;
   const StepSettingsd& settings_;
   Dyadic timestep_;
-  Vector3<Dyadic> fall_;  ///< what gravity adds to a velocity in a step
+  Vector3<Dyadic> fall_;  ///< the change of velocity by gravity in a step
   std::vector<Point3<Dyadic>> centers_, end_;
   std::vector<Velocity> velocities_;
   std::vector<IndexPair> places_;

@@ -7,13 +7,13 @@
 
 namespace touchstone::robust {
 
-/// One step of balls among walls: where they are after it, how they move then, and which contacts they met at its end.
-/// Contacts are found exactly and answered all at once, with the velocities of least change; so neither the order of
-/// bodies nor that of walls matters. What parts is left alone, and nothing is pushed apart.
+/// One step of balls among walls: their positions after it, their velocities then, and the contacts at its end.
+/// Contacts are found exactly and resolved all at once, with the velocities of least change; so neither the order of
+/// bodies nor that of walls matters. Separating contacts are left alone, and nothing is pushed apart.
 ///
 /// Every number is the double nearest to the one that exact arithmetic has at the end of the step, for all finite
 /// doubles in every floating-point environment; beyond the range it is infinite, and zero is +0.
-/// Time: all pairs are looked at, and n contacts that hang together by bodies that can move take up to n^3 operations
+/// Time: all pairs are tested, and n contacts connected by movable bodies take up to n^3 operations
 /// on integers, which grow with n.
 /// NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a radius below 0 ("radius >=
 /// 0"), an inverse mass below 0 ("inverse mass >= 0"), a velocity of a body that never moves ("0 where the inverse mass

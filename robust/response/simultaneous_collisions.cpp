@@ -31,10 +31,10 @@ void validate_simultaneous_collisions(const std::vector<PointBodyd>& bodies, con
   if (!kernel::valid_restitution(e)) validation::validate_restitution("e", e);
 }
 
-/// -0 is +0.
+/// Turns -0 into +0.
 double kept(double x) { return validation::zero(x) ? 0 : x; }
 
-/// The velocities of the bodies that a part's impulses move: v + w (sum of impulses along normals).
+/// Applies a part's impulses to the velocities of its bodies: v + w (sum of impulses along normals).
 void move(const kernel::ContactSystem& system, const kernel::Impulses& found, std::vector<Vector3d>& velocities) {
   std::map<Index, Vector3<mpz_class>> pushes;
   for (std::size_t k = 0; k < found.contacts.size(); ++k) {

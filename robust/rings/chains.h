@@ -10,11 +10,11 @@
 
 namespace touchstone::robust {
 
-/// The chains of vertices of which a sweep cuts triangles off (robust/rings/sweep.h), upwards with what is left of the
-/// inside to their right.
+/// The chains of vertices from which a sweep cuts triangles (robust/rings/sweep.h), from bottom to top, with the rest
+/// of the inside to their right.
 class Chains {
  public:
-  /// Ends and latest vertex, as links.
+  /// The ends and the latest vertex, as links.
   struct Chain {
     Index bottom, top, latest;
   };
@@ -29,7 +29,7 @@ class Chains {
     return {link, link, link};
   }
 
-  /// v becomes the lower end.
+  /// Makes v the lower end.
   void join_below(Chain& chain, Index v) {
     const Index link = linked(v);
     Index a = chain.bottom;
@@ -41,7 +41,7 @@ class Chains {
     chain.bottom = chain.latest = link;
   }
 
-  /// v becomes the upper end.
+  /// Makes v the upper end.
   void join_above(Chain& chain, Index v) {
     const Index link = linked(v);
     Index a = chain.top;
@@ -52,7 +52,7 @@ class Chains {
     chain.top = chain.latest = link;
   }
 
-  /// The chain up to its latest vertex and then v; returned: v, then the chain from its latest vertex on.
+  /// Keeps the chain up to its latest vertex and then v; returns v, then the chain from its latest vertex on.
   Chain split(Chain& chain, Index v) {
     const Index again = linked(links_[chain.latest].vertex), up = links_[chain.latest].up;
     Chain upper{again, up == none ? again : chain.top, again};
@@ -63,7 +63,7 @@ class Chains {
     return upper;
   }
 
-  /// v joins the lower chain above and the upper one below, and they go on as one, the lower.
+  /// v joins the lower chain above and the upper one below, and they become one, the lower.
   void unite(Chain& lower, Chain& upper, Index v) {
     join_above(lower, v), join_below(upper, v);
     connect(lower.top, links_[upper.bottom].up);

@@ -19,7 +19,7 @@ struct Interval {
 
 Interval interval_of(double a, double b) { return a < b ? Interval{a, b} : Interval{b, a}; }
 
-/// Edges in the order in which a line along one axis comes to them, with their intervals on both.
+/// Edges in the order in which a line sweeping along one axis meets them, with their intervals on both axes.
 struct Order {
   Order(std::vector<Interval> on_axis, std::vector<Interval> across_it)
       : along(std::move(on_axis)), across(std::move(across_it)), edges(along.size()) {
@@ -27,7 +27,7 @@ struct Order {
     std::sort(edges.begin(), edges.end(), [&](std::size_t i, std::size_t j) { return along[i].low < along[j].low; });
   }
 
-  /// How many pairs have a number of the axis in common.
+  /// The number of pairs that overlap on the axis.
   std::size_t pairs() const {
     std::size_t count = 0;
     for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -42,7 +42,7 @@ struct Order {
   std::vector<std::size_t> edges;
 };
 
-/// Of the two axes the one with fewer pairs.
+/// The order along whichever axis has fewer pairs.
 Order order_of(const Polygon2d& ring) {
   std::vector<Interval> x, y;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -53,8 +53,8 @@ Order order_of(const Polygon2d& ring) {
   return by_x.pairs() <= by_y.pairs() ? std::move(by_x) : std::move(by_y);
 }
 
-/// Pairs of edges whose boxes meet, for the first defect of all. Once one is known whose first edge is f, pairs of
-/// later edges do not matter any more: so those are kept apart and compared with edges up to f alone.
+/// Pairs of edges whose boxes meet, for the first defect. Once a defect whose first edge is f is known, pairs of later
+/// edges no longer matter: so later edges are kept apart and compared only with edges up to f.
 class Pairs {
  public:
   explicit Pairs(const Polygon2d& ring) : ring_(ring), order_(order_of(ring)) {}

@@ -8,9 +8,9 @@
 
 namespace touchstone::robust {
 
-/// The first defect of a ring of finite vertices, exactly; empty: the ring is simple, which a sweep tells in time n log
-/// n. The first defect of a ring that is not is found by comparing edges whose boxes meet, along the axis on which
-/// fewer do, and as soon as one is known no pair of later edges.
+/// The first defect of a ring of finite vertices, exactly; nullopt: the ring is simple, which a sweep decides in time n
+/// log n. The first defect of a ring that is not simple is found by comparing edges whose boxes meet, along the axis on
+/// which fewer do; once one is known, pairs of later edges are skipped.
 std::optional<validation::RingDefect> ring_defect(const Polygon2d& ring);
 
 }  // namespace touchstone::robust

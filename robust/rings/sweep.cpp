@@ -13,10 +13,10 @@
 namespace touchstone::robust {
 namespace {
 
-/// The sweep of Shamos and Hoey: a line goes over the plane by x, at equal x by y (as if it leaned a little), and keeps
-/// the edges that it cuts in their order upwards. That order holds as long as no two edges have met, and before two
-/// edges meet they are neighbours in it. So it is enough to compare those that become neighbours, and each vertex with
-/// the edge above it where its edges begin. The edges of a ring that share a vertex meet there; they must not
+/// The sweep of Shamos and Hoey: a line moves over the plane by x, at equal x by y (as if it were slightly tilted), and
+/// keeps the edges that it cuts in upward order. That order holds as long as no two edges have met, and before two
+/// edges meet they are neighbours in it. So it is enough to compare edges that become neighbours, and each vertex with
+/// the edge above it where its edges begin. The edges of a ring that share a vertex meet there; they must not meet
 /// elsewhere.
 class Sweep {
  public:
@@ -45,11 +45,11 @@ class Sweep {
   Stage latest() const { return latest_; }
 
  private:
-  /// Edge i goes from vertex i to the next; in the order it may take the place of the edge before it.
+  /// Edge i goes from vertex i to the next; in the order it may replace the edge before it.
   struct Cut {
     mutable Index edge;
     bool floor;
-    mutable Chains::Chain chain{};  ///< a floor's
+    mutable Chains::Chain chain{};  ///< that of a floor
   };
   struct Upwards {
     using is_transparent = void;
@@ -69,7 +69,7 @@ class Sweep {
     return stages::orientation::ask(ring_[first(edge)], ring_[last(edge)], p).noting(latest_);
   }
 
-  /// Of two edges one of which begins now: where it begins it is beside the other, or they begin together.
+  /// Orders two edges, one of which begins now: its start is above or below the other, or they begin together.
   bool below(Index a, Index b) const {
     const Index start_a = first(a), start_b = first(b);
     if (start_a == start_b) return side_of(b, ring_[last(a)]) == Side::right;
@@ -77,8 +77,8 @@ class Sweep {
                                            : side_of(b, ring_[start_a]) == Side::right;
   }
 
-  /// Of two edges beside each other in the order, b above a. Edges of one vertex meet nowhere else: what begins on an
-  /// edge, or in its direction where it begins, was refused there.
+  /// Tests two neighbours in the order, b above a. Edges of one vertex meet nowhere else: an edge that begins on
+  /// another edge, or in its direction at a common start, was refused there.
   bool meet(Index a, Index b) const {
     const auto &p = ring_[a], &q = ring_[end(a)], &r = ring_[b], &s = ring_[end(b)];
     if (std::max(p.y, q.y) < std::min(r.y, s.y) || end(a) == b || end(b) == a) return false;
@@ -94,7 +94,7 @@ class Sweep {
     return std::next(place) == cut_.end() || !meet(place->edge, std::next(place)->edge);
   }
 
-  /// Takes vertex v into the order; false if an edge meets another.
+  /// Inserts vertex v into the order; returns false if an edge meets another.
   bool passes(Index v) {
     const Index out = v, in = v == 0 ? static_cast<Index>(size_ - 1) : v - 1;
     const bool out_begins = forward(out), in_begins = !forward(in);

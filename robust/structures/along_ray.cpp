@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using kernel::Dyadic;
 
-/// a = p / q and b = r / s: the sign of p s - r q, times that of q s.
+/// For a = p / q and b = r / s: the sign of p s - r q, times that of q s.
 int compare_exactly(const Moment& a, const Moment& b) {
   const auto way = [](const Moment& m) { return Dyadic(kernel::dyadic(m.bound) - kernel::dyadic(m.origin)); };
   const Dyadic over = way(a) * kernel::dyadic(b.direction) - way(b) * kernel::dyadic(a.direction);
@@ -38,7 +38,7 @@ int compare(const Moment& a, const Moment& b) {
   return same ? 0 : compare_exactly(a, b);
 }
 
-/// In the box from the last entry of an axis to the first exit of one.
+/// The ray is in the box from the last entry of any axis to the first exit of one.
 std::optional<Moment> first_moment(const Ray3d& ray, const Aabb3d& box) {
   Moment entry;
   std::optional<Moment> exit;

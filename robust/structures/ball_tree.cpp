@@ -17,15 +17,15 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-/// Not below x (1 + 6 u), x not negative; where x is subnormal, x itself.
+/// At least x (1 + 6 u) for x >= 0; x itself if x is subnormal.
 double raised(double x) { return x * (1 + 8 * u); }
 
-/// Not below the distance of two points.
+/// An upper bound of the distance of two points.
 ///
-/// Rounding is to nearest with gradual underflow. Differences are off by u of them, or exact where subnormal. Where the
+/// Rounding is to nearest with gradual underflow. Differences are off by u of them, or exact if subnormal. If the
 /// greatest is between 2^-500 and 2^500, squares that underflow lose less than 2^-70 of the sum, the others u each,
-/// sums 2 u, and the root half of all that and u: with the differences' less than 4 u. Elsewhere the sum of all three
-/// is not below the distance, and off by less than 4 u, or exact where subnormal. Raising covers that. Not proved by
+/// sums 2 u, and the root half of all that and u: with the differences' less than 4 u. Otherwise the sum of all three
+/// is at least the distance, and off by less than 4 u, or exact if subnormal. Raising covers that. Not proved by
 /// machine.
 double distance_above(const Point3d& p, const Point3d& q) {
   const double x = std::fabs(p.x - q.x), y = std::fabs(p.y - q.y), z = std::fabs(p.z - q.z);
@@ -34,8 +34,7 @@ double distance_above(const Point3d& p, const Point3d& q) {
   return raised(x + y + z);
 }
 
-/// A ball that holds both. Its center is rounded anyhow: it is where it is, and the radius covers what is then
-/// farthest.
+/// A ball that contains both. Its center may be rounded: the radius covers the point that is then farthest.
 Sphere3d around(const Sphere3d& a, const Sphere3d& b) {
   const auto reach = [](const Point3d& center, const Sphere3d& ball) {
     return raised(distance_above(center, ball.center) + ball.radius);
@@ -43,7 +42,7 @@ Sphere3d around(const Sphere3d& a, const Sphere3d& b) {
   if (reach(a.center, b) <= a.radius) return a;
   if (reach(b.center, a) <= b.radius) return b;
   const double way = distance_above(a.center, b.center), past = 0.5 * (b.radius - a.radius);
-  // Halfway between the far ends; anywhere between the centers where that cannot be computed.
+  // Halfway between the far ends; anywhere between the centers if that cannot be computed.
   const double share = way > 0 && way < 0x1p1000 ? std::clamp(0.5 + past / way, 0.0, 1.0) : 0.5;
   const auto between = [share](double p, double q) {
     return std::clamp((1 - share) * p + share * q, std::min(p, q), std::max(p, q));
@@ -85,7 +84,8 @@ BallTree::BallTree(const std::vector<Sphere3d>& spheres) {
   if (!order.empty()) made(order, 0, order.size(), spheres);
 }
 
-/// The node of the balls order[first] ... order[last - 1]: halved along the axis on which their centers are widest.
+/// The node of the balls order[first] ... order[last - 1]: split in half along the axis with the widest spread of
+/// centers.
 Index BallTree::made(std::vector<Index>& order, std::size_t first, std::size_t last,
                      const std::vector<Sphere3d>& spheres) {
   Node node;
@@ -110,7 +110,7 @@ Index BallTree::made(std::vector<Index>& order, std::size_t first, std::size_t l
   return static_cast<Index>(nodes_.size() - 1);
 }
 
-/// Two nodes that meet, or one and itself: the larger is opened.
+/// For two nodes that meet, or one and itself: the larger is opened.
 std::vector<IndexPair> BallTree::pairs() const {
   std::vector<IndexPair> pairs;
   std::vector<std::pair<Index, Index>> waiting;
@@ -130,7 +130,7 @@ std::vector<IndexPair> BallTree::pairs() const {
       pairs.push_back({i, j});
       continue;
     }
-    // A node's number is greater than those of all below it.
+    // A node's number is greater than those of its descendants.
     if (nodes_[one].leaf || (!nodes_[other].leaf && other > one)) std::swap(one, other);
     waiting.insert(waiting.end(), {{nodes_[one].left, other}, {nodes_[one].right, other}});
   }

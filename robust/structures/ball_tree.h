@@ -9,20 +9,20 @@
 
 namespace touchstone::robust {
 
-/// A hierarchy of spheres (deck p. 58-61) over balls that do not change: each node is a ball that holds both below it,
-/// exactly, as its radius is rounded up; an infinite one holds everything. Balls that are not valid throw InvalidInput
-/// ("spheres[i].radius", "radius >= 0" ...).
+/// A hierarchy of spheres (deck p. 58-61) over balls that do not change: each node is a ball that contains both of its
+/// children, exactly, because its radius is rounded up; an infinite one contains everything. Balls that are not valid
+/// throw InvalidInput ("spheres[i].radius", "radius >= 0" ...).
 ///
-/// Right for all finite doubles in every floating-point environment: nodes are asked whether they meet as balls are,
-/// exactly.
+/// Right for all finite doubles in every floating-point environment: like balls, nodes are tested exactly for whether
+/// they meet.
 class BallTree {
  public:
   explicit BallTree(const std::vector<Sphere3d>& spheres);
 
-  /// The pairs of places i < j of balls that meet, sorted.
+  /// The pairs of indices i < j of balls that meet, sorted.
   std::vector<IndexPair> pairs() const;
 
-  /// A node has two others below it, or one ball of the list, of which it is a copy.
+  /// A node has two children, or is a copy of one ball of the list.
   struct Node {
     Sphere3d ball;
     Index left = 0, right = 0;

@@ -14,7 +14,7 @@ inline bool meet(const Aabb3d& a, const Aabb3d& b) {
          not_above(b.min.y, a.max.y) && not_above(a.min.z, b.max.z) && not_above(b.min.z, a.max.z);
 }
 
-/// The least box that holds both.
+/// The least box that contains both.
 inline Aabb3d around(const Aabb3d& a, const Aabb3d& b) {
   const auto least = [](double p, double q) { return not_above(p, q) ? p : q; };
   const auto most = [](double p, double q) { return not_above(p, q) ? q : p; };

@@ -30,7 +30,7 @@ BoxTree::Place BoxTree::made(const Node& node) {
   return place;
 }
 
-/// What names a node: a member of its parent, or the root.
+/// The link to a node: a member of its parent, or the root.
 BoxTree::Place& BoxTree::link_to(Place node) {
   const Place parent = nodes_[node].parent;
   if (parent == none) return root_;
@@ -44,8 +44,7 @@ void BoxTree::refit(Place node) {
   n.height = 1 + std::max(left.height, right.height);
 }
 
-/// Where one side is higher by two, its root takes the node's place, and the node the lower of what was below that
-/// root.
+/// If one side is higher by two, its root takes the node's place, and the node takes the lower subtree of that root.
 BoxTree::Place BoxTree::balanced(Place node) {
   Node& n = nodes_[node];
   const int lean = nodes_[n.right].height - nodes_[n.left].height;
@@ -71,7 +70,7 @@ void BoxTree::refit_upwards(Place node) {
   }
 }
 
-/// Downwards to where the boxes grow least. An estimate: the answers do not depend on it.
+/// Descends to where the boxes grow least. An estimate: the answers do not depend on it.
 BoxTree::Place BoxTree::best_sibling(const Aabb3d& box) const {
   const kernel::ControlWord guard;
   Place at = root_;
@@ -136,7 +135,7 @@ void BoxTree::remove(Index body) {
   leaves_[body] = none;
 }
 
-/// Calls found(leaf) for each body of which, as of all nodes above it, `meet(box)` holds.
+/// Calls found(leaf) for each body for which, as for all nodes above it, `meet(box)` is true.
 template <class Meet, class Found>
 void BoxTree::search(const Meet& meet, const Found& found) const {
   if (root_ == none) return;
@@ -150,7 +149,7 @@ void BoxTree::search(const Meet& meet, const Found& found) const {
   }
 }
 
-/// By a tree made for this: one that has grown by insertions parts its boxes less well.
+/// Builds a tree for this query: one that has grown by insertions separates its boxes less well.
 std::vector<IndexPair> BoxTree::pairs() const {
   std::vector<Aabb3d> boxes;
   std::vector<Index> bodies;

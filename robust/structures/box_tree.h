@@ -11,18 +11,18 @@
 
 namespace touchstone::robust {
 
-/// A bounding volume hierarchy: bodies that come, move and go, in a balanced tree of boxes. For many bodies of which
-/// few move between two queries, or few meet; `SweptBoxes` is for all pairs of bodies that all move.
+/// A bounding volume hierarchy: bodies are inserted, moved and removed in a balanced tree of boxes. For many bodies of
+/// which few move between two queries, or few meet; `SweptBoxes` is for all pairs of bodies that all move.
 ///
-/// A body has the index that `insert` returned for as long as it is there; no other gets it afterwards. A box that is
-/// not valid throws InvalidInput ("box", "finite number" or "min <= max"), and so do a point that is not finite
-/// ("point"), a ray that is not or has no direction ("ray.direction", "nonzero direction"), and the index of a body
-/// that is not there ("body", "index of a body that is there"); nothing has changed then.
+/// A body keeps the index that `insert` returned until it is removed; the index is never reused. A box that is not
+/// valid throws InvalidInput ("box", "finite number" or "min <= max"), and so do a point that is not finite ("point"),
+/// a ray that is not finite or has no direction ("ray.direction", "nonzero direction"), and the index of a missing body
+/// ("body", "index of a body that is there"); nothing has changed then.
 ///
-/// All answers are right for all finite doubles in every floating-point environment. The box of each node is the least
-/// that holds the two below it, exactly, after every command: boxes are compared and not computed with. The paths from
-/// the root differ by so little in length that the longest has at most 1.45 log2 n nodes, whatever the commands were:
-/// each command takes so many steps, as does a query for each body that it finds, where boxes overlap little.
+/// All answers are right for all finite doubles in every floating-point environment. After every command the box of
+/// each node is the least that contains its two children, exactly: boxes are only compared. The paths from the root
+/// differ so little in length that the longest has at most 1.45 log2 n nodes, whatever the commands: each command takes
+/// that many steps, as does a query for each body that it finds if boxes overlap little.
 class BoxTree {
  public:
   Index insert(const Aabb3d& box);
@@ -31,13 +31,13 @@ class BoxTree {
 
   /// The pairs of bodies i < j that meet, sorted; in the time of robust/structures/pair_tree.h.
   std::vector<IndexPair> pairs() const;
-  /// The bodies that meet a box, or hold a point, sorted.
+  /// The bodies that meet a box, or contain a point, sorted.
   std::vector<Index> in_box(const Aabb3d& box) const;
   std::vector<Index> at_point(const Point3d& point) const;
-  /// The bodies that a ray meets, in the order in which it does; those that it meets at once by their indices.
+  /// The bodies that a ray meets, in the order in which it meets them; those met at the same time by index.
   std::vector<Index> along_ray(const Ray3d& ray) const;
 
-  /// What does not hold of the tree that should, for tests: "" if all does.
+  /// Describes a broken invariant of the tree, for tests: "" if there is none.
   std::string defect() const;
 
  private:
@@ -46,7 +46,7 @@ class BoxTree {
   struct Node {
     Aabb3d box;
     Place parent = none, left = none, right = none;
-    int height = 0;  ///< of a body 0
+    int height = 0;  ///< 0 for a body
     Index body = 0;
   };
 
@@ -63,8 +63,8 @@ class BoxTree {
   void search(const Meet& meet, const Found& found) const;
 
   std::vector<Node> nodes_;
-  std::vector<Place> free_;    ///< places of nodes that are not in use
-  std::vector<Place> leaves_;  ///< by body; none where it was removed
+  std::vector<Place> free_;    ///< free nodes
+  std::vector<Place> leaves_;  ///< by body; none if it was removed
   Place root_ = none;
 };
 

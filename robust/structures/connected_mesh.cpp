@@ -11,7 +11,7 @@
 namespace touchstone::robust::structures {
 namespace {
 
-/// Sets of numbers that were joined.
+/// Disjoint sets of numbers.
 class Joined {
  public:
   explicit Joined(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), std::size_t{0}); }
@@ -28,7 +28,7 @@ class Joined {
   std::vector<std::size_t> up_;
 };
 
-/// A side of a face: a corner to the next, all corners of all faces being numbered one after another.
+/// A side of a face: a corner and the next; the corners of all faces are numbered consecutively.
 struct EdgeOfFace {
   Index low, high;
   std::size_t corner;
@@ -36,7 +36,7 @@ struct EdgeOfFace {
   bool same_edge(const EdgeOfFace& other) const { return low == other.low && high == other.high; }
 };
 
-/// The corners of all faces as they are named, and of each the one that follows in its face.
+/// The corners of all faces in order, and for each the one that follows in its face.
 struct Corners {
   explicit Corners(const Meshd& mesh) {
     for (std::size_t i = 0; i < named_faces(mesh); ++i) {
@@ -68,7 +68,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
   std::sort(sides.begin(), sides.end(), [](const EdgeOfFace& s, const EdgeOfFace& t) {
     return s.low != t.low ? s.low < t.low : s.high != t.high ? s.high < t.high : s.corner < t.corner;
   });
-  Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex, joined by the edges there
+  Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex are joined by the edges there
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last = std::find_if(first, sides.end(), [first](const EdgeOfFace& s) { return !s.same_edge(*first); });
     const auto count = last - first, along = std::count_if(first, last, [](const EdgeOfFace&s) { return s.along; });

@@ -9,13 +9,13 @@
 
 namespace touchstone::robust::structures {
 
-/// What the indices of a valid mesh tell: vertices, edges, components, and how faces meet at them. The words' meaning
-/// stands in reference/polyhedra/polyhedron_complexity.h. The time is that of sorting the edges.
+/// The properties of a valid mesh that follow from its indices: vertices, edges, components, and how faces meet at
+/// them. reference/polyhedra/polyhedron_complexity.h defines the terms. The time is that of sorting the edges.
 struct ConnectedMesh {
   explicit ConnectedMesh(const Meshd& mesh);
 
-  PolyhedronComplexity<double> found{};  ///< the answer, as far as indices tell it
-  std::vector<Index> component;          ///< of each triangle; numbered in the order of their first ones
+  PolyhedronComplexity<double> found{};  ///< the answer, as far as it follows from indices
+  std::vector<Index> component;          ///< of each triangle; numbered by their first triangles
 };
 
 }  // namespace touchstone::robust::structures

@@ -20,7 +20,7 @@ Triangle3d triangle_of(const Meshd& mesh, const Face& f) {
   return {mesh.vertices[f.a], mesh.vertices[f.b], mesh.vertices[f.c]};
 }
 
-/// The corners are on one line if they are seen so along every axis.
+/// True if the corners are collinear in the projections along every axis.
 bool flat(const Triangle3d& t) {
   const auto on_one_line = [&t](double Point3d::*u, double Point3d::*v) {
     const auto seen = [u, v](const Point3d& p) { return Point2d{p.*u, p.*v}; };
@@ -41,7 +41,7 @@ Aabb3d box_of(const Triangle3d& t) {
   return box;
 }
 
-/// A face as another one sees it: its corners, and which of them that one names too.
+/// A face relative to another: its corners, and which of them the other uses too.
 struct Seen {
   std::array<const Point3d*, 3> corners;
   std::array<bool, 3> common;
@@ -54,8 +54,8 @@ struct Seen {
   int count() const { return static_cast<int>(std::count(common.begin(), common.end(), true)); }
 };
 
-/// s is below a plane across the axis, or on it, and t above it or on it; on it, of one of them, nothing but common
-/// corners. What they have in common is then spanned by those.
+/// True if s is below a plane perpendicular to the axis, or on it, and t above it or on it, and one of them has only
+/// common corners on it. Their intersection is then spanned by those.
 bool below(const Seen& s, const Seen& t, double Point3d::*axis) {
   const auto places = [axis](const Seen& face) {
     return std::array{kernel::ordered_bits((*face.corners[0]).*axis), kernel::ordered_bits((*face.corners[1]).*axis),
@@ -73,7 +73,7 @@ bool below(const Seen& s, const Seen& t, double Point3d::*axis) {
   return only_common(s, of_s) || only_common(t, of_t);
 }
 
-/// All corners of g but the common ones are on one side of the plane of f.
+/// True if all corners of g except the common ones are on one side of the plane of f.
 bool beside(const kernel::FaceSide& f, const Seen& g) {
   int side = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -85,8 +85,8 @@ bool beside(const kernel::FaceSide& f, const Seen& g) {
   return true;
 }
 
-/// Two faces with areas have what their common vertices span in common: nothing, a corner or an edge. They meet nowhere
-/// else if the common part has no greater dimension.
+/// Two faces with areas contain the hull of their common vertices: nothing, a corner or an edge. They meet nowhere else
+/// if their intersection has no greater dimension.
 bool meet(const Meshd& mesh, const Face& f, const Face& g) {
   const Seen s(mesh, f, g), t(mesh, g, f);
   const int common = s.count();
@@ -97,7 +97,7 @@ bool meet(const Meshd& mesh, const Face& f, const Face& g) {
   return kernel::common_dimension(triangle_of(mesh, f), triangle_of(mesh, g)) >= common;
 }
 
-/// Which sides of the triangles of a cut are edges of their polygons; the others are diagonals.
+/// The sides of triangles that are edges of their polygons; the others are diagonals.
 class EdgesOfPolygons {
  public:
   EdgesOfPolygons(const Meshd& mesh, const std::vector<Index>& named) : mesh_(mesh), named_(named) {
@@ -108,8 +108,8 @@ class EdgesOfPolygons {
     }
     std::sort(edges_.begin(), edges_.end());
   }
-  /// Whether both triangles name two vertices between which one of the two polygons has no edge: it runs through the
-  /// inside of that polygon.
+  /// True if both triangles share two vertices between which one of the two polygons has no edge: that side runs
+  /// through the inside of that polygon.
   bool share_a_diagonal(Index i, Index j) const {
     if (mesh_.polygons.empty()) return false;
     const Face &f = mesh_.faces[i], &g = mesh_.faces[j];

@@ -29,7 +29,7 @@ Extent around(const Meshd& mesh, const Face& f) {
   return found;
 }
 
-/// Ten bits with two free places after each.
+/// Spreads ten bits with two free bits after each.
 std::uint32_t spread(std::uint32_t n) {
   n = (n | n << 16) & 0x030000ff, n = (n | n << 8) & 0x0300f00f;
   n = (n | n << 4) & 0x030c30c3, n = (n | n << 2) & 0x09249249;
@@ -38,7 +38,7 @@ std::uint32_t spread(std::uint32_t n) {
 
 }  // namespace
 
-/// By the middles' place on Morton's curve. An estimate: a number that is none is at 0.
+/// Sorts by the midpoints' positions on Morton's curve. An estimate: a NaN is placed at 0.
 void FaceTree::sort_faces(const Meshd& mesh) {
   const kernel::ControlWord guard;
   const Place first = rounded(mesh.vertices[mesh.faces[0].a]);
@@ -103,7 +103,7 @@ std::vector<Index> FaceTree::along_x(const Point3d& p) const {
   Block ray;
   ray.set(0, from, {std::numeric_limits<float>::infinity(), from[1], from[2]});
   std::vector<Index> found;
-  std::vector<std::pair<std::size_t, std::size_t>> left{{levels_.size(), 0}};  // a level above, and a node's place
+  std::vector<std::pair<std::size_t, std::size_t>> left{{levels_.size(), 0}};  // one more than a level, a node's index
   while (!left.empty()) {
     const auto [above, i] = left.back();
     left.pop_back();

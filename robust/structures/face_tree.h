@@ -13,15 +13,15 @@ namespace touchstone::robust::structures {
 
 /// The boxes around the faces of a valid mesh, which must outlive it, in a tree of eight children a node.
 ///
-/// Boxes are rounded to float, and compared as they are: whatever the rounding mode, and where the least numbers count
-/// as 0, rounding is monotone, so boxes that meet still do. Faces are in the order of a curve through space; the order
-/// makes boxes small, no answer depends on it.
+/// Boxes are rounded to float, and compared like that: in every rounding mode, and even if the least numbers count as
+/// 0, rounding is monotone, so boxes that meet still do. Faces are in the order of a space-filling curve; the order
+/// makes boxes small, and no answer depends on it.
 class FaceTree {
  public:
   explicit FaceTree(const Meshd& mesh);
 
-  /// Whether `wanted` is true of a face here and one there, by their places in the meshes, whose boxes meet. Asked
-  /// until it is.
+  /// Returns whether `wanted` is true for a face here and one there, by their indices in the meshes, whose boxes meet.
+  /// Stops at the first.
   template <class Wanted>
   bool any_pair(const FaceTree& other, const Wanted& wanted) const {
     const int top = static_cast<int>(levels_.size()) - 1, other_top = static_cast<int>(other.levels_.size()) - 1;
@@ -32,7 +32,7 @@ class FaceTree {
   std::vector<Index> along_x(const Point3d& p) const;
 
  private:
-  /// Eight boxes; those that are not there meet none.
+  /// Eight boxes; missing ones meet none.
   struct Block {
     std::array<std::array<float, 8>, 3> low, high;
 
@@ -72,7 +72,7 @@ class FaceTree {
   const Block& block(int level, std::size_t i) const { return levels_[static_cast<std::size_t>(level)][i / 8]; }
   void sort_faces(const Meshd& mesh);
 
-  std::vector<Index> order_;                ///< the faces' places
+  std::vector<Index> order_;                ///< the indices of the faces
   std::vector<std::vector<Block>> levels_;  ///< the boxes of the nodes, eight by eight
 };
 

@@ -16,19 +16,19 @@
 namespace touchstone::robust::structures {
 namespace {
 
-/// Triangles around a vertex of no more than that many are compared by their boxes alone. An estimate: the answer does
-/// not depend on it.
+/// Triangles around a vertex of at most this many are compared only by their boxes. An estimate: the answer does not
+/// depend on it.
 constexpr std::size_t few_faces = 32;
 
 constexpr Aabb3d all_directions{{-1, -1, -1}, {1, 1, 1}};
 
-/// From a to b, a quarter as long, so that no difference overflows. Of each coordinate the sign is right, and it is off
-/// by at most 2^-53 of it, or by 2^-1073 where a quarter is rounded.
+/// The displacement from a to b divided by four, so that no difference overflows. The sign of each coordinate is right,
+/// and it is off by at most 2^-53 of it, or by 2^-1073 if a quarter is rounded.
 std::array<double, 3> quarter_way(const Point3d& a, const Point3d& b) {
   return {0.25 * b.x - 0.25 * a.x, 0.25 * b.y - 0.25 * a.y, 0.25 * b.z - 0.25 * a.z};
 }
 
-/// A box around the directions d / max(|d.x|, |d.y|, |d.z|) of all ways d from v to the edge between a and b.
+/// A box around the directions d / max(|d.x|, |d.y|, |d.z|) of all displacements d from v to the edge between a and b.
 ///
 /// On that edge each coordinate of d lies between those of the ends. The divisor N is a convex function: no greater
 /// than at one of the ends; and no less than |d[k]| for any k, which is not less than the lesser one of the ends where
@@ -52,7 +52,7 @@ Aabb3d directions(const Point3d& v, const Point3d& a, const Point3d& b) {
   return box;
 }
 
-/// The triangles around a vertex of many.
+/// The triangles around a vertex of many triangles.
 using Group = std::vector<Index>;
 
 Group without_group(const std::vector<std::optional<Index>>& hubs) {
@@ -69,7 +69,7 @@ void look_at_near_faces(const Meshd& mesh, const std::vector<Aabb3d>& boxes,
   std::vector<std::size_t> degrees(mesh.vertices.size());
   for (const Face& f : mesh.faces)
     for (const Index v : {f.a, f.b, f.c}) ++degrees[v];
-  std::vector<std::optional<Index>> hubs;  // of each triangle, its vertex of most, if these are many
+  std::vector<std::optional<Index>> hubs;  // for each triangle, its vertex with the most triangles, if many
   std::map<Index, Group> groups;
   for (const Face& f : mesh.faces) {
     const auto fewer = [&degrees](Index v, Index w) { return degrees[v] < degrees[w]; };

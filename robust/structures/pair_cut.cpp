@@ -13,14 +13,15 @@ namespace {
 
 constexpr std::array axes{&Point3d::x, &Point3d::y, &Point3d::z};
 
-/// So few boxes are cut where most leaves are full.
+/// Sets of so few boxes are split so that most leaves are full.
 constexpr Index few = 32, leaf = PairLeaf::places;
 
 /// Quarters and halves, which do not overflow.
 double middle(const Aabb3d& box, double Point3d::*axis) { return 0.25 * (box.min.*axis) + 0.25 * (box.max.*axis); }
 double width(const Aabb3d& box, double Point3d::*axis) { return 0.5 * (box.max.*axis) - 0.5 * (box.min.*axis); }
 
-/// What takes an extent to about 1. Twice: `middle` has quarters of a sum, `width` halves of a difference.
+/// The factor that scales an extent to about 1. All extents are halved: `middle` has quarters of a sum, `width` halves
+/// of a difference.
 double scale_for(double extent) { return extent > 0x1p-1000 ? 1 / extent : 0x1p1000; }
 
 float to_single(double value) {
@@ -47,7 +48,7 @@ PairCut::PairCut(const std::vector<Aabb3d>& boxes) : boxes_(&boxes) {
   if (!boxes.empty()) place_in_frame(0, static_cast<Index>(boxes.size()));
 }
 
-/// Middles between 0 and 1 on each axis, and widths in the same units.
+/// Scales middles to between 0 and 1 on each axis, and widths to the same units.
 void PairCut::place_in_frame(Index begin, Index end) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool all = end - begin == items_.size();
@@ -86,7 +87,7 @@ PairCut::Spread PairCut::spread_of(Index begin, Index end) const {
   return spread;
 }
 
-/// Without branches, which nobody could predict.
+/// Without branches, which would be unpredictable.
 template <class Before>
 Index PairCut::parted(Index begin, Index end, const Before& before) {
   Index first = begin;

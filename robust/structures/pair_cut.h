@@ -10,22 +10,24 @@
 
 namespace touchstone::robust::structures {
 
-/// Where a tree over boxes is cut. All estimates, in single precision: no answer depends on them. In scope of a guard.
+/// Chooses where a tree over boxes is split. All of it is estimated, in single precision: no answer depends on it.
+/// Requires a guard in scope.
 class PairCut {
  public:
   PairCut() = default;
   explicit PairCut(const std::vector<Aabb3d>& boxes);
 
-  /// Parts the boxes at the places from `begin` to before `end`, more than one, and returns where the second part
-  /// begins: large boxes go apart from small ones where they are in the way on every axis; else the middle of the axis
-  /// that is longest for the widest box; else one half.
+  /// Partitions the boxes at the indices from `begin` to before `end`, more than one, and returns where the second part
+  /// begins: large boxes are separated from small ones if they are in the way on every axis; otherwise the split is at
+  /// the middle of the axis that is longest for the widest box; otherwise in half.
   Index operator()(Index begin, Index end);
 
   Index body(Index place) const { return items_[place].body; }
   std::vector<Index> order() const;
-  /// Of all coordinates of middles the one next to 0: what is far away from 0 as a whole is seen from there.
+  /// The coordinate of a middle that is nearest to 0, on each axis: coordinates that are all far from 0 are measured
+  /// from there.
   std::array<double, 3> origin() const { return origin_; }
-  /// The greatest width of a box, for the spread of all middles on its axis.
+  /// The greatest width of a box, relative to the spread of all middles on its axis.
   double size(const Aabb3d& box) const;
 
  private:
@@ -35,7 +37,7 @@ class PairCut {
     std::array<float, 3> width;
     float unused;
   };
-  /// Of some items: the spread of their middles, and their widths, on each axis.
+  /// The spread of the middles of some boxes, and their widths, on each axis.
   struct Spread {
     std::array<float, 4> low, high, least, most;
     float extent(std::size_t axis) const { return high[axis] - low[axis]; }

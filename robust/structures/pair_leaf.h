@@ -12,11 +12,11 @@
 #include <emmintrin.h>
 #endif
 
-/// Eight boxes side by side, compared with a ninth at once: by coarse integers that keep the order of the coordinates.
+/// Eight boxes compared with a ninth at once, by coarse integers that keep the order of the coordinates.
 namespace touchstone::robust::structures {
 
 /// The upper half of the bits of a coordinate's difference from an origin, which rounding keeps in order: a coordinate
-/// that is not greater than another does not have the greater integer, and one with the smaller integer is smaller.
+/// that is not greater than another never has the greater integer, and one with the smaller integer is smaller.
 struct Coarse {
   std::array<double, 3> origin{};
 
@@ -46,7 +46,7 @@ struct alignas(16) PairLeaf {
   }
 };
 
-/// A bit for each place: set where a[k] > b.
+/// A bit for each place: set if a[k] > b.
 #if defined(__SSE2__)
 class Bits {
  public:
@@ -87,7 +87,7 @@ class Bits {
 };
 #endif
 
-/// The places of a leaf whose boxes may meet a box: all others do not.
+/// The places of a leaf whose boxes may meet a box; the others certainly do not.
 inline unsigned may_meet(const PairLeaf& leaf, const CoarseBox& box) {
   Bits apart;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -97,7 +97,7 @@ inline unsigned may_meet(const PairLeaf& leaf, const CoarseBox& box) {
   return ~apart.mask() & 0xffU;
 }
 
-/// The places of a leaf, among all of them, whose boxes do meet it unless they are apart by coarse integers.
+/// The places of a leaf whose boxes do meet it unless the coarse integers separate them.
 inline unsigned surely_meet_or_apart(const PairLeaf& leaf, const CoarseBox& box) {
   unsigned surely = 0xffU;
   for (std::size_t axis = 0; axis < 3; ++axis) {

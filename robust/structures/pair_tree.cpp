@@ -13,7 +13,7 @@
 namespace touchstone::robust::structures {
 namespace {
 
-/// Pairs of the same i by j: few as a rule.
+/// Sorts pairs with the same i by j: usually few.
 void sort_row(IndexPair* row, std::size_t size) {
   const auto before = [](const IndexPair& p, const IndexPair& q) { return p.j < q.j; };
   if (size > 24) return std::sort(row, row + size, before);
@@ -25,8 +25,8 @@ void sort_row(IndexPair* row, std::size_t size) {
   }
 }
 
-/// A counting sort of pairs i < j < size: into stretches of i that a cache holds, there by i, and each row by j. The
-/// memory is kept.
+/// A counting sort of pairs i < j < size: into ranges of i that fit a cache, within these by i, and each row by j. The
+/// memory is reused.
 class PairOrder {
  public:
   void sort(const std::vector<IndexPair>& pairs, std::size_t size, std::vector<IndexPair>& result) {
@@ -57,12 +57,12 @@ enum class Step : std::uint8_t { apart, open_first, open_second, compare };
 
 }  // namespace
 
-/// In scope of a guard, so that doubles may be compared.
+/// Requires a guard in scope, so that doubles may be compared.
 class PairTree {
  public:
   explicit PairTree(PairProof* proof = nullptr) : proof_(proof) {}
 
-  /// The boxes are looked at until the next call of `make` or `refit`.
+  /// The boxes must stay valid until the next call of `make` or `refit`.
   void make(const std::vector<Aabb3d>& boxes) {
     boxes_ = boxes.data(), size_ = boxes.size();
     cut_ = PairCut(boxes), coarse_ = {cut_.origin()};
@@ -76,7 +76,7 @@ class PairTree {
 
   std::size_t size() const { return size_; }
 
-  /// The same tree around as many boxes, which are elsewhere now: each node becomes the least box around its own.
+  /// Keeps the tree for the same number of boxes at new positions: each node becomes the least box around its own.
   void refit(const std::vector<Aabb3d>& boxes) {
     boxes_ = boxes.data();
     for (std::size_t place = nodes_.size(); place-- > 0;) {
@@ -87,7 +87,7 @@ class PairTree {
     }
   }
 
-  /// How many pairs of nodes were compared for the last list: by how much refitting has made the tree worse.
+  /// The number of pairs of nodes compared for the last list: tells how much refitting has degraded the tree.
   std::size_t compared() const { return compared_; }
 
   void find_pairs(std::vector<IndexPair>& result) {
@@ -104,7 +104,7 @@ class PairTree {
   struct Node {
     Aabb3d box;
     double size;
-    Place right;  ///< the second child, the first being next to its parent; of a leaf, its place among leaves
+    Place right;  ///< the second child, the first being next to its parent; for a leaf, its index among leaves
     Index cut;
     bool leaf() const { return cut == 0; }
   };
@@ -127,7 +127,7 @@ class PairTree {
     nodes_[place].size = cut_.size(nodes_[place].box);
   }
 
-  /// The boxes of a small node, which lie anywhere, on their way to the cache while it is cut.
+  /// Prefetches the boxes of a small node, which are scattered in memory, while it is split.
   void fetch(Index begin, Index end) const {
     for (Index i = begin; i < end; ++i) __builtin_prefetch(&boxes_[cut_.body(i)]);
   }
@@ -137,14 +137,14 @@ class PairTree {
     for (Index i = begin; i < end; ++i) leaf.body[i - begin] = cut_.body(i);
     return filled(leaf, end - begin);
   }
-  /// A place that is taken has ends in order.
+  /// An occupied place has ordered ends.
   Aabb3d refilled(PairLeaf& leaf) {
     std::size_t taken = 0;
     while (taken < PairLeaf::places && leaf.low[0][taken] <= leaf.high[0][taken]) ++taken;
     leaf.around = PairLeaf().around;
     return filled(leaf, taken);
   }
-  /// The ends of as many boxes, and the least box around them.
+  /// The ends of that many boxes, and the least box around them.
   Aabb3d filled(PairLeaf& leaf, std::size_t taken) {
     Aabb3d box = boxes_[leaf.body[0]];
     for (std::size_t place = 0; place < taken; ++place) {
@@ -165,7 +165,7 @@ class PairTree {
             {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
   }
   static bool apart(const Aabb3d& a, const Aabb3d& b) {
-    // One branch: nobody can predict on which axis two nodes are apart.
+    // A single branch: the axis on which two nodes are apart is unpredictable.
     return (static_cast<int>(a.max.x < b.min.x) | static_cast<int>(b.max.x < a.min.x) |
             static_cast<int>(a.max.y < b.min.y) | static_cast<int>(b.max.y < a.min.y) |
             static_cast<int>(a.max.z < b.min.z) | static_cast<int>(b.max.z < a.min.z)) != 0;
@@ -253,7 +253,7 @@ KeptPairTree::~KeptPairTree() = default;
 const std::vector<IndexPair>& KeptPairTree::pairs(const std::vector<Aabb3d>& boxes) {
   const kernel::ControlWord guard;
   if (!tree_) tree_ = std::make_unique<PairTree>();
-  // No answer depends on when. Measured on 10,000 falling balls, where a later time was no faster.
+  // No answer depends on the time of rebuilding. Measured on 10,000 falling balls: a later time was no faster.
   const bool made = tree_->size() != boxes.size() || 8 * tree_->compared() > 9 * at_first_;
   if (made) tree_->make(boxes);
   else tree_->refit(boxes);

@@ -11,23 +11,23 @@
 /// All pairs of boxes that meet, by a binary tree over the boxes.
 namespace touchstone::robust::structures {
 
-/// Shows that a list of pairs is complete; oracle/certificates/README.md explains each part.
+/// Evidence that a list of pairs is complete; oracle/certificates/README.md explains each part.
 struct PairProof {
-  std::vector<Index> order;  ///< the boxes in the order of the tree
-  std::vector<Index> cuts;   ///< of each node in preorder: how many boxes its first child has; 0: a leaf
+  std::vector<Index> order;  ///< the boxes in tree order
+  std::vector<Index> cuts;   ///< for each node in preorder: the count of boxes of its first child, 0 = leaf
   std::vector<std::uint8_t>
       steps;  ///< 2 bits a step: two nodes are apart, one of them is opened, or leaves are compared
 };
 
-/// The pairs i < j of valid boxes that meet, sorted; and the proof, if one is wanted. Right for all finite doubles in
-/// every floating-point environment. The tree decides only how long it takes: n log n and the pairs where boxes are of
-/// like size or of many sizes; about n^1.5 for long boxes across each other.
+/// The pairs i < j of valid boxes that meet, sorted; and the proof, if requested. Right for all finite doubles in every
+/// floating-point environment. The tree affects only the time: n log n plus the pairs if boxes are of similar size or
+/// of many sizes; about n^1.5 for long boxes across each other.
 std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* proof = nullptr);
 
 class PairTree;
 
-/// The same pairs of a list that is asked again and again while its boxes move: the tree is kept, with all memory, and
-/// fitted to where the boxes are now; it is made anew when it has become bad.
+/// The same pairs for a list that is queried repeatedly while its boxes move: the tree is kept, with all memory, and
+/// refitted to the new positions of the boxes; it is rebuilt when it has degraded.
 class KeptPairTree {
  public:
   KeptPairTree();
@@ -35,12 +35,12 @@ class KeptPairTree {
   KeptPairTree& operator=(KeptPairTree&&) noexcept;
   ~KeptPairTree();
 
-  /// What tree_pairs(boxes) is, until the next call.
+  /// The result of tree_pairs(boxes), valid until the next call.
   const std::vector<IndexPair>& pairs(const std::vector<Aabb3d>& boxes);
 
  private:
   std::unique_ptr<PairTree> tree_;
-  std::size_t at_first_ = 0;  ///< comparisons when it was made
+  std::size_t at_first_ = 0;  ///< comparisons after it was built
   std::vector<IndexPair> pairs_;
 };
 

@@ -9,13 +9,13 @@
 
 namespace touchstone::robust {
 
-/// A mesh named by polygons of three or more corners each, with a valid cut of each into triangles (the contract stands
-/// above Mesh in geometry/polyhedra.h). Where all have three corners, they are the faces, and `polygons` stays empty.
+/// A mesh given by polygons of three or more corners each, with a valid triangulation of each (the contract stands
+/// above Mesh in geometry/polyhedra.h). If all have three corners, they are the faces, and `polygons` stays empty.
 ///
-/// Throws InvalidInput: a coordinate that is not finite ("mesh.vertices[i][c]", "finite number"), fewer than three
-/// corners ("mesh.faces[i]"), a corner that is no vertex ("mesh.faces[i][k]", "index of a vertex"), corners not in one
-/// plane ("mesh.faces[i]", "planar"), a polygon that encloses no area or crosses or touches itself ("mesh.faces[i]",
-/// "a polygon that encloses one area and does not cross itself"). Exact for all finite doubles.
+/// Throws InvalidInput for a coordinate that is not finite ("mesh.vertices[i][c]", "finite number"), fewer than three
+/// corners ("mesh.faces[i]"), a corner that is not a vertex ("mesh.faces[i][k]", "index of a vertex"), corners that are
+/// not coplanar ("mesh.faces[i]", "planar"), and a polygon that encloses no area or crosses or touches itself
+/// ("mesh.faces[i]", "a polygon that encloses one area and does not cross itself"). Exact for all finite doubles.
 Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons);
 
 /// The corners of a polygon of finite vertices times 2^-exponent, each coordinate below 1/2 in size, and Newell's
@@ -28,9 +28,9 @@ struct ScaledRing {
   ScaledRing(const std::vector<Point3d>& vertices, const std::vector<Index>& ring);
 };
 
-/// The distance of two planes that hold all corners between them and are perpendicular to the polygon's normal
-/// (Newell's); of a quadrilateral that of the lines of its diagonals. In double arithmetic, for messages and
-/// tolerances; 0 where the normal is.
+/// The distance of two planes perpendicular to the polygon's normal (Newell's) that enclose all corners; for a
+/// quadrilateral that of the lines of its diagonals. In double arithmetic, for messages and tolerances; 0 if the normal
+/// is 0.
 double thickness(const std::vector<Point3d>& vertices, const std::vector<Index>& corners);
 
 }  // namespace touchstone::robust

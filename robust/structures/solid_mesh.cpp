@@ -12,7 +12,7 @@
 namespace touchstone::robust::structures {
 namespace {
 
-/// An edge of a face, and the corner across from it.
+/// An edge of a face, and the corner opposite to it.
 struct EdgeOfMesh {
   Index low, high, across;
   const Face* face;

@@ -7,19 +7,19 @@
 #include "geometry/polyhedra.h"
 #include "robust/kernel/filters/strict_math.h"
 
-/// What valid meshes enclose. The words' meaning stands in reference/polyhedra/polyhedron_complexity.h.
+/// The solids that valid meshes enclose. reference/polyhedra/polyhedron_complexity.h defines the terms.
 namespace touchstone::robust::structures {
 
-/// Of a closed mesh whose faces turn one way: the sign of the sum of a . (b x c), exactly, in GMP's integers.
+/// For a closed mesh with consistent orientation: the sign of the sum of a . (b x c), exactly, in GMP's integers.
 VolumeSign sign_of_volume(const Meshd& mesh);
 
-/// Of a closed embedded mesh that is one manifold and turns one way: no edge bends inwards as seen from one side, which
-/// is the same for all. Each vertex then is a simple ring of sectors without an inward angle, so it is locally the tip
-/// of a convex solid, and a closed connected surface that is locally convex everywhere bounds a convex solid
+/// For a closed embedded manifold with consistent orientation: true if no edge bends inwards as seen from one side,
+/// which is the same for all. Each vertex then is a simple ring of sectors without an inward angle, so it is locally
+/// the tip of a convex solid, and a closed connected surface that is locally convex everywhere bounds a convex solid
 /// (Tietze, Nakajima; van Heijenoort). n log n.
 bool locally_convex(const Meshd& mesh);
 
-/// The first face whose plane has vertices of faces on both sides. Faces times vertices where there is none.
+/// The first face whose plane has vertices of faces on both sides. Takes faces times vertices steps if there is none.
 std::optional<SplittingFace> first_splitting_face(const Meshd& mesh);
 
 }  // namespace touchstone::robust::structures

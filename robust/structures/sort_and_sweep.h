@@ -18,7 +18,7 @@ namespace touchstone::robust::structures {
 
 inline constexpr std::array coordinates{&Point3d::x, &Point3d::y, &Point3d::z};
 
-/// What a solid takes up of an axis: its middle and half its length, and its ends as integers.
+/// The interval of a solid on an axis: its middle and half its length, and its ends as integers.
 struct Interval {
   double middle, half;
   std::int64_t low, high;
@@ -48,8 +48,8 @@ Intervals intervals_of(const std::vector<Solid>& solids) {
   return all;
 }
 
-/// About how many others an interval meets: half the mean length for the mean distance of a middle from the mean of
-/// all. An estimate: the answer does not depend on it.
+/// An estimate of the number of others that an interval meets: half the mean length over the mean distance of a middle
+/// from the mean of all. The answer does not depend on it.
 inline double crowding(const std::vector<Interval>& intervals) {
   const double share = 1.0 / static_cast<double>(intervals.size());
   double mean = 0, length = 0, spread = 0;
@@ -69,7 +69,7 @@ inline std::size_t least_crowded_axis(const Intervals& intervals) {
   return best;
 }
 
-/// A solid on its way: its ends on the axis of the sweep and on the two others.
+/// A solid in the sweep: its ends on the axis of the sweep and on the two others.
 struct Swept {
   std::int64_t low, high;
   std::array<std::int64_t, 2> other_low, other_high;
@@ -92,13 +92,13 @@ inline std::vector<Swept> in_order_of_sweep(const Intervals& intervals, std::siz
 }
 
 inline bool overlap_beside(const Swept& a, const Swept& b) {
-  // One branch: nobody can predict on which axis two solids are apart.
+  // A single branch: the axis on which two solids are apart is unpredictable.
   return (static_cast<int>(a.other_low[0] <= b.other_high[0]) & static_cast<int>(b.other_low[0] <= a.other_high[0]) &
           static_cast<int>(a.other_low[1] <= b.other_high[1]) & static_cast<int>(b.other_low[1] <= a.other_high[1])) !=
          0;
 }
 
-/// A counting sort by one place of the pair; pairs that are equal there stay in their order.
+/// A counting sort by one index of the pair; equal pairs keep their order.
 inline std::vector<IndexPair> sorted_by(Index IndexPair::*place, const std::vector<IndexPair>& pairs,
                                         std::size_t size) {
   std::vector<std::size_t> start(size + 1);
@@ -109,7 +109,7 @@ inline std::vector<IndexPair> sorted_by(Index IndexPair::*place, const std::vect
   return result;
 }
 
-/// The pairs whose intervals overlap on each axis and of which `meet` says that they do.
+/// The pairs whose intervals overlap on each axis and for which `meet` is true.
 template <class Solid, class Meet>
 std::vector<IndexPair> swept_pairs(const std::vector<Solid>& solids, const Meet& meet) {
   if (solids.size() < 2) return {};

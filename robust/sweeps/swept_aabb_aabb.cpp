@@ -24,7 +24,7 @@ std::array<AxisMotion<double>, 3> axes_of(const Aabb3d& a, const Aabb3d& b, cons
            {a.min.z, a.max.z, b.min.z, b.max.z, v.z}}};
 }
 
-/// What quotients of doubles say of a step. Each time is a difference, divided by a velocity.
+/// Conclusions from quotients of doubles about a step. Each time is a difference divided by a velocity.
 ///
 /// Guard: every difference, as computed, is at least 2^-900 in size. Then reading subnormals as zero costs it at most
 /// 2^-1021, which is 2^-121 of it: with u = 2^-52, which bounds a rounding in every mode, it is off by u + 2^-120, and
@@ -32,8 +32,8 @@ std::array<AxisMotion<double>, 3> axes_of(const Aabb3d& a, const Aabb3d& b, cons
 /// as computed, and no more counts of it.) Its quotient is off by u more, where that underflows by 2^-1021. A velocity
 /// that is subnormal may be read as zero, but then the time is beyond 2^100 as it is, and the quotient infinite with
 /// the same sign. A velocity of 0 makes infinities too: an entry of -infinity and an exit of infinity where the
-/// intervals overlap, else both of one sign, as if a were there at no time of the step. So a time T, cut to [-1, 2], is
-/// off by less than 2.5 u |T| + 2^-1020, and so are the latest entry and the earliest exit.
+/// intervals overlap, otherwise both of one sign, as if a were there at no time of the step. So a time T, cut to [-1,
+/// 2], is off by less than 2.5 u |T| + 2^-1020, and so are the latest entry and the earliest exit.
 ///
 /// Both entries and exits are compared with the sign of entry - exit, rounded with u of it: where that is beyond 4 u
 /// (entry + |exit|) + 2^-1000, of which three roundings leave more than 3.7 u, it is certain. Not proved by machine.
@@ -52,7 +52,7 @@ class Times {
   bool meets() const { return order() + error() < 0; }
   /// All entries are before the start.
   bool starts_within() const { return entry_ < 0; }
-  /// Whether an entry may be the latest, as its time as computed says.
+  /// Returns whether an entry may be the latest, judging by its computed time.
   bool may_be_latest(double time) const { return time >= entry_ - (8 * u * entry_ + 0x1p-1000); }
 
  private:
@@ -77,8 +77,8 @@ Perhaps<FirstContact<double>> stages::swept_aabb_aabb::filter(const Box& a, cons
   return std::nullopt;
 }
 
-/// The latest entry, of a step that the filter knows to hit on the way. Rounding is monotone: the greatest of times is
-/// the greatest of them rounded.
+/// The latest entry of a step that the filter has decided as a hit after the start. Rounding is monotone: the greatest
+/// of the times, rounded, is the greatest of the rounded times.
 template <class Box, class Vector>
 Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Box& a, const Box& b, const Vector& velocity) {
   using namespace kernel;
@@ -154,7 +154,7 @@ FirstContact<double> stages::swept_aabb_aabb::exact(const Box& a, const Box& b, 
       axes_of(a, b, velocity));
 }
 
-/// The filter does not see which end of an interval is the lesser: boxes are validated first.
+/// The filter does not check which end of an interval is the lesser: boxes are validated first.
 template <class Box, class Vector>
 Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Box& a, const Box& b, const Vector& velocity) {
   return in_turn<swept_aabb_aabb, validate_swept_aabb_aabb<Box, Vector>, Stage::filter, Stage::enclosed, Stage::lattice,

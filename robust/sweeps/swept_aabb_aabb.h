@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// When an axis-aligned box that moves along a straight line first has a common point with one at rest: `hit` with the
-/// first t in [0, 1], counted in steps, or `never`; in the plane and in space.
+/// Finds when an axis-aligned box that moves along a straight line first has a common point with one at rest: `hit`
+/// with the first t in [0, 1], counted in steps, or `never`; in the plane and in space.
 ///
 /// a moves, b rests. Touching is a hit, grazing along a face too; boxes that meet at the start hit at t = 0; flat boxes
 /// are valid, and velocities may be 0. Right for all finite doubles in every floating-point environment, and t
@@ -18,10 +18,10 @@ namespace touchstone::robust {
 FirstContact<double> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
 FirstContact<double> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows the steps that hit at the start, and those that never do: no number has to be found.
+/// The filter decides the steps that hit at the start, and those that never do: then there is no number to compute.
 struct swept_aabb_aabb {
   using Answer = FirstContact<double>;
   template <class Box, class Vector>

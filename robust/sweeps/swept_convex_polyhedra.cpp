@@ -12,12 +12,12 @@
 namespace touchstone::robust {
 namespace {
 
-/// (q - p) x (s - r), by their places in the list of all vertices: those of a, then those of b.
+/// (q - p) x (s - r), by their indices in the list of all vertices: those of a, then those of b.
 struct Axis {
   Index p, q, r, s;
 };
 
-/// The normals of all faces, and what is at a right angle to an edge of a and one of b: enough, as the contract proves.
+/// The normals of all faces, and the cross products of an edge of a and one of b: enough, as the contract proves.
 std::vector<Axis> axes_of(const Meshd& a, const Meshd& b) {
   const auto shift = static_cast<Index>(a.vertices.size());
   std::vector<Axis> axes;
@@ -26,7 +26,7 @@ std::vector<Axis> axes_of(const Meshd& a, const Meshd& b) {
     for (const Face& f : mesh.faces) {
       const Index i = f.a + first, j = f.b + first, k = f.c + first;
       axes.push_back({i, j, i, k});
-      // Each edge once: its reverse is in another face.
+      // Takes each edge once: its reverse is in another face.
       for (const auto& [from, to] : {std::pair{i, j}, std::pair{j, k}, std::pair{k, i}})
         if (from < to) edges.push_back({from, to});
     }
@@ -37,7 +37,7 @@ std::vector<Axis> axes_of(const Meshd& a, const Meshd& b) {
   return axes;
 }
 
-/// What is known of the times at which a enters and leaves b on one axis. The default: nothing.
+/// Bounds on the times at which a enters and leaves b on one axis. The default: no bounds.
 struct TimeBounds {
   static constexpr double endless = std::numeric_limits<double>::infinity();
   double entry_low = -endless, entry_high = endless, exit_low = -endless, exit_high = endless;
@@ -51,7 +51,7 @@ struct TimeBounds {
 /// with the axis, of at most 6 D k m together, are off by 6 units for that, 24 for the axis, and 18 for their own
 /// roundings and those of two sums: by 48. (Terms of u^2 are far below one unit, and so is P times the axis, which all
 /// values share and which cancels in differences.) A difference of two is off by 96, and rounded from at most 12 D k m
-/// by 12 more; the velocity by 42. What is added to them or taken off below is rounded from as much again: 120 and 54.
+/// by 12 more; the velocity by 42. Adding to them or subtracting below rounds by as much again: 120 and 54.
 /// An error of 128 units, 2^-45 D k m, pays for all.
 ///
 /// Guards: D is at most 2^250, and k and m at least 2^-250. Then nothing overflows, and what underflows, or is read as
@@ -95,8 +95,8 @@ class Projections {
   }
 
   /// A quotient is off by u, and is moved by four. A speed within its error of 0 is at most twice that, so that during
-  /// the step nothing moves by more than twice the error: where the intervals overlap, or are apart, by four, they do
-  /// so all the time.
+  /// the step nothing moves by more than twice the error: if the intervals overlap, or are apart, by four, they do so
+  /// all the time.
   static TimeBounds bounds(double near, double far, double speed, double error) {
     const double slow = speed - error, fast = speed + error;
     if (!(slow > 0)) {
@@ -122,7 +122,7 @@ class Projections {
   double greatest_;
 };
 
-/// The same, exactly, of single axes.
+/// The same, exactly, for single axes.
 class WholeProjections {
  public:
   WholeProjections(const std::vector<Point3d>& points, std::size_t count_of_a, const Vector3d& velocity)
@@ -162,7 +162,7 @@ class WholeProjections {
   kernel::AxisTimes<mpz_class> times_;
 };
 
-/// Whether the edges are parallel: the axis is zero, and says nothing. Asked where an axis may be.
+/// True if the edges are parallel: then the axis is zero, and decides nothing. Called if an axis may be zero.
 bool parallel(const std::vector<Point3d>& points, const Axis& axis) {
   const Point3d &p = points[axis.p], &q = points[axis.q], &r = points[axis.r], &s = points[axis.s];
   const auto lattice = kernel::lattice_of(p.x, p.y, p.z, q.x, q.y, q.z, r.x, r.y, r.z, s.x, s.y, s.z);
@@ -176,7 +176,7 @@ bool parallel(const std::vector<Point3d>& points, const Axis& axis) {
 }
 
 /// The latest entry lies between the greatest lower and the greatest upper bound of all, the earliest exit likewise.
-/// Only axes that reach these have to be known exactly.
+/// Only axes that reach these need exact times.
 Decided<FirstContact<double>> first_contact(const Meshd& a, const Meshd& b, const Vector3d& velocity) {
   std::vector<Point3d> points = a.vertices;
   points.insert(points.end(), b.vertices.begin(), b.vertices.end());

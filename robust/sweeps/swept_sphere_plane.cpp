@@ -20,7 +20,7 @@ const FirstContact<double> no_hit{HitRelation::never, std::nullopt};
 
 Perhaps<FirstContact<double>> stages::swept_sphere_plane::filter(const Sphere3d& sphere, const Vector3d& velocity,
                                                                  const Plane3d& plane) {
-  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
   const Meeting meeting = Heights(sphere, velocity, plane).meeting();
   if (meeting == Meeting::at_start) return hit(0);
   if (meeting == Meeting::never) return no_hit;
@@ -85,7 +85,7 @@ void validate_swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocit
 
 }  // namespace
 
-/// With a center in front, E falls by -S: it is at the reach at (E0 - R) / -S. From behind the signs are turned.
+/// With a center in front, E falls by -S: it is at the reach at (E0 - R) / -S. From behind the signs are reversed.
 FirstContact<double> stages::swept_sphere_plane::exact(const Sphere3d& sphere, const Vector3d& velocity,
                                                        const Plane3d& plane) {
   const Integers n(sphere, velocity, plane);

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// When a ball that moves along a straight line first has a common point with a plane: `hit` with the first t in [0,
-/// 1], counted in steps, or `never`.
+/// Finds when a ball that moves along a straight line first has a common point with a plane: `hit` with the first t in
+/// [0, 1], counted in steps, or `never`.
 ///
 /// The plane is the thin closed set normal . p + offset = 0, not the half-space behind it. Touching is a hit; a ball
 /// that meets the plane at the start hits at t = 0; radius 0 is a point, and the velocity may be 0. Right for all
@@ -18,11 +18,11 @@ namespace touchstone::robust {
 /// ("nonzero normal"). Contract: reference/sweeps/swept_sphere_plane.h.
 FirstContact<double> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows the steps that hit at the start, and those that never do: no number has to be found. There is no
-/// lattice: squares of heights go beyond it.
+/// The filter decides the steps that hit at the start, and those that never do: then there is no number to compute.
+/// There is no lattice: squares of heights exceed it.
 struct swept_sphere_plane : Signatures<decltype(robust::swept_sphere_plane)> {
   static Partial filter, enclosed;
   static Total exact;

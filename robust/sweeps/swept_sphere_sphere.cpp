@@ -13,14 +13,14 @@ namespace {
 
 using filters::Sign;
 
-/// When two moving spheres meet first, as far as signs tell.
+/// The time at which two moving spheres first meet, as far as signs decide it.
 enum class Passage { at_start, later, never };
 
-/// What the filter is sure of, `later` by its end or by the line of the sweep.
+/// The certain result of the filter, `later` by its end or by the line of the sweep.
 std::optional<Passage> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b) {
   if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius))
-    return std::nullopt;  // -0.0, or for validation to refuse
+    return std::nullopt;  // -0.0, or negative, which validation refuses
   const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
   const Sign start = sweep.start();
   if (start == Sign::negative) return Passage::at_start;
@@ -48,13 +48,14 @@ Perhaps<FirstContact<double>> stages::swept_sphere_sphere::filter(const Sphere3d
   return std::nullopt;
 }
 
-/// The smaller zero of f where the filter says that the spheres meet on the way: the root is taken to where it adds.
+/// The smaller zero of f if the filter says that the spheres meet after the start: the root is computed where its terms
+/// have the same sign.
 Perhaps<FirstContact<double>> stages::swept_sphere_sphere::enclosed(const Sphere3d& a, const Sphere3d& b,
                                                                     const Vector3d& va, const Vector3d& vb) {
   if (meeting_by_filter(a, b, va, vb) != Passage::later) return std::nullopt;
   using namespace kernel;
   const Point3d &ca = a.center, &cb = b.center;
-  // Position and velocity beside each other.
+  // Position and velocity, one per lane.
   const Vector3<Two> of_a{Two(ca.x, va.x), Two(ca.y, va.y), Two(ca.z, va.z)},
       of_b{Two(cb.x, vb.x), Two(cb.y, vb.y), Two(cb.z, vb.z)};
   const Two radii(a.radius, b.radius);
@@ -114,8 +115,9 @@ int discriminant_sign(const mpz_class& product, const mpz_class& first, const mp
   return sgn(mpz_class(product * product - first * (second - third)));
 }
 
-/// The sweep as integers on one power of two: std::int64_t on a lattice, where positions and velocities are below 2^62,
-/// so that sums of three products of them, and the squares of where a is at the end, fit 128 bits; or mpz_class.
+/// The sweep as integers over one power of two: std::int64_t on a lattice, where positions and velocities are below
+/// 2^62, so that sums of three products of them, and the squares of a's position at the end, fit 128 bits; or
+/// mpz_class.
 template <class Integer>
 class Motion {
  public:

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// When two balls that move along straight lines first have a common point: `hit` with the first t in [0, 1], counted
-/// in steps, or `never`.
+/// Finds when two balls that move along straight lines first have a common point: `hit` with the first t in [0, 1],
+/// counted in steps, or `never`.
 ///
 /// Touching is a hit; balls that meet at the start hit at t = 0; radius 0 is a point, and velocities may be 0. Right
 /// for all finite doubles in every floating-point environment, and t correctly rounded. NaN and infinities throw
@@ -22,11 +22,11 @@ FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, c
 HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter of the whole answer knows the sweeps that hit at the start, and those that never do: no number has to be
-/// found.
+/// The filter of the full answer decides the sweeps that hit at the start, and those that never do: then there is no
+/// number to compute.
 struct swept_sphere_sphere : Signatures<decltype(robust::swept_sphere_sphere)> {
   static Partial filter, enclosed, lattice;
   static Total exact;

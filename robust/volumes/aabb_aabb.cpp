@@ -10,7 +10,8 @@
 namespace touchstone::robust {
 namespace {
 
-/// What one axis says, as 0 or 1: so that axes are joined without branches, which touching boxes would mispredict.
+/// The contact on one axis, as 0 or 1, so that axes are combined without branches, which touching boxes would
+/// mispredict.
 struct AxisContact {
   int apart;     ///< no common point
   int confined;  ///< no common interval of positive length

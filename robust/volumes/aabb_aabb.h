@@ -9,7 +9,8 @@
 
 namespace touchstone::robust {
 
-/// Whether two axis-aligned boxes, as closed solids, are `disjoint`, only touch or overlap; in the plane and in space.
+/// Decides whether two axis-aligned boxes, as closed solids, are `disjoint`, only touch or overlap; in the plane and in
+/// space.
 ///
 /// A common corner, edge or face is `touching`. A box with min == max on an axis has no interior: it can only touch.
 /// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
@@ -17,10 +18,10 @@ namespace touchstone::robust {
 inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b);
 inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows boxes that have an interior and do not touch; the exact stage compares the bits as integers.
+/// The filter decides boxes that have an interior and do not touch; the exact stage compares the bits as integers.
 struct aabb_aabb : Filtered<aabb_aabb> {
   template <class Box>
   static Perhaps<Contact> filter(const Box& a, const Box& b) {

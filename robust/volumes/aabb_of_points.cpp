@@ -31,7 +31,7 @@ template <class Point, class Visit>
   std::apply([&](auto... axis) { (visit(axis), ...); }, Of<Point>::axes);
 }
 
-/// Whether a comparison takes a subnormal for 0.
+/// Returns whether comparisons read a subnormal as 0.
 bool subnormals_are_zero() {
   double tiny = 0x1p-1074;
 #if defined(__SSE2__)
@@ -45,7 +45,7 @@ bool subnormals_are_zero() {
 
 bool below_normal(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) == 0; }
 
-/// 0.0 for -0.0, in every rounding mode.
+/// Turns -0.0 into 0.0, in every rounding mode.
 double one_zero(double value) { return validation::zero(value) ? 0.0 : value; }
 
 template <class Point>
@@ -55,9 +55,9 @@ typename Of<Point>::Box with_one_zero(typename Of<Point>::Box box) {
   return box;
 }
 
-/// Doubles are compared right in every rounding mode. The sum of all coordinates is finite only if every one is: NaN
-/// and infinities stay in a sum; where finite numbers overflow, that only costs time. Where subnormals are read as zero
-/// they are equal to each other and to zero, and in order with all other numbers: so an end is right if it is normal.
+/// Comparisons of doubles are right in every rounding mode. The sum of all coordinates is finite only if every one is:
+/// NaN and infinities persist in a sum; overflow of finite numbers only costs time. If subnormals are read as zero they
+/// are equal to each other and to zero, and in order with all other numbers: so an end is right if it is normal.
 template <class Point>
 Perhaps<typename Of<Point>::Box> filtered(const std::vector<Point>& points) {
   if (points.empty()) return std::nullopt;

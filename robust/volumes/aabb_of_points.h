@@ -10,8 +10,8 @@
 
 namespace touchstone::robust {
 
-/// The least axis-aligned box that holds all of some points, in the plane or in space. One point, or points on a line
-/// or plane parallel to the axes: the box is flat there, min == max.
+/// The least axis-aligned box that contains all of some points, in the plane or in space. For one point, or points on a
+/// line or plane parallel to the axes, the box is flat there, min == max.
 ///
 /// Exact for all finite doubles in every floating-point environment, subnormals included; 0 is returned as 0.0, never
 /// as -0.0. An empty list throws InvalidInput ("points", "at least 1 point"); so do NaN and infinities, which names the
@@ -19,7 +19,7 @@ namespace touchstone::robust {
 Aabb2d aabb_of_points(const std::vector<Point2d>& points);
 Aabb3d aabb_of_points(const std::vector<Point3d>& points);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter compares doubles, the exact stage their bits as integers.

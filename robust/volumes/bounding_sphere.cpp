@@ -61,10 +61,10 @@ Point3d centroid(const Points& points) {
   });
 }
 
-/// Ritter's ball in doubles, its points times a power of two so that the greatest coordinate lies in [1, 2): nothing
-/// overflows, and what underflows is far below the last place of that. The proof of 3/2 in the contract bears errors:
-/// rounding moves a center of a step, and with it the radius, by less than two units in the last place of that
-/// coordinate and of the radius, and of each step's error no later one makes more.
+/// Ritter's ball in doubles, its points scaled by a power of two so that the greatest coordinate lies in [1, 2):
+/// nothing overflows, and underflow is far below the last place of that. The proof of 3/2 in the contract tolerates
+/// errors: rounding moves the center of a step, and with it the radius, by less than two units in the last place of
+/// that coordinate and of the radius, and no later step increases the error of an earlier one.
 Point3d center_of_growing_ball(const Points& points) {
   const double greatest = kernel::greatest_coordinate(points);
   if (greatest == 0) return {0, 0, 0};

@@ -13,9 +13,9 @@ namespace touchstone::robust {
 ///
 /// box, centroid, smallest: each coordinate of the center is that of the method's exact ball, correctly rounded.
 /// ritter: the ball grows in doubles. Then the radius is the least double whose ball about that center contains every
-/// point, and infinite where none does. The same bits in every floating-point environment. No points throw InvalidInput
-/// ("points", "at least 1 point"); so do NaN and infinities ("points[0][1]" ..., "finite number"). Smallest: expected
-/// to take time linear in the number of points. Contract: reference/volumes/bounding_sphere.h.
+/// point, and infinite if there is none. The same bits in every floating-point environment. An empty list throws
+/// InvalidInput ("points", "at least 1 point"); so do NaN and infinities ("points[0][1]" ..., "finite number").
+/// Smallest takes expected linear time in the number of points. Contract: reference/volumes/bounding_sphere.h.
 Sphere3d bounding_sphere(const std::vector<Point3d>& points, SphereMethod method = SphereMethod::smallest);
 
 }  // namespace touchstone::robust

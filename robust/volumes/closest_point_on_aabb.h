@@ -9,7 +9,7 @@ namespace touchstone::robust {
 
 namespace detail {
 
-/// As bits, because subnormals may be read as zero.
+/// Compares bits, because subnormals may be read as zero.
 inline double clamped(double x, double min, double max) {
   using kernel::ordered_bits;
   const double above = ordered_bits(x) < ordered_bits(min) ? min : x;

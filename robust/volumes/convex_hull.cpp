@@ -14,7 +14,8 @@ namespace {
 
 double coordinate(const Point3d& p, std::size_t k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
 
-/// The coordinates in which the span of a simplex, of one to three points, is seen one to one: k and the one after it.
+/// The coordinates onto which the span of a simplex, of one to three points, projects one to one: k and the one after
+/// it.
 std::size_t seen_along(const std::vector<Point3d>& simplex) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto seen = [&](std::size_t i) {

@@ -9,7 +9,7 @@
 
 namespace touchstone::robust {
 
-/// The convex hull of points in the plane, by their places in the list: the point (dimension 0), the ends of the
+/// The convex hull of points in the plane, by their indices in the list: the point (dimension 0), the ends of the
 /// segment (1), or the extreme points of the polygon, counter-clockwise (2).
 ///
 /// Strict: no vertex lies on a segment between two other points. The first vertex, or end, is the lexicographically
@@ -19,7 +19,7 @@ namespace touchstone::robust {
 /// so does an empty list. Contract: reference/volumes/convex_hull_2d.h.
 ConvexHull2 convex_hull_2d(const std::vector<Point2d>& points);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

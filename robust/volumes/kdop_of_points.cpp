@@ -27,7 +27,7 @@ double greatest_extent(const std::vector<Point3d>& points) {
   return greatest;
 }
 
-/// visit(point) for every point that may have the least or the greatest N . P.
+/// Calls visit(point) for every point that may have the least or the greatest N . P.
 template <class Visit>
 bool for_each_candidate(const std::vector<Point3d>& points, const Vector3d& n, double of_points, const Visit& visit) {
   double low = infinity, high = -infinity;
@@ -43,7 +43,7 @@ bool for_each_candidate(const std::vector<Point3d>& points, const Vector3d& n, d
   return true;
 }
 
-/// Around all numbers that were added: rounding is monotone, so the ends may be rounded one by one.
+/// The interval around all added numbers: rounding is monotone, so the ends may be rounded one by one.
 class Outward {
  public:
   template <class Integer>

@@ -9,19 +9,19 @@
 
 namespace touchstone::robust {
 
-/// The slabs of a k-DOP around points: for each normal N, in order, the least interval of doubles that holds N . P of
-/// every point P, exactly. So no point is lost, and no narrower slab of doubles is right.
+/// The slabs of a k-DOP around points: for each normal N, in order, the least interval of doubles that contains N . P
+/// of every point P, exactly. So no point is lost, and no narrower slab of doubles is right.
 ///
-/// An end beyond the range is the greatest double, or the infinity where nothing else is outside. Right for all finite
+/// An end beyond the range is the greatest double, or the infinity if nothing else is outside. Right for all finite
 /// doubles in every floating-point environment; 0 is returned as 0.0. NaN and infinities throw InvalidInput, which
 /// names the field and "finite number"; so do an empty list of points ("at least 1 point") or normals ("at least 1
 /// normal") and a normal of length 0 ("nonzero normal"). Contract: reference/volumes/kdop_of_points.h.
 std::vector<Slabd> kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The lattice takes the points of which doubles do not show that others lie beyond them; exact takes all.
+/// The lattice takes the points that doubles do not exclude as extremes; exact takes all.
 struct kdop_of_points : Signatures<decltype(robust::kdop_of_points)> {
   static Partial lattice;
   static Total exact;

@@ -33,8 +33,8 @@ constexpr std::array<Spanned, 15> axes{{{1, 2, {0, 3, 4, 5}},
                                         {2, 4, {0, 1, 3, 5}},
                                         {2, 5, {0, 1, 3, 4}}}};
 
-/// Whether v x w is zero for certain: in each of its products a factor is 0, or one vector is the other or its
-/// opposite. Looked at as bits: no subnormal is read as 0. (Boxes that are turned alike are common.)
+/// True if v x w is certainly zero: in each of its products a factor is 0, or one vector is the other or its opposite.
+/// Compares bits: no subnormal is read as 0. (Boxes with a common orientation are frequent.)
 bool parallel(const Vector3d& v, const Vector3d& w) {
   using validation::same, validation::zero;
   if (same(v.x, w.x) && same(v.y, w.y) && same(v.z, w.z)) return true;
@@ -67,7 +67,7 @@ Perhaps<Contact> stages::obb_obb::filter(const Obb3d& a, const Obb3d& b) {
 
 namespace {
 
-/// On each axis that is not zero the distance of the centers is compared with how far both boxes reach.
+/// On each nonzero axis compares the distance of the centers with the sum of the boxes' reaches.
 template <class Integer>
 Contact contact(const std::array<Integer, 24>& n) {
   const auto at = [&n](std::size_t i) { return kernel::vector_at(n, i); };

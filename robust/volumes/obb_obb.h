@@ -8,15 +8,15 @@
 
 namespace touchstone::robust {
 
-/// Whether two oriented boxes, as closed solids, are `disjoint`, only touch or overlap.
+/// Decides whether two oriented boxes, as closed solids, are `disjoint`, only touch or overlap.
 ///
-/// The half axes need not be at right angles to each other: the boxes are the parallelepipeds that they make, exactly.
-/// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
-/// the field and "finite number"; so do half axes that are linearly dependent ("a.half_axes", "linearly independent").
-/// Contract: reference/volumes/obb_obb.h.
+/// The half axes need not be perpendicular: the boxes are the parallelepipeds that they span, exactly. Right for all
+/// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
+/// "finite number"; so do half axes that are linearly dependent ("a.half_axes", "linearly independent"). Contract:
+/// reference/volumes/obb_obb.h.
 Contact obb_obb(const Obb3d& a, const Obb3d& b);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct obb_obb : Signatures<decltype(robust::obb_obb)> {

@@ -22,8 +22,8 @@ namespace {
 using Points = std::vector<Point3d>;
 using Axes = std::array<Vector3d, 3>;
 
-/// The least interval [center - reach, center + reach] of doubles around numbers, with the center that is nearest to
-/// their middle; reach > 0. Never beyond the range: the center of greatest numbers that differ in sign is exact.
+/// The least interval [center - reach, center + reach] of doubles around numbers, with the center nearest to their
+/// middle; reach > 0. Never beyond the range: the center of the greatest numbers of opposite signs is exact.
 struct Interval {
   double center, reach;
 
@@ -49,7 +49,7 @@ Obb3d straight_box(const Points& points) {
   return {{x.center, y.center, z.center}, {{x.reach, 0, 0}, {0, y.reach, 0}, {0, 0, z.reach}}};
 }
 
-/// The columns of a matrix that Jacobi's method turns until the covariance has no entries beside the diagonal.
+/// The columns of a matrix that Jacobi's method rotates until the covariance is diagonal.
 Axes covariance_axes(const Points& points) {
   const auto count = static_cast<double>(points.size());
   std::array<double, 3> mean{};
@@ -85,8 +85,8 @@ Vector3d of_length_one(const Vector3d& v) {
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// The axes once more at right angles, of length 1, but for roundings: squared lengths within 24 units of 2^-53 of 1,
-/// scalar products within 5 of 0.
+/// The axes orthonormalized again, up to rounding: squared lengths within 24 units of 2^-53 of 1, scalar products
+/// within 5 of 0.
 Axes right_angled(const Axes& axes) {
   const Vector3d u = of_length_one(axes[0]), w = of_length_one(cross(u, axes[1]));
   return {u, cross(w, u), w};
@@ -97,11 +97,11 @@ bool holds(const Obb3d& box, const Points& points) {
                      [&box](const Point3d& p) { return point_in_obb(box, p) != Location::outside; });
 }
 
-/// In doubles; the points times a power of two, so that their greatest coordinate lies in [1, 2). Along each axis the
-/// farthest point from the rounded center is at `reach`, and roundings move it by less than 70 units of 2^-53 of the
-/// spread: (4 + 24 + 2 . 5 + 2) times the root of 3 (reference/volumes/obb_of_points.h). A box that is longer by as
-/// much holds every point, most often a far shorter one does: the exact test decides. Empty where numbers could be
-/// subnormal or beyond the range, and where points are so near to 0 beside others that they were lost.
+/// In doubles; the points are scaled by a power of two, so that their greatest coordinate lies in [1, 2). Along each
+/// axis the farthest point from the rounded center is at `reach`, and roundings move it by less than 70 units of 2^-53
+/// of the spread: (4 + 24 + 2 . 5 + 2) times the root of 3 (reference/volumes/obb_of_points.h). A box that is longer by
+/// as much contains every point, and usually a far shorter one does: the exact test decides. Empty if numbers could be
+/// subnormal or beyond the range, and if points are so much nearer to 0 than others that they were lost.
 std::optional<Obb3d> turned_box(const Points& points) {
   const double greatest = kernel::greatest_coordinate(points);
   if (greatest == 0) return std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace touchstone::robust {
 
-/// All slabs, also past one that excludes the point: each of them has to be valid.
+/// Tests all slabs, even after one that excludes the point: each of them has to be valid.
 Perhaps<Location> stages::point_in_kdop::filter(const Kdop3d& kdop, const Point3d& point) {
   const std::size_t count = kdop.normals.size();
   if (count == 0 || kdop.slabs.size() != count) return std::nullopt;
@@ -22,8 +22,8 @@ namespace {
 
 using filters::Sign;
 
-/// The lesser of both signs, of N . P - d1 and of d2 - N . P: 1 within a slab, 0 at an end, -1 beyond one.
-/// sum(terms): the exact sum, if it knows it.
+/// The lesser of the signs of N . P - d1 and of d2 - N . P: 1 within a slab, 0 at an end, -1 beyond one. sum(terms):
+/// the exact sum, if it can compute it.
 template <class Sum>
 std::optional<int> depth(const Vector3d& normal, const Slabd& slab, const Point3d& point, const Sum& sum) {
   const auto over = sum(kernel::height_over({normal, -slab.min}, point)),
@@ -32,7 +32,7 @@ std::optional<int> depth(const Vector3d& normal, const Slabd& slab, const Point3
   return std::min(kernel::sign_of(over->n), -kernel::sign_of(beyond->n));
 }
 
-/// Of the depths in all slabs.
+/// The least of the depths in all slabs.
 template <class Depth>
 Perhaps<Location> location(const Kdop3d& kdop, const Depth& depth) {
   bool unknown = false, on = false;

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies inside a k-DOP, the solid of all P with d1 <= N . P <= d2 for the normal N of every slab
-/// [d1, d2], on its `boundary` or outside.
+/// Decides whether a point lies inside a k-DOP, the solid of all P with d1 <= N . P <= d2 for the normal N of every
+/// slab [d1, d2], on its `boundary` or outside.
 ///
 /// boundary: no slab excludes the point, and one of them ends at it; so a flat slab has no inside. Normals have any
 /// length but 0. Right for all finite doubles in every floating-point environment. NaN and infinities throw
@@ -17,10 +17,10 @@ namespace touchstone::robust {
 /// ("min <= max"), a list without normals and lists of different lengths. Contract: reference/volumes/point_in_kdop.h.
 Location point_in_kdop(const Kdop3d& kdop, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// Each stage for all slabs together; a slab that excludes the point decides alone.
+/// Each stage takes all slabs together; a slab that excludes the point decides alone.
 struct point_in_kdop : Signatures<decltype(robust::point_in_kdop)> {
   static Partial filter, lattice;
   static Total exact;

@@ -9,8 +9,8 @@
 namespace touchstone::robust {
 namespace {
 
-/// With center, half axes and point on one power of two. point - center = r u + s v + t w, where by Cramer's rule r is
-/// the quotient of two determinants, of point - center with v and w and of u with them; |r| is compared with 1.
+/// With center, half axes and point over one power of two. point - center = r u + s v + t w, where by Cramer's rule r
+/// is the quotient of two determinants, of point - center with v and w and of u with them; |r| is compared with 1.
 template <class Integer>
 Location located(const std::array<Integer, 15>& n) {
   const Vector3<Integer> u = kernel::vector_at(n, 3), v = kernel::vector_at(n, 6), w = kernel::vector_at(n, 9),

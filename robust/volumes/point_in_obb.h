@@ -9,15 +9,15 @@
 
 namespace touchstone::robust {
 
-/// Whether a point lies inside of an oriented box, on its `boundary` or outside.
+/// Decides whether a point lies inside of an oriented box, on its `boundary` or outside.
 ///
-/// The half axes need not be at right angles to each other: the box is the parallelepiped that they make, exactly.
-/// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
-/// the field and "finite number"; so do half axes that are linearly dependent ("obb.half_axes", "linearly
-/// independent"). Contract: reference/volumes/point_in_obb.h.
+/// The half axes need not be perpendicular: the box is the parallelepiped that they span, exactly. Right for all finite
+/// doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
+/// "finite number"; so do half axes that are linearly dependent ("obb.half_axes", "linearly independent"). Contract:
+/// reference/volumes/point_in_obb.h.
 inline Location point_in_obb(const Obb3d& obb, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct point_in_obb : Filtered<point_in_obb, decltype(robust::point_in_obb)> {

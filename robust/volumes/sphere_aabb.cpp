@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 namespace {
 
-/// Of the radius, then axis by axis of the center's coordinate, min and max, all in one unit.
+/// The sign from the radius, then axis by axis the center's coordinate, min and max, all in one unit.
 template <class Product, class Integer, std::size_t N>
 Contact contact(const std::array<Integer, N>& n) {
   const Integer zero(0);

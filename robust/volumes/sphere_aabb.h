@@ -11,22 +11,22 @@
 
 namespace touchstone::robust {
 
-/// Whether a ball and an axis-aligned box, as closed solids, are `disjoint`, only touch or overlap; in the plane the
-/// same of a disc and a rectangle.
+/// Decides whether a ball and an axis-aligned box, as closed solids, are `disjoint`, only touch or overlap; in the
+/// plane the same for a disc and a rectangle.
 ///
 /// `touching`: they have a common point and no common interior point: a point of the box is as far from the center as
 /// the radius is long and none is nearer; or they meet, and one of them has no interior, because the radius is 0 or min
-/// == max on an axis. Where both have one, a ball within the box overlaps it, and a box within the ball. Right for all
+/// == max on an axis. If both have one, a ball within the box overlaps it, and a box within the ball. Right for all
 /// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
 /// "finite number"; so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract:
 /// reference/volumes/sphere_aabb.h.
 inline Contact sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb);
 inline Contact sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; no promise to users.
+/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-/// The filter knows boxes that have an interior and a distance that is not the radius.
+/// The filter decides boxes that have an interior and a distance that differs from the radius.
 struct sphere_aabb : Filtered<sphere_aabb> {
   static filters::Sign sign(const Circle2d& s, const Aabb2d& b) {
     using filters::beyond_interval;
@@ -41,8 +41,8 @@ struct sphere_aabb : Filtered<sphere_aabb> {
   }
   template <class Ball, class Box>
   static Perhaps<Contact> filter(const Ball& sphere, const Box& aabb) {
-    if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or for validation to refuse
-    // A square that is certainly greater than another is not 0: the ball has an interior too.
+    if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
+    // A square that is certainly greater than another is not 0: the ball has an interior, too.
     return filters::by_sign(sign(sphere, aabb), Contact::overlapping, Contact::disjoint);
   }
   template <class Ball, class Box>

@@ -35,7 +35,7 @@ Gas::Gas(Whole side, Whole room, std::vector<Cube> cubes) : side_(side), room_(r
 
 void Gas::begin() {
   now_ = {};
-  // Wider than a cube: cubes that touch are in equal or adjacent cells, also at an instant at which one crosses.
+  // Wider than a cube: cubes that touch are in equal or adjacent cells, even at an instant at which one crosses.
   width_ = std::max(side_ + 1, room_ / most_cells + 1);
   cells_ = static_cast<int>(room_ / width_) + 1;
   grid_.assign(static_cast<std::size_t>(cells_) * cells_ * cells_, {});
@@ -48,7 +48,7 @@ void Gas::begin() {
       places_[i].cell[axis] = static_cast<int>(line / width_);
     }
     require_meeting(i);
-    expect_near(i);  // of pairs, the later one
+    expect_near(i);  // of each pair, by the later one
     cell(places_[i].cell).push_back(i);
   }
 }
@@ -82,7 +82,7 @@ void Gas::expect_near(std::size_t cube) {
   each_near(cube, [&](std::size_t other) { expect_pair(cube, other); });
 }
 
-/// The next wall or border of a cell.
+/// Schedules the next wall or border of a cell.
 void Gas::expect_alone(std::size_t cube) {
   Instant first;
   int axis = -1;
@@ -99,7 +99,7 @@ void Gas::expect_alone(std::size_t cube) {
   if (axis >= 0) expect(first, cube, cube, kind, axis);
 }
 
-/// The first time from now on at which the two would begin to overlap.
+/// Schedules the first time from now on at which the two would begin to overlap.
 void Gas::expect_pair(std::size_t a, std::size_t b) {
   Instant enter{-1, 1}, leave{1, 1};
   bool moves = false;
@@ -130,7 +130,7 @@ void Gas::cross(const Event& event) {
   at[event.axis] += cubes_[event.first].velocity[event.axis] > 0 ? 1 : -1;
   cell(at).push_back(event.first);
   expect_alone(event.first);
-  // Those that were near before are expected already.
+  // Earlier neighbours are already scheduled.
   const int fresh = at[event.axis] + (cubes_[event.first].velocity[event.axis] > 0 ? 1 : -1);
   each_near(event.first, [&](std::size_t other) {
     if (places_[other].cell[event.axis] == fresh) expect_pair(event.first, other);

@@ -9,7 +9,7 @@
 
 /// An exact gas: equal cubes in a cubic room, which fly without forces and bounce elastically (deck p. 45-47, 65-69).
 /// All numbers are integers, and nothing is rounded: energy and momentum are identical after any number of collisions,
-/// and run backwards the gas returns to its first bits.
+/// and if run backwards the gas returns to its initial bits.
 namespace touchstone::simulate::gas {
 
 using Whole = std::int64_t;
@@ -28,14 +28,14 @@ struct Instant {
   friend bool operator==(const Instant& a, const Instant& b) { return Wide(a.p) * b.q == Wide(b.p) * a.q; }
 };
 
-/// Cubes that met, or one that met a wall, and came out of it with other velocities.
+/// Cubes that met, or one that met a wall, with their new velocities.
 struct Hit {
   Instant at;
   std::vector<std::size_t> cubes;                  ///< ascending
   std::vector<std::array<Whole, 3>> velocities{};  ///< of each of them, afterwards
 };
 
-/// The numbers became too long for 64 bits, or the start is none.
+/// The numbers became too long for 64 bits, or the start is invalid.
 struct GasError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -45,37 +45,37 @@ struct Counts {
   std::uint64_t at_walls = 0;   ///< single cubes that met a wall
   std::uint64_t crossings = 0;  ///< from cell to cell of the grid
   std::uint64_t groups = 0;     ///< of three or more cubes that met at one instant
-  std::uint64_t mirrored = 0;   ///< of these, groups that were reflected about their mean
+  std::uint64_t mirrored = 0;   ///< groups among these that were reflected about their mean
 };
 
-/// What happens at one instant t. Two cubes are joined if they have a point in common at t. Of a connected part in
-/// which a pair is about to overlap, or a cube is about to leave the room, each axis is answered alone, and there each
-/// group of cubes whose faces touch along the axis:
+/// The response at one instant t. Two cubes are joined if they have a point in common at t. In a connected part with a
+/// pair that is about to overlap, or a cube that is about to leave the room, each axis is handled separately, and there
+/// each group of cubes whose faces touch along the axis:
 ///   - a cube of the group is at a wall: all velocities change their sign;
 ///   - the group is a row, and the connected part has no contact at an edge or a corner: its velocities are reversed
 ///     from end to end, as in Newton's cradle; two cubes exchange theirs;
-///   - else each velocity v becomes 2 V - v, where V is the mean. Where this is no integer, the unit of length gets
-///     smaller.
-/// Each of them keeps energy and, at walls excepted, momentum, leaves no pair approaching, and undoes itself if time
-/// runs backwards. None depends on the order of cubes or axes.
+///   - otherwise each velocity v becomes 2 V - v, where V is the mean. If this is not an integer, the unit of length is
+///     divided.
+/// Each of them keeps energy and, except at walls, momentum, leaves no pair approaching, and undoes itself if time runs
+/// backwards. None depends on the order of cubes or axes.
 class Gas {
  public:
-  /// Low corners are from 0 to `room`. Nothing overlaps, and what touches does not part: it would have met before.
-  /// Throws GasError.
+  /// Low corners are from 0 to `room`. Nothing overlaps, and cubes that touch do not separate: they would have met
+  /// before. Throws GasError.
   Gas(Whole side, Whole room, std::vector<Cube> cubes);
 
-  /// Up to that time, what happens at it included. Throws GasError.
+  /// Runs up to that time, including the events at it. Throws GasError.
   void run(Whole until);
-  /// From now on each hit is added to the list, in order; of one instant those with the least cube first.
+  /// From now on each hit is added to the list, in order; at one instant those with the least cube first.
   void record(std::vector<Hit>& hits) { hits_ = &hits; }
-  /// Turns every velocity round at that time, at which the clock then begins again at 0.
+  /// Reverses every velocity at that time, at which the clock restarts at 0.
   void reverse(Whole at);
 
   const std::vector<Cube>& cubes() const { return cubes_; }
   const Counts& counts() const { return counts_; }
-  /// Units of length now in one at the start.
+  /// The number of current units of length in one at the start.
   Whole scale() const { return scale_; }
-  /// In units of now; the sum of squares of velocities, and of velocities with what walls took.
+  /// In current units; the sum of squares of velocities, and the sum of velocities including the walls' share.
   Wide doubled_energy() const;
   std::array<Wide, 3> momentum_with_walls() const;
   /// Independent of the order of the cubes.
@@ -97,7 +97,7 @@ class Gas {
   };
   struct Join {
     std::size_t first, second;
-    std::array<bool, 3> face;  ///< along which axes faces touch
+    std::array<bool, 3> face;  ///< axes along which faces touch
   };
   /// Cubes that are connected at this instant, and all their joins.
   struct Part {
@@ -106,7 +106,7 @@ class Gas {
     bool faces_only = true;
   };
 
-  // gas.cpp: when something happens
+  // gas.cpp: the times of events
   void begin();
   std::vector<std::size_t>& cell(const std::array<int, 3>& at);
   template <class Visit>
@@ -118,19 +118,18 @@ class Gas {
   void expect_near(std::size_t cube);
   void cross(const Event& event);
 
-  // response.cpp: what happens then
+  // response.cpp: the response to events
   void respond(const std::vector<std::size_t>& seeds);
   Part part_of(std::size_t seed, std::vector<bool>& seen) const;
   void add_hit(const Part& part, const std::vector<bool>& changed);
   void answer(const Part& part, int axis, std::vector<bool>& changed);
   void answer_group(const Part& part, std::vector<std::size_t> group, bool row, int axis, std::vector<bool>& changed);
   void mirror(const std::vector<std::size_t>& group, int axis);
-  /// Where the cube is now, times the denominator of now.
+  /// The current position of the cube, times the denominator of the current time.
   Wide scaled_place(std::size_t cube, int axis) const;
   bool at_wall(std::size_t cube, int axis) const;
   bool joined(std::size_t a, std::size_t b, Join& join) const;
-  /// Whether two joined cubes approach on every axis on which their faces touch; if time runs backwards, whether they
-  /// part.
+  /// True if two joined cubes approach on every axis on which their faces touch; with `backwards`, if they separate.
   bool approach(const Join& join, bool backwards = false) const;
   void require_meeting(std::size_t cube) const;
   void set(std::size_t cube, int axis, Wide line, Wide velocity);

@@ -15,7 +15,7 @@ Whole whole(Fields& fields, const char* name, std::uint32_t least) {
   fields.at(name);
   const std::uint32_t value = fields.count_or(name, least, 0);
   if (value > longest)
-    throw InvalidInput(fields.path_of(name), catalogue::expected("a whole number up to 2^30", fields.at(name)));
+    throw InvalidInput(fields.path_of(name), catalogue::expected("an integer up to 2^30", fields.at(name)));
   return value;
 }
 

@@ -8,22 +8,22 @@
 
 namespace touchstone::simulate::gas {
 
-/// Cubes on a lattice, each moved by a random whole shift, with random whole velocities.
+/// Cubes on a lattice, each shifted by a random integer vector, with random integer velocities.
 struct GasScene {
   std::string title, about;
   Whole side = 1, room = 0, until = 0;
-  bool planar = false;                  ///< one layer, which nothing leaves
-  Whole speed = 0;                      ///< no component of a velocity is greater
-  std::uint32_t steps_per_second = 60;  ///< of engines beside it (referee.h)
+  bool planar = false;                  ///< one layer, which no cube leaves
+  Whole speed = 0;                      ///< the limit of each velocity component
+  std::uint32_t steps_per_second = 60;  ///< for engines compared with it (referee.h)
   std::vector<Cube> cubes;
 };
 
-/// Whether the scene has a field `gas`: then it is one of these, and none of simulate/world/scene.h.
+/// True if the scene has a field `gas`: then it is one of these, not one of simulate/world/scene.h.
 bool is_gas(const catalogue::Json& json);
-/// Strict as read_scene is. docs/simulate.md describes the fields.
+/// Strict like read_scene. docs/simulate.md describes the fields.
 GasScene read_gas(const catalogue::Json& json);
 
-/// Runs forwards and backwards, and prints what was kept. Whether all of it was.
+/// Runs forwards and backwards, and prints the conserved quantities. Returns whether all were conserved.
 bool run_gas(const GasScene& scene, std::ostream& out);
 
 }  // namespace touchstone::simulate::gas

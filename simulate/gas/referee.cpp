@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Metres and seconds of the scene for engines. A second is the time in which the fastest cube flies its side.
+/// Metres and seconds of the scene for engines. A second is the time in which the fastest cube flies its own side.
 double metres(const GasScene& gas, Whole line) { return static_cast<double>(line) / static_cast<double>(gas.side); }
 double unit_of_speed(const GasScene& gas) { return static_cast<double>(std::max<Whole>(gas.speed, 1)); }
 double seconds(const GasScene& gas, const Instant& at) {
@@ -30,16 +30,16 @@ bool reads_as(const std::array<double, 3>& seen, const std::array<Whole, 3>& vel
   return true;
 }
 
-/// Follows one cube of the engine through the velocities that it has in the gas.
+/// Follows one cube of the engine through its velocities in the gas.
 class Follower {
  public:
   Follower(const std::vector<Record::Turn>& turns, const std::vector<Hit>& hits) : turns_(turns), hits_(hits) {}
 
-  /// The hit after those that it has surely answered at most; none if the gas has no more for it.
+  /// The hit after those that it may have answered at most; none if the gas has no more for it.
   std::size_t next() const { return reached_.back() + 1 < turns_.size() ? turns_[reached_.back() + 1].hit : none; }
 
-  /// A velocity at the end of a step; false if none of the gas follows so. `apart`: the time between two hits that one
-  /// reading may pass over.
+  /// Reads a velocity at the end of a step; returns false if no sequence of the gas explains it. `apart`: the time
+  /// between two hits that one reading may skip.
   bool read(const GasScene& gas, const std::array<double, 3>& seen, double now, double apart, double& latest) {
     std::vector<std::size_t> reached;
     for (const std::size_t from : reached_) {
@@ -56,7 +56,7 @@ class Follower {
     return true;
   }
 
-  /// Whether its velocity is still that before the next hit.
+  /// True if its velocity is still that before the next hit.
   bool waits(const std::array<double, 3>& seen) const { return reads_as(seen, turns_[reached_.back()].velocity); }
 
  private:
@@ -64,7 +64,7 @@ class Follower {
 
   const std::vector<Record::Turn>& turns_;
   const std::vector<Hit>& hits_;
-  std::vector<std::size_t> reached_{0};  ///< how many of its hits it may have answered by now
+  std::vector<std::size_t> reached_{0};  ///< possible counts of its hits answered by now
 };
 
 class Game {
@@ -83,7 +83,7 @@ class Game {
   /// Twice the time of the gas.
   std::uint64_t steps() const { return static_cast<std::uint64_t>(std::ceil(2 * end_ / step_length_)); }
 
-  /// False when nothing that comes can change the verdict.
+  /// Returns false when no later step can change the verdict.
   bool goes_on(const State<double>& state, std::uint64_t step) {
     const double now = static_cast<double>(step) * step_length_;
     verdict_.steps = step;
@@ -105,7 +105,7 @@ class Game {
     return awaited() < (verdict_.wrong ? verdict_.wrong->hit : verdict_.hits);
   }
 
-  /// The engine makes no more steps: a hit that is not answered by now is missed.
+  /// The engine makes no more steps: unanswered hits are missed.
   void end(const State<double>& state) {
     for (std::size_t cube = 0; cube < followers_.size(); ++cube) {
       if (gone_[cube]) continue;
@@ -118,7 +118,7 @@ class Game {
     if (wrong.hit >= verdict_.hits) return;
     if (!verdict_.wrong || wrong.hit < verdict_.wrong->hit) verdict_.wrong = wrong;
   }
-  /// The first hit that a cube has still to answer.
+  /// The first hit that a cube has yet to answer.
   std::size_t awaited() const {
     std::size_t first = none;
     for (std::size_t cube = 0; cube < followers_.size(); ++cube)

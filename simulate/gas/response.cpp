@@ -7,7 +7,7 @@
 namespace touchstone::simulate::gas {
 namespace {
 
-/// So that products of any two of them, and sums of a few, have room in 128 bits.
+/// Limits so that products of any two of them, and sums of a few, fit in 128 bits.
 constexpr Wide longest_line = Wide(1) << 61, longest_velocity = Wide(1) << 30;
 
 bool within(Wide x, Wide bound) { return -bound < x && x < bound; }
@@ -63,7 +63,7 @@ void Gas::rescale(Whole factor) {
       set(i, axis, Wide(cubes_[i].line[axis]) * factor, Wide(cubes_[i].velocity[axis]) * factor);
 }
 
-/// Groups of cubes whose faces touch along the axis, each answered.
+/// Handles each group of cubes whose faces touch along the axis.
 void Gas::answer(const Part& part, int axis, std::vector<bool>& changed) {
   std::vector<std::size_t> left = part.cubes;
   while (!left.empty()) {
@@ -99,7 +99,7 @@ void Gas::answer_group(const Part& part, std::vector<std::size_t> group, bool ro
     counts_.at_walls += part.cubes.size() == 1;
     for (const std::size_t cube : group) {
       const Whole v = cubes_[cube].velocity[axis];
-      const Wide place = scaled_place(cube, axis) / now_.q;  // an integer: the wall, or whole cubes from it
+      const Wide place = scaled_place(cube, axis) / now_.q;  // an integer: the wall, or a multiple of the side from it
       wall_impulse_[axis] += 2 * Wide(v);
       set(cube, axis, 2 * place - cubes_[cube].line[axis], -Wide(v));
     }
@@ -122,8 +122,8 @@ void Gas::answer_group(const Part& part, std::vector<std::size_t> group, bool ro
     if (Wide(before[k]) * (scale_ / unit) != cubes_[group[k]].velocity[axis]) changed[group[k]] = true;
 }
 
-/// Every line about the mean of all, each seen from the place of the first: faces touch, so that places are whole cubes
-/// apart.
+/// Reflects every line about the mean of all, each relative to the position of the first: faces touch, so that
+/// positions differ by multiples of the side.
 void Gas::mirror(const std::vector<std::size_t>& group, int axis) {
   const Whole many = static_cast<Whole>(group.size());
   const auto from_first = [&](std::size_t cube) {

@@ -39,8 +39,7 @@
 #include "robust/volumes/sphere_aabb.h"
 #include "robust/volumes/sphere_sphere.h"
 
-/// What a step is made of, in each arithmetic: operations of the catalogue, and p + t v, which a step needs
-/// everywhere.
+/// The operations of a step, in each arithmetic: those of the catalogue, and p + t v, which a step needs throughout.
 namespace touchstone::simulate {
 
 using catalogue::Exact;
@@ -71,8 +70,8 @@ struct Formulas {
     else return static_cast<Real>(x);
   }
   static Real plus(const Real& a, const Real& t, const Real& b) { return Real(a + Real(t * b)); }
-  /// The time of a moment, as a step goes on with it. It may have a root: the exact step takes the nearest double, so
-  /// that its numbers stay rational.
+  /// The time of an event, as used in the rest of a step. It may have a root: the exact step takes the nearest double,
+  /// so that its numbers stay rational.
   static Real moment(const Real& t) {
     if constexpr (std::is_same_v<Real, Exact>) return number(catalogue::nearest(t.value()));
     else return t;
@@ -80,7 +79,7 @@ struct Formulas {
   TOUCHSTONE_OPERATIONS_OF(reference)
 };
 
-/// Each decision exact, and the result of each operation rounded once.
+/// Each decision is exact, and the result of each operation is rounded once.
 struct Robust {
   using Number = double;
   static double number(double x) { return x; }

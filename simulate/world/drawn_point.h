@@ -7,8 +7,8 @@
 
 namespace touchstone::simulate {
 
-/// About where two solids touch, in doubles, for drawings: on a sphere against the normal; between boxes the middle of
-/// what they have in common; where a box meets a wall, its lowest corner.
+/// The approximate contact point of two solids, in doubles, for drawings: on a sphere against the normal; between boxes
+/// the middle of their intersection; for a box at a wall, its lowest corner.
 template <class By>
 Point3d drawn_point(const World<By>& world, const Touch& touch, const State<typename By::Number>& at,
                     const Vector3d& normal) {

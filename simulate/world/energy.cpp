@@ -12,7 +12,7 @@ Vector3<Exact> in_exact(const Vector3d& v) {
 
 mpq_class square(const Vector3<Exact>& v) { return dot(v, v).value(); }
 
-/// What the wall's spring holds while a particle is behind it.
+/// The energy of the wall's spring while a particle is behind it.
 mpq_class of_spring(const Scene& scene, const Wall& wall, const Vector3<Exact>& place) {
   const Vector3<Exact> normal = in_exact(wall.plane.normal);
   const mpq_class e = dot(normal, place).value() + exact_value(wall.plane.offset);

@@ -10,7 +10,7 @@
 #include "geometry/answers.h"
 #include "simulate/world/arithmetic.h"
 
-/// What bodies in flight ask of which there is no operation in the catalogue: closed formulas over float, double or
+/// Questions about bodies in flight that are not operations of the catalogue: closed formulas over float, double or
 /// Exact, and for robust the exact one, rounded once.
 namespace touchstone::simulate {
 
@@ -21,8 +21,8 @@ struct Height {
   Real start, slope, curve;
 };
 
-/// The first t from 0 to 1 at which the height is not above 0 and falls. A body that rises out of a wall, or from it,
-/// may come back to it; one that only touches at its lowest or rests does not fall.
+/// The first t from 0 to 1 at which the height is not above 0 and is falling. A body that rises out of a wall, or from
+/// it, may return to it; one that only touches at its lowest point or rests does not fall.
 template <class Real>
 FirstContact<Real> first_fall(const Height<Real>& height) {
   using std::sqrt;
@@ -34,14 +34,14 @@ FirstContact<Real> first_fall(const Height<Real>& height) {
   const Real discriminant = Real(Real(s * s) - Real(Real(Real(4) * e) * c));
   if (!(discriminant > zero)) return never;
   const Real root = Real(sqrt(discriminant));
-  // The same root in two forms, of which each subtracts nothing where it is taken.
+  // The same root in two forms, each used where it has no cancellation.
   const Real t = s > zero ? Real(Real(-s - root) / Real(Real(2) * c)) : Real(Real(Real(2) * e) / Real(root - s));
   if (zero <= t && t <= Real(1)) return {HitRelation::hit, t};
   return never;
 }
 
-/// The height of a ball, or with radius 0 of a point, that starts with this velocity and acceleration: after `time` t
-/// is 1.
+/// The height of a ball, or with radius 0 of a point, with this initial velocity and acceleration, where t = 1 is after
+/// `time`.
 template <class Real>
 Height<Real> height_over(const Sphere3<Real>& ball, const Vector3<Real>& velocity, const Vector3<Real>& acceleration,
                          const Real& time, const Plane<Real>& wall) {
@@ -54,9 +54,9 @@ Height<Real> height_over(const Sphere3<Real>& ball, const Vector3<Real>& velocit
           Real(Real(Real(time * time) * Real(dot(n, acceleration))) / Real(2))};
 }
 
-/// The first t from 0 to 1 at which a ball that moves by `way` while a box rests has a point in common with it. The
-/// ball's center then enters the box that is wider by its radius, rounded at edges and corners: its squared distance
-/// from the box is a quadratic polynomial between the moments at which it crosses the planes of the faces, and convex.
+/// The first t from 0 to 1 at which a ball that moves by `way` has a point in common with a box at rest. The ball's
+/// center then enters the box grown by its radius, rounded at edges and corners: its squared distance from the box is a
+/// quadratic polynomial between the times at which it crosses the planes of the faces, and convex.
 template <class Real>
 FirstContact<Real> swept_sphere_aabb(const Sphere3<Real>& ball, const Aabb3<Real>& box, const Vector3<Real>& way) {
   using std::sqrt;
@@ -101,8 +101,8 @@ FirstContact<Real> swept_sphere_aabb(const Sphere3<Real>& ball, const Aabb3<Real
   return never;
 }
 
-/// Whether a body that leaves a wall at this velocity and falls back to it again and again, at `restitution` times the
-/// speed each time, makes all of these bounces within `time`: they take 2 v / g (1 + e + e^2 + ...) together.
+/// True if a body that leaves a wall at this velocity and repeatedly falls back to it, at `restitution` times the speed
+/// each time, completes all of these bounces within `time`: together they take 2 v / g (1 + e + e^2 + ...).
 template <class Real>
 bool bounces_end(const Vector3<Real>& velocity, const Vector3<Real>& acceleration, const Vector3<Real>& normal,
                  const Real& restitution, const Real& time) {
@@ -110,8 +110,8 @@ bool bounces_end(const Vector3<Real>& velocity, const Vector3<Real>& acceleratio
   return pull > Real(0) && Real(Real(2) * speed) <= Real(Real(pull * Real(Real(1) - restitution)) * time);
 }
 
-/// The vector nearest to `pull` that leads into no wall with these normals: itself, or its foot on a plane, or on the
-/// line of two planes, or 0.
+/// The vector nearest to `pull` that leads into no wall with these normals: itself, or its projection on a plane, or on
+/// the line of two planes, or 0.
 template <class Real>
 Vector3<Real> nearest_not_into(const Vector3<Real>& pull, const std::vector<Vector3<Real>>& normals) {
   const Real zero(0);
@@ -137,7 +137,7 @@ Vector3<Real> nearest_not_into(const Vector3<Real>& pull, const std::vector<Vect
   return nearest;
 }
 
-/// A formula by that arithmetic: for robust the exact one, a number of its answer rounded once.
+/// A formula in that arithmetic: for robust the exact one, with each number of its answer rounded once.
 template <class By, class Formula, class... Part>
 auto by(const Formula& formula, const Part&... part) {
   if constexpr (std::is_same_v<By, Robust>) {

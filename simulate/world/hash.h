@@ -8,10 +8,10 @@
 
 namespace touchstone::simulate {
 
-/// Of the bodies of a scene in that state. It does not depend on their order, nor on names, nor on the sign of 0; two
-/// states that differ have the same hash once in 2^64.
+/// The hash of the bodies of a scene in that state. It does not depend on their order, nor on names, nor on the sign of
+/// 0; different states collide with probability 2^-64.
 std::uint64_t hash_of(const Scene& scene, const State<double>& state);
-/// Of a run up to a step: of the chain before it and that step's hash.
+/// The hash of a run up to a step: combines the chain before it and that step's hash.
 std::uint64_t chained(std::uint64_t chain, std::uint64_t hash);
 /// Sixteen hexadecimal digits.
 std::string in_digits(std::uint64_t hash);

@@ -8,7 +8,7 @@
 #include "catalogue/shape/described_all.h"
 #include "simulate/world/arithmetic.h"
 
-/// Which questions a step asked, in their order.
+/// The questions of a step, in their order.
 namespace touchstone::simulate {
 
 using catalogue::Json;
@@ -23,12 +23,12 @@ struct Touch {
 struct Asked {
   Touch touch;
   const char* operation;
-  Json question, answer;  ///< as `touchstone ask` takes them, and gives them but for the name of one bare word
+  Json question, answer;  ///< in the form of `touchstone ask`, except for the name of a single bare enumerator
 };
 using Log = std::vector<Asked>;
 
-/// Appends a question of a decision to the log, if there is one. The exact arithmetic is never logged: its numbers are
-/// no doubles.
+/// Appends the question of a decision to the log, if there is one. The exact arithmetic is never logged: its numbers
+/// are not doubles.
 template <class Real, class Answer, class... Part>
 Answer logged(Log* log, const Touch& touch, const char* operation, std::initializer_list<const char*> names,
               const Answer& answer, const Part&... part) {

@@ -6,7 +6,7 @@
 namespace touchstone::simulate {
 namespace {
 
-/// The contact as the log has it: all questions of `meet` answer with a Contact or a side.
+/// The contact in the log's form: all questions of `meet` are answered with a Contact or a side.
 bool overlaps(const Json& answer) {
   const std::string word = answer.is_string() ? answer.get<std::string>() : answer["side"].get<std::string>();
   return word == "overlapping" || word == "back";

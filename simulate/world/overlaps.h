@@ -12,8 +12,8 @@ struct BrokenRule {
   std::string field, rule;
 };
 
-/// The first two bodies, or body and wall, that overlap at the start, decided exactly. Touching is no overlap, and two
-/// fixed bodies may overlap.
+/// The first two bodies, or body and wall, that overlap at the start, decided exactly. Touching is not overlapping, and
+/// two fixed bodies may overlap.
 std::optional<BrokenRule> overlap_at_start(const Scene& scene);
 
 }  // namespace touchstone::simulate

@@ -19,18 +19,18 @@ struct Particle {
   Vector3<Real> velocity;
 };
 
-/// The bodies of a scene at one moment, in the order of the scene.
+/// The bodies of a scene at one time, in the order of the scene.
 template <class Real>
 using State = std::vector<Particle<Real>>;
 
-/// Boxes keep their axes along x, y and z: nothing turns.
+/// Boxes keep their axes along x, y and z: nothing rotates.
 enum class Shape { particle, sphere, box };
 
 struct SceneBody {
-  std::string name;  ///< "bodies[3]" where the scene gives none
+  std::string name;  ///< "bodies[3]" if the scene gives none
   Shape shape = Shape::particle;
-  double radius = 0;        ///< of a sphere
-  Vector3d half_extents{};  ///< of a box
+  double radius = 0;        ///< for a sphere
+  Vector3d half_extents{};  ///< for a box
   bool fixed = false;       ///< never moves; nothing changes its velocity, 0
   double mass = 1;          ///< greater than 0
   Particle<double> start{};
@@ -38,39 +38,39 @@ struct SceneBody {
 
 /// Solid where normal . p + offset <= 0.
 struct Wall {
-  std::string name;  ///< "walls[0]" where the scene gives none
+  std::string name;  ///< "walls[0]" if the scene gives none
   Plane3d plane;
 };
 
-/// How gravity enters a step of length h. The deck has no rule for it (p. 9: p + t v), so that a scene names one; for
-/// each the energy that one free step gains, per unit of mass.
+/// The integration of gravity in a step of length h. The deck has no rule for it (p. 9: p + t v), so a scene selects
+/// one. Each is listed with the energy that one free step gains, per unit of mass.
 enum class Motion {
   accelerate_then_move,  ///< v += h g, p += h v: -h^2 g.g / 2
   move_then_accelerate,  ///< p += h v, v += h g: +h^2 g.g / 2
   parabola,              ///< p += h (v + h g / 2), v += h g: 0
 };
 
-/// With option 1, when velocities change: before the bodies move to where contacts were found, or after.
+/// With option 1: whether velocities change before the bodies move to where contacts were found, or after.
 enum class Turn { before_move, after_move };
 
-/// What a contact does.
+/// The effect of a contact.
 enum class Law {
   restitution,  ///< p. 67-71: the normal part of the relative velocity becomes -e times what it was
-  stick,        ///< p. 70: bodies have one velocity from then on; at a wall it is 0
+  stick,        ///< p. 70: bodies have a common velocity from then on; at a wall it is 0
   penalty,      ///< p. 72-73: walls are springs with dampers, for particles only
 };
 
-/// Which pairs are asked about: all (p. 56), or those whose boxes meet, found by sort and sweep along x (p. 55) or by
-/// a tree of boxes. The steps are the same.
+/// The pairs that are tested: all (p. 56), or those whose boxes meet, found by sort and sweep along x (p. 55) or by a
+/// tree of boxes. The steps are the same.
 enum class BroadPhase : std::uint8_t { all_pairs, sort_and_sweep, tree };
 
 struct Settings {
   double timestep = 0;
-  std::uint64_t steps = 600;  ///< unless the command says how many
+  std::uint64_t steps = 600;  ///< unless the command gives a number
   Motion motion = Motion::accelerate_then_move;
-  int option = 1;  ///< of p. 23: 1 looks for contacts at the end of the step, 2 for the time of impact
+  int option = 1;  ///< of p. 23: 1 tests for contacts at the end of the step, 2 finds the time of impact
   Turn turn = Turn::before_move;
-  std::uint32_t passes = 1;    ///< option 1: how often all contacts are gone through in a step, in their order
+  std::uint32_t passes = 1;    ///< option 1: number of passes over all contacts in a step, in their order
   std::uint32_t moments = 64;  ///< option 2: contacts in one step; a step that needs more is refused
   BroadPhase broad_phase = BroadPhase::all_pairs;
   Law law = Law::restitution;
@@ -78,7 +78,7 @@ struct Settings {
   double stiffness = 0, damping = 0;
 };
 
-/// Metres, kilograms and seconds, or any other units that fit together; y is up.
+/// Metres, kilograms and seconds, or any other consistent units; y is up.
 struct Scene {
   std::string title, about;
   std::vector<std::uint32_t> deck_pages;
@@ -86,7 +86,7 @@ struct Scene {
   Settings settings;
   std::vector<Wall> walls;
   std::vector<SceneBody> bodies;
-  Json text;  ///< as it was read
+  Json text;  ///< as read
 
   State<double> start() const;
 };

@@ -54,11 +54,11 @@ class Step {
  private:
   struct Moment {
     Touch touch;
-    Real time;  ///< a part of what is left of the step
+    Real time;  ///< a fraction of the rest of the step
     Vector3<Real> normal;
   };
 
-  /// Whether velocities change in flight.
+  /// True if velocities change in flight.
   bool curved() const { return settings_.option == 2 && settings_.motion == Motion::parabola; }
 
   Vector3<Real> acceleration(std::size_t body) const {
@@ -79,7 +79,7 @@ class Step {
       if (!world_.solid(i).fixed) state_[i].velocity = plus<By>(state_[i].velocity, world_.timestep(), acceleration(i));
   }
 
-  /// Where bodies are after that time; and how they move then, if that changes in flight.
+  /// The positions after that time, and the velocities, if they change in flight.
   State<Real> moved(const Real& time) const {
     State<Real> moved = state_;
     for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -111,7 +111,7 @@ class Step {
     impacts_.push_back({touch, time, drawn_point(world_, touch, at, n), n, rise});
   }
 
-  /// Which walls carry a body: those on which it rests, and that one.
+  /// Finds the walls that carry a body: those on which it rests, and that one.
   void look_for_carriers(std::size_t body, std::size_t wall) {
     std::vector<std::size_t>& carriers = carriers_[body];
     carriers.clear();
@@ -129,7 +129,7 @@ class Step {
     return std::find(carriers.begin(), carriers.end(), touch.other) != carriers.end();
   }
 
-  /// What may meet until the rest of the step is over.
+  /// The pairs that may meet during the rest of the step.
   const std::vector<Touch>& touches(const Real& left) const {
     const State<Real> end = moved(left);
     if (!curved()) return world_.touches(state_, end, nearby_);
@@ -152,7 +152,7 @@ class Step {
     return world_.touches(state_, end, nearby_, settings_.broad_phase, sag);
   }
 
-  /// Of the two of a contact, in Exact alone; elsewhere 0.
+  /// The energy of the two bodies of a contact, in Exact only; otherwise 0.
   mpq_class kinetic_energy(const Touch& touch) const {
     mpq_class sum = 0;
     if constexpr (std::is_same_v<Real, Exact>) {
@@ -205,8 +205,9 @@ class Step {
     state_ = moved(left);
   }
 
-  /// Keeps 53 digits of what bodies of the touch have from earlier moments of this step, as impact_step does, or digits
-  /// would multiply with every bounce; numbers of 53 digits stay. Whether there was any to shorten.
+  /// Shortens to 53 digits the numbers that bodies of the touch have from earlier events of this step, like
+  /// impact_step, or digits would multiply with every bounce; numbers of 53 digits stay. Returns whether there was any
+  /// to shorten.
   bool shorten(const Touch& touch) {
     const auto shortened = [this](std::size_t body) {
       const auto met = [body](const Impact& impact) {
@@ -225,8 +226,8 @@ class Step {
     std::optional<Moment> first;
     for (const Touch& touch : touches(left)) {
       const bool falls = curved() && touch.wall;
-      // Two that just bounced do not meet again before another contact has turned one of them; but what falls comes
-      // back to a wall, unless that carries it.
+      // Two bodies that just bounced do not meet again before another contact has changed one of them; but a falling
+      // body returns to a wall, unless that carries it.
       if (falls ? carries(touch) : !impacts_.empty() && impacts_.back().touch == touch) continue;
       const auto moment = moment_of(touch, left);
       if (!moment || (first && !(moment->time < first->time))) continue;
@@ -269,7 +270,7 @@ class Step {
   State<Real> state_;
   std::vector<Impact> impacts_;
   mpq_class law_ = 0;
-  // Of each body, where velocities change in flight: the walls that carry it, and the acceleration that these leave.
+  // For each body, if velocities change in flight: the walls that carry it, and the acceleration that these leave.
   std::vector<std::vector<std::size_t>> carriers_;
   std::vector<Vector3<Real>> pulls_;
 };

@@ -289,7 +289,7 @@ std::optional<Vector3<typename By::Number>> World<By>::normal(const Touch& touch
 template <class By>
 bool World<By>::approach(const Touch& touch, const State<Real>& state, const Vector3<Real>& normal, Log* log) const {
   const Vector3<Real> none{Real(0), Real(0), Real(0)};
-  const Point3<Real> at{Real(0), Real(0), Real(0)};  // nothing turns: where they touch does not count
+  const Point3<Real> at{Real(0), Real(0), Real(0)};  // nothing rotates: the contact point does not matter
   const MovingBody<Real> a{at, state[touch.body].velocity, none};
   const MovingBody<Real> b{at, touch.wall ? none : state[touch.other].velocity, none};
   return logged<Real>(log, touch, "contact_state", {"a", "b", "point", "normal"}, By::contact_state(a, b, at, normal),

@@ -8,7 +8,7 @@
 #include "simulate/world/log.h"
 #include "simulate/world/scene.h"
 
-/// The bodies and walls of a scene in one arithmetic, and what can be asked of two of them.
+/// The bodies and walls of a scene in one arithmetic, and the questions about two of them.
 namespace touchstone::simulate {
 
 template <class Real>
@@ -19,7 +19,7 @@ struct Solid {
   Vector3<Real> half_extents;
 };
 
-/// What a broad phase keeps from one step to the next: memory, and a tree of boxes. No answer depends on it.
+/// The data that a broad phase keeps from one step to the next: memory, and a tree of boxes. No answer depends on it.
 struct Nearby {
   std::vector<Aabb3d> boxes;
   std::vector<Plane3d> planes;
@@ -43,39 +43,41 @@ class World {
   const Real& timestep() const { return timestep_; }
   const Real& restitution() const { return restitution_; }
 
-  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls; of these, pairs whose boxes meet on the
-  /// way between the two states, and walls that a box reaches, if the scene has a broad phase; all otherwise. The boxes
-  /// are wider than the bodies by 2^-20 of their coordinates, which is more than float's formulas for two bodies at
-  /// rest are wrong by (their contracts), so that with option 1 the steps are the same. Formulas for moving bodies may
-  /// see contacts far off: these are not asked then. The list stands in `nearby`, until the next call with it.
+  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls; of these, pairs whose boxes meet between
+  /// the two states, and walls that a box reaches, if the scene has a broad phase; all otherwise. The boxes are wider
+  /// than the bodies by 2^-20 of their coordinates, which exceeds the error of float's formulas for two bodies at rest
+  /// (their contracts), so that with option 1 the steps are the same. Formulas for moving bodies may report contacts
+  /// far off: these are not asked then. The list is valid until the next call with `nearby`.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const;
-  /// The same as if the scene had that broad phase. `sag`: how far from the straight way a body may be between the two.
+  /// The same as if the scene had that broad phase. `sag`: the distance that a body may have from the straight path
+  /// between the two.
   const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
                                     BroadPhase broad_phase, const Vector3d& sag = {}) const;
 
-  /// Whether they have a common point in these positions (p. 22, 44-50).
+  /// True if they have a common point in these positions (p. 22, 44-50).
   bool meet(const Touch& touch, const State<Real>& at, Log* log) const;
-  /// When they first meet if they fly on for `time` (p. 23, 51), as a part of it. For two that do not meet yet.
+  /// The time at which they first meet if they fly on for `time` (p. 23, 51), as a fraction of it. For two that do not
+  /// meet yet.
   FirstContact<Real> first_meeting(const Touch& touch, const State<Real>& state, const Real& time, Log* log) const;
-  /// The same of a body and a wall where the body flies along a parabola, and of the times at which it falls towards
-  /// the wall. It may touch it at first, and rise.
+  /// The same for a body on a parabola and a wall, considering only the times at which it falls towards the wall. It
+  /// may touch it at first, and rise.
   FirstContact<Real> first_fall(const Touch& touch, const State<Real>& state, const Vector3<Real>& acceleration,
                                 const Real& time) const;
-  /// Whether they touch at a wall, move along it, and are pressed to it by gravity.
+  /// True if they touch at a wall, move along it, and gravity presses them to it.
   bool rests(const Touch& touch, const State<Real>& state) const;
-  /// Whether all bounces from that wall that would follow fit into that time: with restitution e below 1 they are
-  /// infinitely many, e times as long each as the one before.
+  /// True if all further bounces from that wall fit into that time: with restitution e below 1 they are infinitely
+  /// many, each e times as long as the one before.
   bool comes_to_rest(const Touch& touch, const State<Real>& state, const Vector3<Real>& acceleration,
                      const Real& time) const;
-  /// How high above a wall the velocity brings the body before gravity has it fall back; 0 where it does not. For
-  /// people: in doubles.
+  /// The height above a wall to which the velocity brings the body before gravity makes it fall back; 0 if it does not.
+  /// For people: in doubles.
   double rise(const Touch& touch, const State<Real>& state) const;
-  /// Gravity less what walls that carry a body take of it.
+  /// Gravity minus the part that carrying walls take.
   Vector3<Real> carried(const std::vector<std::size_t>& walls) const;
-  /// The direction in which the body leaves the other one or the wall; empty where it has none, because centers
+  /// The direction in which the body leaves the other one or the wall; nullopt if it has none, because centers
   /// coincide.
   std::optional<Vector3<Real>> normal(const Touch& touch, const State<Real>& at) const;
-  /// Whether they come closer along the normal (p. 74).
+  /// True if they approach along the normal (p. 74).
   bool approach(const Touch& touch, const State<Real>& state, const Vector3<Real>& normal, Log* log) const;
   /// Velocities after the contact (p. 67-71).
   void respond(const Touch& touch, State<Real>& state, const Vector3<Real>& normal) const;
@@ -86,7 +88,7 @@ class World {
     return {at[body].position, solids_[body].radius};
   }
   Aabb3<Real> box(std::size_t body, const State<Real>& at) const;
-  /// The corner that lies deepest behind a wall; of a particle, itself.
+  /// The corner that lies deepest behind a wall; for a particle, itself.
   Point3<Real> deepest(const Touch& touch, const State<Real>& at) const;
   bool boxes(const Touch& touch) const {
     return solids_[touch.body].shape == Shape::box && solids_[touch.other].shape == Shape::box;

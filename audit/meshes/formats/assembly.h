@@ -9,23 +9,23 @@
 
 namespace touchstone::audit::meshes {
 
-/// What refuses a transform by which a position would be rounded.
+/// The rule that refuses a transform that would round a position.
 inline constexpr const char* exact_transform_rule =
     "a transform that keeps all positions doubles; apply it in the program that exports";
 
-/// A mesh that is put together from parts, each of which may be placed several times.
+/// A mesh assembled from parts, each of which may be placed several times.
 class Assembly {
  public:
-  /// `bytes`: how long the file is. Parts that are placed again and again hold much more, within a limit.
+  /// `bytes`: the length of the file. Parts that are placed repeatedly hold much more, within a limit.
   Assembly(const std::string& name, const std::string& format, std::size_t bytes);
 
-  /// Refuses the file where vertices and corners, with so many more, are beyond the limit.
+  /// Refuses the file if this many more vertices and corners would exceed the limit.
   void require_room(std::size_t more);
-  /// Appends positions, each moved by `transform`; returns the index of the first. `placed_by` is what a refusal names
-  /// where one is moved to what is no double ("nodes[3]").
+  /// Appends positions, each moved by `transform`; returns the index of the first. `placed_by` is named in the refusal
+  /// if an image is not a double ("nodes[3]").
   std::size_t add_vertices(const std::vector<Point3d>& positions, const ExactTransform& transform,
                            const std::string& placed_by);
-  /// Appends faces over vertices from `first` on, reversed where the transform mirrors.
+  /// Appends faces over vertices from `first` on, reversed if the transform mirrors.
   void add_faces(std::vector<std::vector<Index>> faces, std::size_t first, const ExactTransform& transform);
 
   MeshFile mesh;

@@ -14,15 +14,14 @@
 
 namespace touchstone::audit::meshes {
 
-/// The bytes of a binary file, from the first on. Errors name the byte at which the thing begins that is wrong, counted
-/// from 0.
+/// The bytes of a binary file, read in order. Errors name the byte at which the defective part begins, counted from 0.
 class Bytes {
  public:
   Bytes(std::string name, std::string_view all, std::endian order, std::size_t at = 0)
       : name_(std::move(name)), all_(all), order_(order), at_(at), began_(at) {}
 
   std::size_t left() const { return all_.size() - at_; }
-  /// Whether nothing but blanks and line ends is left.
+  /// True if only blanks and line ends are left.
   bool blank() const { return all_.find_first_not_of(std::string_view(" \t\r\n\0", 5), at_) == all_.npos; }
   void skip(std::size_t count) { take(count); }
 

@@ -15,7 +15,7 @@ mpq_class dot(const Row& row, double x, double y, double z, double w) {
   return mpq_class(row[0]) * x + mpq_class(row[1]) * y + mpq_class(row[2]) * z + mpq_class(row[3]) * w;
 }
 
-/// Whether the number is a double, which is then stored.
+/// True if the number is a double, which is then stored.
 bool stored(const mpq_class& exact, double& to) {
   to = exact.get_d();  // truncated, unless it is a double
   return std::isfinite(to) && mpq_class(to) == exact;

@@ -14,13 +14,13 @@ struct ExactTransform {
   friend bool operator==(const ExactTransform&, const ExactTransform&) = default;
 };
 
-/// First `inner`, then `outer`; empty where an entry of the two together is no double.
+/// First `inner`, then `outer`; nullopt if an entry of their product is not a double.
 std::optional<ExactTransform> composed(const ExactTransform& outer, const ExactTransform& inner);
 
-/// Whether right-handed corners become left-handed ones.
+/// True if it turns right-handed corners into left-handed ones.
 bool mirrors(const ExactTransform& transform);
 
-/// The image of a point; empty where a coordinate of it is no double.
+/// The image of a point; nullopt if one of its coordinates is not a double.
 std::optional<Point3d> image(const ExactTransform& transform, const Point3d& point);
 
 }  // namespace touchstone::audit::meshes

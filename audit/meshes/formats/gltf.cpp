@@ -53,7 +53,7 @@ class Scene {
     return root.has(key) ? root[key].size() : 0;
   }
 
-  /// Nodes and all below them, of which each is seen once: glTF has trees.
+  /// Adds nodes and all their descendants, each of which occurs once: glTF has trees.
   void add_nodes(const Value& nodes, const ExactTransform& above) {
     std::vector<std::pair<std::size_t, ExactTransform>> waiting;
     const auto wait = [&](const Value& list, const ExactTransform& transform) {
@@ -64,7 +64,7 @@ class Scene {
       const auto [i, outer] = std::move(waiting.back());
       waiting.pop_back();
       const Value node = document_.root()["nodes"][i];
-      if (seen_[i]) node.refuse("a node below one node alone");
+      if (seen_[i]) node.refuse("a node with at most one parent");
       seen_[i] = true;
       const auto transform = composed(outer, transform_of(node));
       if (!transform) node.refuse(exact_transform_rule);
@@ -80,7 +80,7 @@ class Scene {
     return found;
   }
 
-  /// A matrix by columns, or first a scale, then a rotation, then a translation.
+  /// A matrix by columns, or a scale, then a rotation, then a translation.
   static ExactTransform transform_of(const Value& node) {
     ExactTransform made;
     if (node.has("matrix")) {
@@ -199,7 +199,7 @@ class Scene {
 
 }  // namespace
 
-/// Of either form: the binary one has a mark of its own, the other is an object of JSON.
+/// For either form: the binary one has a mark of its own, the other is an object of JSON.
 bool is_gltf(std::string_view bytes) {
   const std::string_view text = without_mark(bytes);
   const std::size_t start = text.find_first_not_of(" \t\r\n");

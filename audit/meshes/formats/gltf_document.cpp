@@ -32,7 +32,7 @@ std::string from_base64(const Value& uri, std::string_view text) {
   return bytes;
 }
 
-/// The name of a file in the same folder or below, with %20 and the like as the characters that they stand for.
+/// The name of a file in the same folder or below, with %20 and similar sequences decoded.
 std::string file_of(const Value& uri, std::string_view text) {
   std::string name;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -112,7 +112,7 @@ Document read_document(const std::string& name, std::string_view bytes, const Be
     document.format = "glTF (binary)";
     file.skip(4);
     if (file.number<std::uint32_t>() != 2) file.refuse("glTF of version 2");
-    if (file.number<std::uint32_t>() > bytes.size()) file.refuse("as many bytes as it says: the file ends too early");
+    if (file.number<std::uint32_t>() > bytes.size()) file.refuse("the file ends before the declared number of bytes");
     const auto length = file.number<std::uint32_t>();
     if (file.number<std::uint32_t>() != json_chunk) file.refuse("JSON as the first chunk");
     text = file.take(length);
@@ -149,7 +149,7 @@ Elements elements_of(const Document& document, const Value& accessor, std::size_
   const Value view = document.root()["bufferViews"][accessor["bufferView"].integer()];
   const std::size_t buffer = view["buffer"].integer(), begin = view.integer("byteOffset", 0);
   const std::size_t length = view["byteLength"].integer(), stride = view.integer("byteStride", size);
-  document.root()["buffers"][buffer];  // refuses a buffer that is not there
+  document.root()["buffers"][buffer];  // refuses a missing buffer
   const std::string_view bytes = document.buffers[buffer];
   if (begin > bytes.size() || length > bytes.size() - begin) view.refuse("inside its buffer");
   const std::size_t offset = accessor.integer("byteOffset", 0), count = accessor["count"].integer();

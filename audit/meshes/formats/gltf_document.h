@@ -9,7 +9,7 @@
 
 #include "audit/meshes/formats/reading.h"
 
-/// The two halves of a glTF file: JSON that says what stands where, and buffers of bytes.
+/// The two halves of a glTF file: JSON that describes the layout, and buffers of bytes.
 namespace touchstone::audit::meshes::gltf {
 
 /// A value in the JSON, which a refusal names as "accessors[3].count".
@@ -21,7 +21,7 @@ class Value {
   bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
   Value operator[](const char* key) const;
   Value operator[](std::size_t i) const;
-  /// How many values an array has.
+  /// The number of values in an array.
   std::size_t size() const;
   /// An integer from 0 to 2^32 - 1.
   std::size_t integer() const;
@@ -43,13 +43,13 @@ class Value {
 struct Document {
   std::string name, format;
   nlohmann::json json;
-  std::string binary;  ///< what a .glb file holds behind its JSON
+  std::string binary;  ///< the data after the JSON of a .glb file
   std::vector<std::string> buffers;
 
   Value root() const { return {name, json}; }
 };
 
-/// Of either form, with all buffers.
+/// For either form, with all buffers.
 Document read_document(const std::string& name, std::string_view bytes, const Beside& beside);
 
 /// Elements of `size` bytes in a buffer.

@@ -16,7 +16,7 @@
 namespace touchstone::audit {
 namespace {
 
-/// On one line, whatever the file is called.
+/// The name on one line, whatever characters it has.
 std::string printable(std::string name) {
   for (char& c : name) {
     if (static_cast<unsigned char>(c) < 0x20) c = '?';
@@ -30,11 +30,11 @@ bool ends_with(std::string_view name, std::string_view ending) {
 
 struct Format {
   std::string_view ending;
-  bool (*recognised)(std::string_view bytes);  ///< among those that follow as well
+  bool (*recognised)(std::string_view bytes);  ///< also true for formats that follow
   MeshFile (*read)(const std::string& name, std::string_view bytes, const meshes::Beside& beside);
 };
 
-/// A reader that needs no file but its own.
+/// A reader that needs no other file.
 template <MeshFile (*read)(const std::string&, std::string_view)>
 MeshFile alone(const std::string& name, std::string_view bytes, const meshes::Beside&) {
   return read(name, bytes);
@@ -48,7 +48,7 @@ constexpr std::array<Format, 7> formats{{{".glb", meshes::is_gltf, meshes::read_
                                          {".stl", meshes::is_stl, alone<meshes::read_stl>},
                                          {".obj", meshes::is_obj, alone<meshes::read_obj>}}};
 
-/// Devices and pipes need not end; nor is the length that a file system tells of a file a promise.
+/// Devices and pipes need not end, and the length that a file system reports is no promise.
 std::string content(const std::string& path) {
   std::error_code unknown;
   const auto type = std::filesystem::status(path, unknown).type();

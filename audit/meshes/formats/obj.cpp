@@ -9,9 +9,9 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// Keywords of lines that say nothing of the surface: coordinates of textures, normals, groups, names, lines and
-/// points, materials, weights of bones (vw, tinyobj), creases of subdivision (t, OpenSubdiv), and how all this is
-/// displayed. Curved surfaces are none of these: a mesh without them would be another one.
+/// Keywords of lines that do not describe the surface: texture coordinates, normals, groups, names, lines and points,
+/// materials, weights of bones (vw, tinyobj), creases of subdivision (t, OpenSubdiv), and display settings. Curved
+/// surfaces are not among them: a mesh without them would be a different one.
 bool passed_over(std::string_view keyword) {
   constexpr std::array<std::string_view, 21> all{
       "vt",     "vn",     "vp",     "vw",     "g",     "s",        "mg",       "o",   "l",          "p",        "t",
@@ -36,7 +36,7 @@ long long corner(const Text& text, std::string_view word, std::size_t vertices) 
 
 }  // namespace
 
-/// The first line that is not passed over holds three numbers or three corners.
+/// True if the first line that is not skipped holds three numbers or three corners.
 bool is_obj(std::string_view bytes) {
   Text text("", bytes);
   while (text.next_words('#')) {

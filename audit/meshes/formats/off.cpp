@@ -6,8 +6,8 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// How long the keyword is with which a word begins: it may have letters in front for what else a vertex line holds
-/// behind its position. What follows directly is the first count, as in all of ModelNet.
+/// The length of the keyword at the start of a word: letters before it tell what a vertex line holds after its
+/// position. If text follows directly it is the first count, as in all of ModelNet.
 std::size_t keyword_length(std::string_view word) {
   for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"}) {
     if (word.starts_with(known) && word.find_first_not_of("0123456789", known.size()) == word.npos) return known.size();
@@ -19,7 +19,8 @@ std::vector<Index> corners_of(const Text& text, std::size_t vertices) {
   const std::vector<std::string_view>& words = text.words();
   const long long count = text.whole(words[0]);
   if (count < 1) text.refuse("at least 3 corners");
-  if (count > static_cast<long long>(words.size()) - 1) text.refuse("as many corners as it says");
+  if (count > static_cast<long long>(words.size()) - 1)
+    text.refuse("the line ends before the declared number of corners");
   std::vector<Index> corners;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(count); ++k) {
     const long long i = text.whole(words[k]);
@@ -51,12 +52,12 @@ MeshFile read_off(const std::string& name, std::string_view bytes) {
   MeshFile mesh;
   mesh.name = name, mesh.format = "OFF";
   for (long long i = 0; i < counts[0]; ++i) {
-    if (!text.next_words('#')) text.refuse("as many vertices as it says: the file ends too early");
+    if (!text.next_words('#')) text.refuse("the file ends before the declared number of vertices");
     mesh.vertices.push_back(text.position(0)), mesh.vertex_lines.push_back(text.number());
   }
   std::size_t lines = 0, first_line = 0;  // rows of two corners or of one
   for (long long i = 0; i < counts[1]; ++i) {
-    if (!text.next_words('#')) text.refuse("as many faces as it says: the file ends too early");
+    if (!text.next_words('#')) text.refuse("the file ends before the declared number of faces");
     std::vector<Index> corners = corners_of(text, mesh.vertices.size());
     if (corners.size() < 3) {
       if (lines++ == 0) first_line = text.number();

@@ -27,7 +27,7 @@ std::string both(const MeshFile& file, std::size_t one, std::size_t other) {
   return number(file, one) + " and " + number(file, other);
 }
 
-/// The name of the part that a face belongs to; empty where the file names no parts, or one alone.
+/// The name of a face's part; empty if the file names no parts, or only one.
 std::string part_of(const MeshFile& file, std::size_t face) {
   const auto& parts = file.parts;
   const auto other_name = [&](const auto& part) { return part.second != parts[0].second; };
@@ -37,7 +37,7 @@ std::string part_of(const MeshFile& file, std::size_t face) {
   return behind == parts.begin() ? "" : (behind - 1)->second;
 }
 
-/// " (line 12, of wing)"; of a file without lines and numbers where it is: " near (1, 0.33, 0.33)".
+/// " (line 12, of wing)"; in a file without lines and numbers its position: " near (1, 0.33, 0.33)".
 std::string where(const MeshFile& file, std::size_t face) {
   const std::string part = part_of(file, face);
   std::string words = file.face_lines.empty() ? "" : "line " + std::to_string(file.face_lines[face]);
@@ -55,7 +55,7 @@ std::string where(const MeshFile& file, std::size_t face) {
 
 }  // namespace
 
-// Nine digits tell all numbers of binary32 apart.
+// Nine digits distinguish all numbers of binary32.
 std::string position_in_words(const Point3d& p) { return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x, p.y, p.z); }
 
 std::string vertex_named(const MeshFile& file, std::size_t vertex) {

@@ -14,23 +14,23 @@ namespace {
 
 using ply::Element, ply::Property, ply::Type;
 
-/// The values behind the header, one after another, in either form.
+/// The values after the header, one after another, in either form.
 class Values {
  public:
   virtual ~Values() = default;
   virtual double number(Type type) = 0;
   virtual long long whole(Type type) = 0;
   virtual void skip(Type type) = 0;
-  /// To the next row of an element; the line on which it begins, where there are lines.
+  /// Moves to the next row of an element; returns the line on which it begins, if there are lines.
   virtual std::optional<std::size_t> begin_row() = 0;
-  /// Whether the file ends here.
+  /// True if the file ends here.
   virtual bool done() = 0;
-  /// What was passed over that is no property of an element.
+  /// The skipped data that is not a property of an element.
   virtual std::string passed_over() const = 0;
   [[noreturn]] virtual void refuse(const std::string& rule) = 0;
 };
 
-/// A row begins on a line of its own, and may go on on further lines.
+/// A row begins on a new line, and may continue on further lines.
 class TextValues : public Values {
  public:
   explicit TextValues(Text& text) : text_(text) {}
@@ -39,7 +39,7 @@ class TextValues : public Values {
   void skip(Type) override { text_.word(); }
   std::optional<std::size_t> begin_row() override {
     end_row();
-    if (!text_.next_words('\0')) text_.refuse("more numbers: the file ends too early");
+    if (!text_.next_words('\0')) text_.refuse("the file ends before the declared number of values");
     in_row_ = true;
     return text_.number();
   }
@@ -85,7 +85,7 @@ class BinaryValues : public Values {
       default: break;
     }
     const auto value = bytes_.number<std::uint64_t>();
-    if (value > std::uint64_t{std::numeric_limits<long long>::max()}) refuse("whole number of less than 64 bits");
+    if (value > std::uint64_t{std::numeric_limits<long long>::max()}) refuse("an integer of less than 64 bits");
     return static_cast<long long>(value);
   }
   void skip(Type type) override {
@@ -101,13 +101,13 @@ class BinaryValues : public Values {
   Bytes bytes_;
 };
 
-/// The property of that name, a list or not.
+/// The index of the property of that name, a list or not.
 std::size_t place_of(const Text& text, const Element& element, std::initializer_list<const char*> names, bool list) {
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     const Property& property = element.properties[i];
     for (const char* name : names) {
       if (property.name != name || property.count.has_value() != list) continue;
-      if (list && !ply::integral(property.type)) text.refuse(element.line, "whole numbers as indices");
+      if (list && !ply::integral(property.type)) text.refuse(element.line, "an integer type for indices");
       return i;
     }
   }
@@ -140,7 +140,7 @@ void read_vertices(const Text& text, Values& values, const Element& element, Mes
   }
 }
 
-/// The list of indices in each row, and where the row begins. What stands in it besides is passed over.
+/// Reads the list of indices in each row, and where the row begins. Other properties are skipped.
 template <class TakeIndices>
 void each_list(const Text& text, Values& values, const Element& element, TakeIndices take) {
   const std::size_t place = place_of(text, element, {"vertex_indices", "vertex_index"}, true);
@@ -170,7 +170,7 @@ void read_faces(const Text& text, Values& values, const Element& element, MeshFi
   });
 }
 
-/// Each row holds strips of triangles, one behind another, with -1 between them.
+/// Each row holds strips of triangles, one after another, separated by -1.
 void read_strips(const Text& text, Values& values, const Element& element, MeshFile& mesh) {
   std::size_t left_out = 0;
   each_list(text, values, element, [&](long long count, Type type, std::optional<std::size_t> line) {
@@ -192,7 +192,7 @@ MeshFile read_body(const Text& text, const ply::Header& header, Values& values) 
   mesh.name = text.name(), mesh.format = "PLY (" + std::string(spelled(header.format)) + ")";
   bool vertices = false;
   for (const Element& element : header.elements) {
-    // Every row takes a byte or a word at least, so that no count outlasts the file.
+    // Every row takes at least a byte or a word, so that no count exceeds the file.
     if (element.count > 0 && element.properties.empty()) text.refuse(element.line, "an element with properties");
     if (element.name == "vertex") {
       if (vertices) text.refuse(element.line, "element vertex once");

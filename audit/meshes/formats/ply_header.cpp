@@ -27,7 +27,7 @@ Property property_of(const Text& text) {
   const auto& words = text.words();
   if (words.size() == 5 && words[1] == "list") {
     const Type count = type_of(text, words[2]), type = type_of(text, words[3]);
-    if (!integral(count)) text.refuse("whole numbers as the counts of a list");
+    if (!integral(count)) text.refuse("an integer type for the counts of a list");
     return {std::string(words[4]), type, count};
   }
   if (words.size() != 3) text.refuse("property TYPE NAME or property list TYPE TYPE NAME");

@@ -7,7 +7,7 @@
 
 #include "audit/meshes/formats/reading.h"
 
-/// What stands in a PLY file in front of the values.
+/// The part of a PLY file before the values.
 namespace touchstone::audit::meshes::ply {
 
 enum class Type { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };

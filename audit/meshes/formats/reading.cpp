@@ -61,7 +61,7 @@ void Text::split(char comment) {
 }
 
 std::string_view Text::word() {
-  if (words_left() == 0 && !next_words('\0')) refuse("more numbers: the file ends too early");
+  if (words_left() == 0 && !next_words('\0')) refuse("the file ends before the declared number of values");
   return words_[used_++];
 }
 
@@ -83,8 +83,8 @@ long long Text::whole(std::string_view word) const {
   if (word.starts_with('+')) word.remove_prefix(1);
   long long value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error == std::errc::result_out_of_range) refuse("whole number of less than 64 bits");
-  if (error != std::errc() || stop != word.data() + word.size()) refuse("whole number: got " + got(written));
+  if (error == std::errc::result_out_of_range) refuse("an integer of less than 64 bits");
+  if (error != std::errc() || stop != word.data() + word.size()) refuse("an integer, got " + got(written));
   return value;
 }
 

@@ -9,10 +9,10 @@
 
 #include "audit/meshes/formats/mesh_file.h"
 
-/// What the readers of mesh files share.
+/// Shared by the readers of mesh files.
 namespace touchstone::audit::meshes {
 
-/// The bytes behind the byte order mark with which some programs begin a text in UTF-8.
+/// The bytes after the byte order mark with which some programs begin a text in UTF-8.
 std::string_view without_mark(std::string_view bytes);
 
 /// The text of a file, line by line; a line ends with LF, CR LF or CR.
@@ -20,13 +20,13 @@ class Text {
  public:
   Text(std::string name, std::string_view bytes) : name_(std::move(name)), rest_(without_mark(bytes)) {}
 
-  /// To the next line, whose words are those outside what follows `comment`; false behind the last.
+  /// Moves to the next line, whose words are those before `comment`; returns false after the last.
   bool next(char comment = '\0');
-  /// To the next line that holds a word.
+  /// Moves to the next line that holds a word.
   bool next_words(char comment);
-  /// The next word of this line or, beyond its end, of those that follow; refuses the end of the file.
+  /// The next word of this line or, after its end, of the following ones; refuses the end of the file.
   std::string_view word();
-  /// How many words of this line are left.
+  /// The number of words left on this line.
   std::size_t words_left() const { return words_.size() - used_; }
 
   const std::vector<std::string_view>& words() const { return words_; }
@@ -41,7 +41,7 @@ class Text {
   /// The nearest double, and an integer.
   double number(std::string_view word) const;
   long long whole(std::string_view word) const;
-  /// The vertex that the first three words behind `skipped` ones make.
+  /// The vertex given by the three words after `skipped` ones.
   Point3d position(std::size_t skipped) const;
 
  private:
@@ -53,7 +53,7 @@ class Text {
   std::size_t number_ = 0, used_ = 0;
 };
 
-/// The content of a file in the folder of the one that is read, by its name; refuses what cannot be read.
+/// The content of a file in the same folder, by its name; refuses files that cannot be read.
 using Beside = std::function<std::string(const std::string& name)>;
 
 /// ASCII letters in lower case.
@@ -65,17 +65,17 @@ std::string vertices(std::size_t count);
 /// The rule of an index that names no vertex: "index of a vertex: got 5 of 4 vertices, counted from 0".
 std::string index_of_a_vertex(long long got, std::size_t count, std::size_t first_number = 0);
 
-/// Appends the triangles of a strip, whose directions alternate, so that all face the same side. A strip names a vertex
-/// twice where it turns or jumps: what is no triangle is left out. Returns how many that are.
+/// Appends the triangles of a strip, whose orientations alternate, so that all face the same side. A strip repeats a
+/// vertex where it turns or jumps: degenerate triangles are left out. Returns their number.
 std::size_t append_strip(const std::vector<Index>& strip, std::vector<std::vector<Index>>& faces);
 
-/// The note of strips that are now faces, of which so many were left out.
+/// The note on strips that became faces, with the number of those left out.
 std::string strips_as_faces(std::size_t left_out);
 
-/// The mesh, unless it has no faces: then refuses, saying what the file holds instead.
+/// The mesh, if it has faces; otherwise refuses it, and says what the file holds instead.
 MeshFile with_faces(MeshFile mesh, std::size_t lines = 0);
 
-/// Whether the content is of that format, and surely of none of those that meshes.cpp tries later.
+/// True if the content is of that format, and certainly not of those that meshes.cpp tries later.
 bool is_3mf(std::string_view bytes);
 bool is_gltf(std::string_view bytes);
 bool is_obj(std::string_view bytes);

@@ -40,8 +40,8 @@ class Merged {
   std::map<std::array<std::uint64_t, 3>, Index> places_;
 };
 
-/// Texts hold no NUL, and binary files have one in the number of their triangles or in the first triangle. What a file
-/// begins with does not tell: many binary files begin with "solid".
+/// Text contains no NUL, and a binary file has one in the number of its triangles or in the first triangle. The
+/// beginning of a file does not decide: many binary files begin with "solid".
 bool binary(std::string_view bytes) {
   return bytes.size() >= header && bytes.substr(0, header + triangle).find('\0') != bytes.npos;
 }
@@ -52,7 +52,7 @@ bool begins_with_solid(std::string_view bytes) {
   return lower(text.substr(start, 5)) == "solid";
 }
 
-/// How many triangles there are if behind each stand as many bytes as its last two say, and nothing else.
+/// The number of triangles if each is followed by as many bytes as its last two say, and nothing else remains.
 std::optional<std::uint64_t> triangles_with_attributes(std::string_view all) {
   std::size_t at = header;
   std::uint64_t count = 0;
@@ -67,8 +67,8 @@ std::optional<std::uint64_t> triangles_with_attributes(std::string_view all) {
 
 struct Layout {
   std::uint32_t counted;    ///< by the header
-  std::uint64_t triangles;  ///< which the file should hold
-  bool attributes;          ///< whether bytes follow each
+  std::uint64_t triangles;  ///< the number that the file should hold
+  bool attributes;          ///< true if bytes follow each
 };
 
 Layout layout_of(std::string_view all) {
@@ -117,7 +117,7 @@ MeshFile read_binary(const std::string& name, std::string_view all) {
   return merged.done();
 }
 
-/// In one word what is written in two as well, and a name directly behind it.
+/// Accepts in one word what is also written in two, and a name directly after it.
 std::string keyword_of(const std::vector<std::string_view>& words) {
   const std::string first = lower(words[0]);
   if (first == "end" && words.size() > 1) return first + lower(words[1]);
@@ -134,8 +134,8 @@ MeshFile read_text(const std::string& name, std::string_view all) {
   MeshFile& mesh = merged.mesh;
   mesh.name = name, mesh.format = "STL (ascii)", mesh.has_vertex_numbers = false;
   std::vector<Index> loop;
-  std::size_t facet = 0;      // the line on which the last one begins
-  std::string open = "file";  // what stands open
+  std::size_t facet = 0;      // the line on which the most recent one begins
+  std::string open = "file";  // the innermost open block
   const auto expect_open = [&](const char* wanted) {
     if (open != wanted) text.refuse("in the order solid, facet, outer loop, vertex, endloop, endfacet, endsolid");
   };

@@ -18,7 +18,7 @@ namespace {
 constexpr std::string_view core = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|";
 constexpr const char* path_of_another_part = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
 
-/// An object where it is used: by another one, which has no mesh then, or in what is to be built.
+/// The use of an object: by another one, which then has no mesh, or in the items to be built.
 struct Placement {
   std::string object;
   ExactTransform transform;
@@ -58,7 +58,7 @@ class Model {
     return *value;
   }
 
-  /// Twelve numbers: what x, y, z and 1 are multiplied with, three each.
+  /// Twelve numbers: the factors of x, y, z and 1, three each.
   ExactTransform transform(const XmlElement& element) const {
     const auto found = element.attributes.find("transform");
     ExactTransform made;
@@ -73,8 +73,7 @@ class Model {
   }
 
   Placement placement(const XmlElement& element) const {
-    if (element.attributes.contains(path_of_another_part))
-      xml_.refuse("objects of this part alone; export as one part");
+    if (element.attributes.contains(path_of_another_part)) xml_.refuse("objects of this part only; export as one part");
     const std::string& object = attribute(element, "objectid");
     if (!objects.contains(object)) xml_.refuse("an object further above");
     return {object, transform(element)};
@@ -121,7 +120,7 @@ class Model {
     }
   }
 
-  /// An object is known from its end on, so that none holds itself.
+  /// An object is known only after its end, so that none contains itself.
   void end(const std::string& name) {
     if (open_ == nullptr || name != std::string(core) + "object") return;
     objects.emplace(id_, std::move(made_));
@@ -139,7 +138,7 @@ class Model {
   XmlReader xml_;
 };
 
-/// Where the archive says that its model is.
+/// The part of the archive that contains the model.
 std::string part_of_model(const Zip& zip, const std::string& name) {
   std::string part;
   const std::string relationships = "_rels/.rels";

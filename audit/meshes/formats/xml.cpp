@@ -15,7 +15,7 @@ struct XmlReader::State {
   Begin begin;
   End end;
   XML_Parser parser = nullptr;
-  std::exception_ptr thrown;  // Nothing may be thrown through the library, which is C.
+  std::exception_ptr thrown;  // No exception may pass through the library, which is C.
 
   template <class Act>
   void guarded(Act act) {

@@ -9,14 +9,14 @@
 
 namespace touchstone::audit::meshes {
 
-/// An element of XML where it begins. Names in a namespace are written "NAMESPACE|NAME".
+/// The start of an element of XML. Names in a namespace are written "NAMESPACE|NAME".
 struct XmlElement {
   std::string name;
   std::map<std::string, std::string, std::less<>> attributes;
 };
 
-/// XML in pieces. What is no XML, and a document type, by which a small text may stand for a huge one, are refused with
-/// the line.
+/// A streaming XML reader. Refuses, with the line, text that is not XML, and document types, by which a small text may
+/// expand to a huge one.
 class XmlReader {
  public:
   using Begin = std::function<void(const XmlElement&)>;
@@ -28,7 +28,7 @@ class XmlReader {
   XmlReader& operator=(const XmlReader&) = delete;
 
   void feed(std::string_view piece);
-  /// Behind the last piece.
+  /// Call after the last piece.
   void finish();
   [[noreturn]] void refuse(const std::string& rule) const;
 

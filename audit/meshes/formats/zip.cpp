@@ -14,14 +14,14 @@
 namespace touchstone::audit::meshes {
 namespace {
 
-/// Signatures of records, and of those that hold what 32 bits do not.
+/// Signatures of records, and of those for values beyond 32 bits.
 constexpr std::string_view last_record = "PK\5\6", directory_entry = "PK\1\2", local_header = "PK\3\4";
 constexpr std::string_view last_record_64 = "PK\6\6", locator_64 = "PK\6\7";
 constexpr std::size_t locator_64_length = 20;
 
 Bytes record(const std::string& name, std::string_view all, std::uint64_t at, std::string_view signature) {
   if (at > all.size() || !all.substr(at).starts_with(signature))
-    throw InvalidInput(name, "a zip archive whose directory is whole");
+    throw InvalidInput(name, "a zip archive with an intact directory");
   return {name, all, std::endian::little, static_cast<std::size_t>(at) + signature.size()};
 }
 
@@ -49,7 +49,7 @@ Directory directory_of(const std::string& name, std::string_view all) {
   return found;
 }
 
-/// What does not fit into 32 bits stands in the extra field of that number.
+/// Reads the values that do not fit into 32 bits from the extra field of that number.
 void extend(Bytes extra, std::vector<std::uint64_t*> values) {
   while (extra.left() >= 4) {
     const auto kind = extra.number<std::uint16_t>(), length = extra.number<std::uint16_t>();
@@ -96,7 +96,7 @@ Zip::Zip(std::string name, std::string_view bytes) : name_(std::move(name)), byt
     extend({name_, entry.take(extra), std::endian::little}, {&found.unpacked, &found.packed, &found.header});
     entry.skip(comment);
     at += directory_entry.size() + (from - entry.left());
-    if (!entries_.emplace(file, found).second) refuse(file, "in the archive once");
+    if (!entries_.emplace(file, found).second) refuse(file, "in the archive only once");
   }
 }
 
@@ -109,7 +109,7 @@ std::string_view Zip::packed(const std::string& file, const Entry& entry) const 
   header.skip(22);
   const auto length = header.number<std::uint16_t>(), extra = header.number<std::uint16_t>();
   header.skip(length), header.skip(extra);
-  if (entry.packed > header.left()) refuse(file, "as many bytes as it says: the file ends too early");
+  if (entry.packed > header.left()) refuse(file, "the file ends before the declared number of bytes");
   return header.take(static_cast<std::size_t>(entry.packed));
 }
 
@@ -141,8 +141,7 @@ void Zip::read(const std::string& file, const std::function<void(std::string_vie
       piece(std::string_view(part).substr(0, part.size() - stream.avail_out));
     }
   }
-  if (checksum != entry.checksum || length != entry.unpacked)
-    refuse(file, "whole: its checksum or length is another one");
+  if (checksum != entry.checksum || length != entry.unpacked) refuse(file, "intact: its checksum or length differs");
 }
 
 }  // namespace touchstone::audit::meshes

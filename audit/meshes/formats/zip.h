@@ -9,14 +9,15 @@
 
 namespace touchstone::audit::meshes {
 
-/// The files in a zip archive, as its directory at the end lists them.
+/// The files in a zip archive, listed by its directory at the end.
 class Zip {
  public:
-  /// Refuses what is no zip archive; `name` is the archive's in refusals.
+  /// Refuses data that is not a zip archive; `name` is the archive's name in refusals.
   Zip(std::string name, std::string_view bytes);
 
   bool has(const std::string& file) const { return entries_.contains(file); }
-  /// The content, piece by piece; refuses what is neither stored nor deflated, is encrypted, damaged or too large.
+  /// The content, piece by piece; refuses it if it is neither stored nor deflated, or is encrypted, damaged or too
+  /// large.
   void read(const std::string& file, const std::function<void(std::string_view)>& take) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 using robust::batch::Column;
 using robust::batch::Instructions;
 
-/// What is answered of each row, or who is wrong.
+/// The answers of each row, or which of them is wrong.
 struct Answered {
   std::vector<std::uint8_t> answers;
   Instructions at_most;
@@ -35,8 +35,8 @@ struct Answered {
   }
 };
 
-/// Why what all rows share is refused, which is looked at before any row; empty where it is not, or where they share
-/// nothing.
+/// The refusal of the shared part of all rows, which is checked before any row; "" if it is not refused, or if nothing
+/// is shared.
 std::string refusal_of_shared(const Operation& operation, Question question, std::size_t environment) {
   const ArrayFunctions& arrays = operation.row().batch;
   const Question zeros = operation.zeros_of_alternatives().front();

@@ -44,12 +44,12 @@ Json verdict_json(const Judgement& judgement, Json answer) {
 
 namespace {
 
-/// A formula of more steps is not evaluated by `ask`, and the cause of an error is not sought where that takes more: it
-/// evaluates the formula again in exact arithmetic, where a step takes a hundred times as long or more. In steps, so
-/// that the same question gets the same bytes.
+/// `ask` does not evaluate a formula with more steps, nor determine the cause of an error that takes more: that
+/// evaluates the formula again in exact arithmetic, where a step takes a hundred times as long or more. Measured in
+/// steps, so that the same question gets the same bytes.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 24, most_exact_steps = std::uint64_t{1} << 16;
 
-/// What the textbook formula answers, and the verdict on it, as far as the steps allow.
+/// The textbook formula's answer, and the verdict on it, as far as the steps allow.
 Json reference_json(const Examination& examination) {
   const std::uint64_t n = elements_of_lists(*examination.row().question, examination.question());
   const Growth growth = examination.operation().metadata().time.reference;

@@ -7,12 +7,12 @@
 
 namespace touchstone::catalogue {
 
-/// Operation, input, truth and margin: what `ask --truth` prints. Neither certificate nor robust nor a formula is
-/// evaluated for it.
+/// Operation, input, truth and margin: the output of `ask --truth`. Evaluates neither the certificate nor robust nor a
+/// formula.
 Json truth_alone(const Examination& examination);
 
-/// Everything that can be said of one question without an engine: what `ask` prints. The textbook formula, and the
-/// cause of its error, only where they take few steps for as many elements as the question's lists have
+/// Everything that is known about one question without an engine: the output of `ask`. Includes the textbook formula,
+/// and the cause of its error, only if they take few steps for the number of elements in the question's lists
 /// (Metadata::time).
 Json explained(const Examination& examination);
 
@@ -21,13 +21,13 @@ Json certificate_json(const oracle::Certificate& certificate);
 /// An answer and the verdict on it.
 Json verdict_json(const Judgement& judgement, Json answer);
 
-/// What the checker of certificates reads of a question: operation, input, truth and certificate.
+/// The input of the checker of certificates: operation, input, truth and certificate.
 nlohmann::json claim_of(const Examination& examination);
 
-/// What the checker says against the oracle's certificate; empty if it accepts it.
+/// The checker's complaint about the oracle's certificate; "" if it accepts it.
 std::string certificate_complaint(const Examination& examination);
 
-/// The truth for the decimals of an input that was printed, read as exact rationals; null where the operation has none.
+/// The truth for the decimals of a printed input, parsed as exact rationals; null if the operation has none.
 Json truth_of_decimals(const Operation& operation, const Json& printed);
 
 }  // namespace touchstone::catalogue

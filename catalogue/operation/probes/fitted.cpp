@@ -11,7 +11,7 @@ namespace touchstone::catalogue {
 namespace {
 
 using Axes = HalfAxes<double>;
-using Real = long double;  // of a wider range, so that no product overflows or underflows
+using Real = long double;  // has a wider range, so that no product overflows or underflows
 using Way = Vector3<Real>;
 
 Way way(const Vector3d& v) { return {v.x, v.y, v.z}; }
@@ -26,7 +26,7 @@ bool dependent(const Axes& axes) {
   };
   return sgn(dot(exact(axes.u), cross(exact(axes.v), exact(axes.w)))) == 0;
 }
-/// The polygons of meshes are forgotten: their triangles are the faces.
+/// Drops the polygons of meshes: their triangles become the faces.
 Question triangulated(const Operation& operation, const Question& question) {
   Question result = question;
   const Word* const words = question.words.data();
@@ -56,7 +56,7 @@ HalfAxes<double> at_right_angles(const Axes& half_axes) {
   Way second = v;
   for (int pass = 0; pass < 2; ++pass) second = second - Real(dot(u, second) / dot(u, u)) * u;  // twice is enough
   const Way third = unit(cross(u, second));
-  const Real height = std::fmax(std::fabs(dot(w, third)), 0x1p-40L * length(w));  // of what rounding leaves of it
+  const Real height = std::fmax(std::fabs(dot(w, third)), 0x1p-40L * length(w));  // computed from what rounding leaves
   const Axes turned{half_axes.u, in_doubles(second), in_doubles(height * third)};
   return is_finite(turned.v) && is_finite(turned.w) ? turned : half_axes;
 }

@@ -5,7 +5,7 @@
 
 namespace touchstone::catalogue {
 
-/// Whether the faces of all meshes of a question look outwards, as most engines expect. The contract takes both.
+/// True if the faces of all meshes of a question face outwards, as most engines expect. The contract accepts both.
 bool looks_outwards(const Operation& operation, const Question& question);
 
 }  // namespace touchstone::catalogue

@@ -17,7 +17,7 @@ constexpr int for_a_place = 3, for_a_word_of_a_phrase = 40, for_a_word_of_a_name
 bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 
-/// In small letters and the singular; "GJKDistance" is two words.
+/// Lower-case singular words; "GJKDistance" is two words.
 WordList words_of(std::string_view text) {
   WordList words(1);
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -40,7 +40,7 @@ std::string joined(WordList::const_iterator from, WordList::const_iterator to) {
   return text;
 }
 
-/// Whether some words in a row spell the phrase, wherever either of them has its spaces.
+/// True if consecutive words spell the phrase, wherever either of them has spaces.
 bool has_phrase(const WordList& words, const WordList& phrase) {
   const std::string spelt = joined(phrase.begin(), phrase.end());
   for (auto from = words.begin(); from != words.end(); ++from)
@@ -72,7 +72,7 @@ std::vector<std::string> nearest_operations(std::string_view name, std::size_t m
   for (const auto& [phrase, operations] : synonyms()) {
     const WordList of_phrase = words_of(phrase);
     if (!has_phrase(words, of_phrase)) continue;
-    // The first of a phrase's operations is better than the second, by more than a word of its question.
+    // The first operation of a phrase ranks before the second, by more than a word of its question.
     int merit = for_a_word_of_a_phrase * static_cast<int>(of_phrase.size());
     for (const char* operation : operations) merits[operation] += merit, merit -= for_a_place;
   }
@@ -87,7 +87,7 @@ std::vector<std::string> nearest_operations(std::string_view name, std::size_t m
     }
     if (merit > 0) ranked.emplace_back(merit, operation->name());
   }
-  // Of equally good ones the catalogue's order holds.
+  // Equally good ones keep the catalogue's order.
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<std::string> nearest;
   for (std::size_t i = 0; i < std::min(most, ranked.size()); ++i) nearest.push_back(ranked[i].second);

@@ -8,14 +8,14 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// The member in which a field stands, "a.inertia[1][0]" -> "a.inertia", and the argument, "a".
+/// The member that contains a field, "a.inertia[1][0]" -> "a.inertia", and the argument, "a".
 std::string member_of(const std::string& field) {
   const std::size_t dot = field.rfind('.');
   return field.substr(0, field.find('[', dot == field.npos ? 0 : dot));
 }
 std::string argument_of(const std::string& field) { return field.substr(0, field.find_first_of(".[")); }
 
-/// The field that is refused first; "" where the question is answered.
+/// The field that is refused first; "" if the question is answered.
 std::string refused_field(const Operation& operation, const Question& question) {
   try {
     operation.row().solve(question);
@@ -30,8 +30,8 @@ Question spoilt(Question question, std::size_t place, double bad) {
   return question;
 }
 
-/// Whether a member before that of the number breaks a rule, or an argument, where it is of a member without numbers.
-/// Numbers are refused before all rules, so that the name of each is had.
+/// True if a member before that of the number breaks a rule, or an argument, if the number's argument has no members.
+/// Numbers are refused before all rules, which reveals the name of each.
 bool broken_before(const Operation& operation, const Question& question, std::size_t place, double bad) {
   const std::string broken = refused_field(operation, question);
   if (broken.empty()) return false;
@@ -44,7 +44,7 @@ bool broken_before(const Operation& operation, const Question& question, std::si
   return false;
 }
 
-/// Small integers, these repaired, and the question of the failure map.
+/// Small integers, these after repair, and the question of the failure map.
 std::array<Question, 3> bases(const Operation& operation, const Question& zeros) {
   Question small = zeros;
   const std::vector<std::size_t> places = places_of_numbers(operation.question_shape(), zeros);
@@ -54,7 +54,7 @@ std::array<Question, 3> bases(const Operation& operation, const Question& zeros)
   return {small, repaired, operation.map_centre()};
 }
 
-/// The first of these of which no rule that is named earlier is broken.
+/// The first base that breaks no rule that comes before the number.
 const Question& first_base(const Operation& operation, const std::array<Question, 3>& all, std::size_t place,
                            double bad) {
   for (const Question& base : all)

@@ -14,7 +14,7 @@ std::vector<double> nearest_of(const EncodedTruth& truth) {
   return numbers;
 }
 
-/// A little further from 0, or, where the oracle refuses that, a little nearer. Empty if it refuses both.
+/// Moved a little further from 0, or, if the oracle refuses that, a little nearer. Empty if it refuses both.
 std::vector<double> with_one_moved(const Operation& operation, const Question& question, std::size_t i, double& by) {
   const double number = question.numbers[i];
   for (const double factor : {1 + 0x1p-32, 1 - 0x1p-32}) {

@@ -28,7 +28,7 @@ class Shrinker {
     return true;
   }
 
-  /// Zero, then cut out, runs of bytes.
+  /// Sets runs of bytes to zero, then removes them.
   bool blocks(std::size_t length) {
     bool better = false;
     for (std::size_t at = 0; at + length <= best_.size();) {

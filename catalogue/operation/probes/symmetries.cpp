@@ -11,11 +11,11 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// A linear map, row by row, then a shift; in the plane the third row and column are left out.
+/// A linear map, row by row, then a translation; in the plane the third row and column are ignored.
 struct Map {
   std::array<std::array<int, 3>, 3> rows;
   std::array<int, 3> shift{};
-  int factor = 1;  ///< of lengths; 0 where it is no similarity
+  int factor = 1;  ///< factor of lengths; 0 if it is not a similarity
 
   bool reflects(std::size_t dimension) const {
     const auto& [a, b, c] = rows;
@@ -32,7 +32,7 @@ constexpr Map axis_maps[] = {
     {{{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}}},   {{{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}}}},
     {{{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}}, {{{{0, -1, 0}, {-1, 0, 0}, {0, 0, -1}}}},
 };
-/// Of space alone: they mix z with the others.
+/// Only in space: these mix z with the others.
 constexpr Map space_axis_maps[] = {{{{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}}}, {{{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}}}};
 constexpr Map similarity_maps[] = {
     {{{{3, -4, 0}, {4, 3, 0}, {0, 0, 5}}}, {7, -11, 13}, 5},
@@ -63,7 +63,7 @@ class Changed {
     place_ = word_ = 0;
     walk(shape_);
   }
-  /// Every place, displacement and length is changed.
+  /// Changes every position, displacement and length.
   void lengths(const std::function<Real(const Real&)>& change) {
     change_ = change;
     map_ = nullptr;
@@ -142,7 +142,7 @@ class Changed {
                        [name](const char* sorted) { return std::strcmp(sorted, name) == 0; });
   }
 
-  /// Two points from `first` on: as wholes in lexicographic order, or coordinate by coordinate.
+  /// Sorts two points from `first` on: in lexicographic order, or coordinate by coordinate.
   void in_order(std::size_t first, std::size_t dimension, bool as_wholes) {
     const auto a = encoded_.numbers.begin() + static_cast<std::ptrdiff_t>(first);
     const auto b = a + static_cast<std::ptrdiff_t>(dimension);
@@ -168,7 +168,7 @@ class Changed {
   std::size_t place_ = 0, word_ = 0, dimension_ = 2;
 };
 
-/// Of the first point or vector of a question.
+/// The dimension of the first point or vector of a question.
 std::size_t dimension_of(const Shape& shape, const Question& question) {
   if (shape.kind == Shape::Kind::choice) return dimension_of(*shape.parts[question.words[0]].shape, question);
   if (shape.meaning == Meaning::place || shape.meaning == Meaning::direction) return shape.parts.size();
@@ -244,19 +244,19 @@ EncodedValue<Real> exchanged(const Shape& shape, const EncodedValue<Real>& answe
   return joined(parts);
 }
 
-/// Whether every number is an integer of at most 40 bits, so that the maps of lattice questions do not round.
+/// True if every number is an integer of at most 40 bits, so that the maps of lattice questions do not round.
 bool on_lattice(const Question& question) {
   return std::all_of(question.numbers.begin(), question.numbers.end(),
                      [](double n) { return std::fabs(n) <= 0x1p40 && n == std::trunc(n); });
 }
 
-/// Places and lengths of rounded answers are not those of the image: they are all made 0.
+/// Positions and lengths of rounded answers differ from those of the image: they are all set to 0.
 template <class Real>
 void forget_lengths(EncodedValue<Real>& encoded, const Shape& shape, const Laws& laws) {
   Changed<Real>(encoded, shape, laws).lengths([](const Real&) { return Real(0); });
 }
 
-/// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is
+/// Rounding commutes with scaling as long as no number is subnormal, or may have been before it was rounded, or is
 /// infinite.
 bool scaled_number(double n, double found, int k) {
   if (std::fabs(n) < 0x1p-1021) return std::fabs(found) <= std::ldexp(0x1p-1021, k);
@@ -268,7 +268,7 @@ bool scaled_number(const TrueNumber& n, const TrueNumber& found, int k) {
   return found == TrueNumber(exact_value(std::ldexp(1, k))) * n;
 }
 
-/// Which numbers of an answer are lengths.
+/// Marks the numbers of an answer that are lengths.
 template <class Real>
 std::vector<bool> lengths_in(const Shape& shape, const EncodedValue<Real>& answer) {
   struct Marks {
@@ -302,7 +302,7 @@ Question times_two_to(const RowFunctions& row, Question question, int k) {
   return question;
 }
 
-/// Where decisions alone count, no number of an answer does.
+/// If only decisions count, no number of an answer does.
 template <class Real>
 bool alike(const EncodedValue<Real>& a, const EncodedValue<Real>& b, Compared compared) {
   return compared == Compared::decisions ? a.words == b.words : a == b;

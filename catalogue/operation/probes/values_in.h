@@ -5,7 +5,7 @@
 
 namespace touchstone::catalogue {
 
-/// Calls visit(value, where it begins) for each value of that type in a question.
+/// Calls visit(value, its position) for each value of that type in a question.
 template <class T, class Visit>
 void for_each_value(const Shape& shape, Cursor<double>& at, const Visit& visit) {
   const Cursor<double> start = at;

@@ -26,7 +26,7 @@ void set(Real& real, double value) {
   mpfr_set_si_2exp(*real, static_cast<long>(parts.mantissa), parts.exponent, MPFR_RNDN);
 }
 
-/// `away` (a power of two as its exponent) is how far the function's value at the angle may be from the one at u.
+/// `away` (the exponent of a power of two) bounds the distance of the function's value at the angle from that at u.
 /// MPFR rounds to nearest, by less than one unit of the last of its bits.
 Enclosure enclose(Real& nearest, const mpfr_exp_t* away) {
   Enclosure result{{}, Integer(1), {}};

@@ -15,12 +15,12 @@ struct CosineAndSine {
   Enclosure cosine, sine;
 };
 
-/// cos u and sin u of a u other than 0, both narrower the more bits there are. u of any size: MPFR reduces it exactly.
-/// A double is an MPFR number, so its width is 1; a rational has to be rounded to one, which is in the width.
+/// cos u and sin u for a nonzero u, both narrower with more bits. u may have any size: MPFR reduces it exactly. A
+/// double is an MPFR number, so its width is 1; a rational has to be rounded to one, which the width includes.
 CosineAndSine cosine_and_sine(double u, int bits);
 CosineAndSine cosine_and_sine(const Rational& u, int bits);
 
-/// The whole number of quarter turns nearest to u (or next to it): |u - k pi/2| < 0.8.
+/// The number of quarter turns nearest to u (or next to it): |u - k pi/2| < 0.8.
 mpz_class quarter_turns(double u);
 
 }  // namespace touchstone::oracle

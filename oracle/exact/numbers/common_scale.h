@@ -40,13 +40,13 @@ class CommonScale<double, N> {
     }
   }
 
-  /// No infinity or NaN among the doubles; without that nothing else here means anything.
+  /// True if there is no infinity or NaN among the doubles; otherwise the rest of this class is meaningless.
   bool finite() const { return finite_; }
 
   /// Every |whole(i)| < 2^bits().
   int bits() const { return bits_; }
 
-  /// Whole number i in a machine word; only where bits() <= 63.
+  /// Integer i in a machine word; only if bits() <= 63.
   std::int64_t word(std::size_t i) const {
     return parts_[i].mantissa == 0 ? 0 : parts_[i].mantissa << (parts_[i].exponent - exponent_);
   }
@@ -112,8 +112,7 @@ class CommonScale<Rational, N> {
 /// Integers of this size and their differences, and sums of a few products of two of those, fit Int128.
 constexpr int most_bits_in_words = 61;
 
-/// Numbers i and i + 1 as a point, i to i + 3 as a segment. Value: Integer, or Int128 where bits() <=
-/// most_bits_in_words.
+/// Numbers i and i + 1 as a point, i to i + 3 as a segment. Value: Integer, or Int128 if bits() <= most_bits_in_words.
 template <class Value, class Scale>
 Value whole(const Scale& scale, std::size_t i) {
   if constexpr (std::is_same_v<Value, Integer>) {
@@ -131,7 +130,7 @@ Segment2<Value> whole_segment(const Scale& scale, std::size_t i) {
   return {whole_point<Value>(scale, i), whole_point<Value>(scale, i + 2)};
 }
 
-/// A point counted in units, as it is.
+/// A point in units, unchanged.
 template <class Scale>
 Point2<Rational> actual_point(const Scale& scale, Point2<Rational> point) {
   return {scale.actual(std::move(point.x), 1), scale.actual(std::move(point.y), 1)};

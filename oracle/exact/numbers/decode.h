@@ -17,8 +17,8 @@ struct Dyadic {
   int exponent;
 };
 
-/// A finite double taken apart as bits. No floating-point operation touches it, so neither flush-to-zero,
-/// denormals-are-zero nor a rounding mode can change what it denotes. -0.0 is 0.
+/// A finite double decomposed into bits. No floating-point operation is applied to it, so neither flush-to-zero,
+/// denormals-are-zero nor a rounding mode can change its value. -0.0 is 0.
 constexpr Dyadic decode(double value) {
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
   const int field = static_cast<int>(bits >> 52 & 0x7ff);
@@ -27,14 +27,14 @@ constexpr Dyadic decode(double value) {
   return {bits >> 63 ? -magnitude : magnitude, (field == 0 ? 1 : field) - 1075};
 }
 
-/// The exponent that `decode` gives an infinity or a NaN, and no finite double.
+/// The exponent that `decode` gives to infinities and NaNs, and to no finite double.
 constexpr int decode_infinite = 0x7ff - 1075;
 
 /// value * 2^exponent, canonical.
 Rational scaled(Rational value, int exponent);
 Rational scaled(const Integer& whole, int exponent);
 
-/// The real number that a finite double is.
+/// The real value of a finite double.
 Rational exact(double value);
 inline const Rational& exact(const Rational& value) { return value; }
 

@@ -10,7 +10,7 @@ struct AngleBetween {
   Rational low, high;
 };
 
-/// In (0, 2 pi), by MPFR, rounded down and up to so many bits. The vector is neither 0 nor along +x.
+/// In (0, 2 pi), by MPFR, rounded down and up to this many bits. The vector is neither 0 nor along +x.
 AngleBetween angle_between(const Integer& x, const Integer& y, int bits);
 
 }  // namespace touchstone::oracle

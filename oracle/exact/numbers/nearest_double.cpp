@@ -40,7 +40,7 @@ std::uint64_t bits_from(mpz_srcptr value, long at) {
 
 struct Parts {
   std::uint64_t mantissa;
-  int to_half;  // how the rest compares with a half
+  int to_half;  // comparison of the rest with a half
 };
 
 Parts in_ulps(const Rational& value, int exponent) {
@@ -56,7 +56,8 @@ Parts in_ulps(const Rational& value, int exponent) {
   return {bits_from(numerator, dropped), half ? more : -1};
 }
 
-/// In the interior of a binade, and with the fraction of an ulp in `dropped` bits: from there to the middle.
+/// In the interior of a binade, and with the fraction of an ulp in `dropped` bits: the distance from there to the
+/// middle.
 Rational dyadic_margin(mpz_srcptr numerator, long dropped) {
   const auto bits = static_cast<mp_bitcnt_t>(dropped);
   Integer rest, middle;

@@ -15,7 +15,7 @@ NormalFrame::NormalFrame(const Vector3<Integer>& normal)
     : n_(normal), a_(across(n_)), b_(cross(n_, a_)), nn_(dot(n_, n_)), aa_(dot(a_, a_)) {}
 
 Vector3<Rational> NormalFrame::with_product(const Rational& with_normal, const Vector3<Integer>& v) const {
-  // Of n, a and b, in units of 1 / (n . n a . a denominator).
+  // The sum of multiples of n, a and b, in units of 1 / (n . n a . a denominator).
   const Integer& denominator = with_normal.get_den();
   const Vector3<Integer> parts{Integer(with_normal.get_num() * aa_), Integer(dot(v, a_) * nn_ * denominator),
                                Integer(dot(v, b_) * denominator)};

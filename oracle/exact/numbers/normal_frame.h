@@ -6,8 +6,8 @@
 
 namespace touchstone::oracle {
 
-/// An orthogonal basis of space on integers: a normal n that is not 0, a vector a across it, and b = n x a. A velocity
-/// is put together again from its parts along these, one of them another than it was.
+/// An orthogonal basis of space on integers: a normal n that is not 0, a vector a perpendicular to it, and b = n x a. A
+/// velocity is recomposed from its parts along these, with one of them changed.
 class NormalFrame {
  public:
   explicit NormalFrame(const Vector3<Integer>& normal);

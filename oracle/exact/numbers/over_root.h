@@ -5,7 +5,7 @@
 
 namespace touchstone::oracle {
 
-/// p + q sqrt(r): of one root, that of a moment, which outlives it; a rational number needs none. Unlike a Surd it is
+/// p + q sqrt(r): over one root, that of a time, which outlives it; a rational number needs none. Unlike a Surd it is
 /// not made canonical after each operation.
 struct OverRoot {
   OverRoot() = default;

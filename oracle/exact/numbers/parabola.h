@@ -7,14 +7,14 @@
 
 namespace touchstone::oracle {
 
-/// f(t) = square t^2 + 2 half t + start on integers, square >= 0: what is at most 0 where two moving solids meet.
+/// f(t) = square t^2 + 2 half t + start on integers, square >= 0: at most 0 if two moving solids meet.
 struct Parabola {
   Integer start, half, square;
 
-  /// 0 where f(0) <= 0; else Sturm's chain of f counts its zeros in (0, 1] by changes of sign, and the first is the
+  /// 0 if f(0) <= 0; otherwise Sturm's chain of f counts its zeros in (0, 1] by changes of sign, and the first is the
   /// smaller root.
   FirstContact<Surd> contact() const;
-  /// f(t) for the t in [0, 1] where it is least.
+  /// The least f(t) for t in [0, 1].
   Rational least() const;
   /// "start", "first_root", "receding", "too_late" or "no_root", in this order: a claim of `never` has a kind that
   /// fits, since only the last has its least value inside the step.

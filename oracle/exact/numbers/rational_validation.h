@@ -9,7 +9,7 @@
 #include "geometry/validation.h"
 #include "oracle/truth.h"
 
-/// Validation of rationals: the rules of geometry/validation.h, but for the finite number that every rational is.
+/// Validation of rationals: the rules of geometry/validation.h, except for finite numbers, which all rationals are.
 namespace touchstone::validation {
 
 inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
@@ -22,8 +22,8 @@ void validate_numbers(const std::string&, const Shape<oracle::Rational>&) {}
 template <template <class> class Shape>
 void validate_numbers(const std::string&, const std::vector<Shape<oracle::Rational>>&) {}
 
-/// What is valid wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be
-/// forgotten.
+/// Shapes that are valid if their numbers are. A shape without a rule here does not compile, so that its rules cannot
+/// be forgotten.
 template <class Shape>
 concept AlwaysValid = std::is_same_v<Shape, oracle::Rational> || std::is_same_v<Shape, Point2<oracle::Rational>> ||
     std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>> ||

@@ -19,7 +19,7 @@ inline void validate_restitution(const std::string& field, const oracle::Rationa
   require_restitution(!negative(e) && e <= 1, field);
 }
 inline void validate(const std::string&, const MovingBody<oracle::Rational>&) {}
-/// By its leading minors.
+/// Decides by the leading minors.
 inline void validate(const std::string& field, const Inertia<oracle::Rational>& i) {
   require_symmetry(i.x.y == i.y.x, i.x.z == i.z.x, i.y.z == i.z.y, field);
   const oracle::Rational second = i.x.x * i.y.y - i.x.y * i.y.x;

@@ -4,7 +4,7 @@
 #include "geometry/validation_of_steps.h"
 #include "oracle/exact/numbers/rational_validation_of_bodies.h"
 
-/// Validation in rationals of what a step is made from: the rules of geometry/validation_of_steps.h.
+/// Validation in rationals of the parts of a step: the rules of geometry/validation_of_steps.h.
 namespace touchstone::validation {
 
 inline void validate(const std::string& field, const StepBody<oracle::Rational>& body) {

@@ -35,7 +35,7 @@ struct Split {
   Integer root, rest;
 };
 
-/// Takes squares out, as the contract of Surd says; number > 0.
+/// Takes squares out, as defined in the contract of Surd; number > 0.
 Split split(Integer number) {
   Integer root(1), odd(1), prime, power;
   for (const unsigned long small : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47}) {
@@ -52,7 +52,7 @@ Split split(Integer number) {
   return {root, Integer(number * odd)};
 }
 
-/// The whole part of sqrt(number), number >= 0: that it is that is checked here, by squares.
+/// The integer part of sqrt(number), number >= 0; checks it by squares.
 Integer whole_root(const Integer& number) {
   const Integer root = sqrt(number);
   if (root * root > number || (root + 1) * (root + 1) <= number) throw std::logic_error("no root");

@@ -13,7 +13,7 @@ struct RationalInterval {
   Rational low, high;
 };
 
-/// An exact number p + q sqrt(r): rationals p and q, r an integer that is no square; q = r = 0 where it is rational.
+/// An exact number p + q sqrt(r): rationals p and q, r an integer that is not a square; q = r = 0 if it is rational.
 ///
 /// Canonical: equal numbers have equal parts and equal text. For p is the rational part of the number, q sqrt(r) the
 /// rest, and q and r are made from the square of that rest alone: of its numerator and its denominator apart, the
@@ -24,7 +24,7 @@ class Surd {
  public:
   Surd() = default;
   Surd(Rational value) : rational_part_(std::move(value)) {}  // implicit: every rational is a surd
-  /// p + q sqrt(r); std::domain_error where r < 0.
+  /// p + q sqrt(r); throws std::domain_error if r < 0.
   Surd(const Rational& p, const Rational& q, const Rational& r);
 
   bool rational() const { return root_ == nullptr; }
@@ -49,7 +49,7 @@ class Surd {
   friend Surd operator-(const Surd& a, const Surd& b);
   friend Surd operator*(const Surd& a, const Surd& b);
   friend Surd operator/(const Surd& a, const Surd& b);
-  /// Of a rational number that is not negative; std::domain_error for others.
+  /// For a rational number that is not negative; std::domain_error for others.
   friend Surd sqrt(const Surd& a);
 
   /// -1, 0, 1; by squares alone.
@@ -68,11 +68,11 @@ class Surd {
   std::shared_ptr<const Root> root_;  // never changed: copies share it
 };
 
-/// The number of a text of that grammar, canonical or not; std::invalid_argument for other text.
+/// The number of a text of that grammar, canonical or not; throws std::invalid_argument for other text.
 Surd surd_of(const std::string& text);
 
-/// The nearest double or float, ties to even, as nearest_double.h and nearest_float.h have it. A surd that is not
-/// rational is no tie, so that some enclosure decides.
+/// The nearest double or float, ties to even, as in nearest_double.h and nearest_float.h. An irrational surd is never a
+/// halfway case, so that some enclosure decides.
 double nearest_double(const Surd& value);
 float nearest_float(const Surd& value);
 

@@ -48,7 +48,7 @@ constexpr Wide product(Int128 a, Int128 b) {
 }
 inline Integer product(const Integer& a, const Integer& b) { return Integer(a * b); }
 
-/// Divides by one number, again and again, what it divides without remainder.
+/// Divides numbers repeatedly by one divisor, which divides them without remainder.
 template <class Value>
 class ExactDivision;
 
@@ -93,7 +93,7 @@ class ExactDivision<Integer> {
   bool one_;
 };
 
-/// An integer of GMP to be read, on the stack.
+/// A read-only GMP integer on the stack.
 class View {
  public:
   explicit View(const Wide& value) {

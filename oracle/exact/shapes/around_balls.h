@@ -10,8 +10,8 @@
 
 namespace touchstone::oracle {
 
-/// A box of doubles around balls in some places: what has boxes that are apart has no common point, so that a pair far
-/// from each other costs six comparisons.
+/// A box of doubles around balls at several positions: balls with disjoint boxes have no common point, so that a
+/// distant pair costs six comparisons.
 class AroundBalls {
  public:
   void add(const Point3<Rational>& center, const Rational& radius) {

@@ -18,7 +18,7 @@ using Place = Point3<Integer>;
 
 constexpr const char* names[] = {"half_axes[0]", "half_axes[1]", "half_axes[2]"};
 
-/// "2.776e-17", also where a double would be 0.
+/// "2.776e-17", even if a double would be 0.
 std::string root_of(const Rational& square) {
   std::array<char, 64> text{};
   const mpf_class root = sqrt(mpf_class(square, 128));
@@ -59,7 +59,7 @@ struct Whole {
   }
 };
 
-/// The half axes, and vectors at right angles to all of them instead of those that are 0.
+/// The half axes, with those that are 0 replaced by vectors perpendicular to all of them.
 std::array<Way, 3> completed(std::array<Way, 3> axes) {
   static const std::array<Way, 3> coordinate_axes{Way{1, 0, 0}, Way{0, 1, 0}, Way{0, 0, 1}};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -69,18 +69,18 @@ std::array<Way, 3> completed(std::array<Way, 3> axes) {
       axis = cross(next, last);
       continue;
     }
-    const Way& other = zero(next) ? last : next;  // the one that is not 0, if any is not
+    const Way& other = zero(next) ? last : next;  // the nonzero one, if any
     for (const Way& e : coordinate_axes)
       if (zero(axis)) axis = zero(other) ? e : cross(other, e);
   }
   return axes;
 }
 
-/// A pair of faces: normal . (p - center) may be as large as `reach`, and as small as -reach.
+/// A pair of faces: normal . (p - center) is between -reach and `reach`.
 struct Faces {
   Way normal;
   Integer reach, low, high;
-  std::size_t lowest = 0, highest = 0;  ///< places of points
+  std::size_t lowest = 0, highest = 0;  ///< indices of points
 
   Faces(const Whole& all, const Way& half_axis, const Way& one, const Way& other, bool flat)
       : normal(cross(one, other)), reach(flat ? Integer(0) : Integer(abs(dot(normal, half_axis)))) {
@@ -90,7 +90,7 @@ struct Faces {
       if (i == 0 || height > high) high = height, highest = i;
     }
   }
-  /// Of a height; positive.
+  /// The squared length of a height; positive.
   Rational squared_length(const Integer& height, const Rational& unit) const {
     Rational result(Integer(height * height), dot(normal, normal));
     result.canonicalize();
@@ -98,7 +98,7 @@ struct Faces {
   }
 };
 
-/// Whether half axes are at right angles, as far as the contract asks for it.
+/// True if half axes are perpendicular, as far as the contract requires.
 bool square(const Way& a, const Way& b, const Rational& unit) {
   const Integer along = abs(dot(a, b)), sizes = size(a) + size(b);
   const Rational more(along - sizes * Rational(scaled(Rational(1), -1072) / unit));

@@ -9,8 +9,8 @@
 
 namespace touchstone::oracle {
 
-/// What is wrong with a box that is said to be one around points, at least one, in the words of the contract
-/// (reference/volumes/obb_of_points.h); "" if nothing is. In integers.
+/// The defect of a box that is claimed to contain points, at least one, in the words of the contract
+/// (reference/volumes/obb_of_points.h); "" if there is none. In integers.
 std::string defect_of_box(const std::vector<Point3d>& points, const Obb3<Rational>& box);
 
 }  // namespace touchstone::oracle

@@ -21,9 +21,9 @@ Integer determinant(const Gram& g, std::size_t n) {
   return Integer(g[0][0] * minor(1, 2) - g[0][1] * minor(0, 2) + g[0][2] * minor(0, 1));
 }
 
-/// The ball whose center is a convex combination of points that are all as far from it, with positive weights; empty
-/// where there is none. With v the ways from the first point to the others, the weights of these solve 2 v_i . v_j w =
-/// v_i . v_i, by Cramer's rule; the determinant is not negative, and 0 where they are affinely dependent.
+/// The ball whose center is a convex combination of points that are all equally far from it, with positive weights;
+/// nullopt if there is none. With v the displacements from the first point to the others, the weights of these solve 2
+/// v_i . v_j w = v_i . v_i, by Cramer's rule; the determinant is not negative, and 0 if they are affinely dependent.
 std::optional<SmallestBall> balanced(const WholePoints& points, const std::vector<std::size_t>& support) {
   const std::size_t n = support.size() - 1;
   const WholePoint& first = points[support[0]];
@@ -107,7 +107,7 @@ WholeBall reaching_farthest(const Point3<Integer>& times, const Integer& d, cons
 
 SmallestBall smallest_ball(const WholePoints& points) {
   SmallestBall ball = *balanced(points, {0});
-  for (;;) {  // the radius grows, and there are only so many supports
+  for (;;) {  // the radius grows, and there are finitely many supports
     const std::size_t farthest = ball.farthest(points);
     if (ball.squared_distance(points[farthest]) <= ball.square) return ball;
     ball = smallest_with(points, ball.support, farthest);

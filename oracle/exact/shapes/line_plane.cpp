@@ -16,7 +16,7 @@ LinePlaneHeights::LinePlaneHeights(const Point3<Rational>& from, const Point3<Ra
 LinePlane<Rational> LinePlaneHeights::common(bool ends) const {
   if (at_start_ == at_end_)
     return {sgn(at_start_) == 0 ? LinePlaneRelation::inside : LinePlaneRelation::none, std::nullopt, std::nullopt};
-  // The heights, weighted, have the sum 0, and the weights the sum 1.
+  // The weighted heights add up to 0, and the weights to 1.
   const Rational of_from(at_end_ / (at_end_ - at_start_)), of_to(1 - of_from);
   if (sgn(of_to) < 0 || (ends && sgn(of_from) < 0)) return {LinePlaneRelation::none, std::nullopt, std::nullopt};
   const auto weighted = [&](const Rational& p, const Rational& q) { return Rational(of_from * p + of_to * q); };

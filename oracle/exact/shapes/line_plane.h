@@ -6,13 +6,13 @@
 
 namespace touchstone::oracle {
 
-/// What a line through two points and a plane have in common, in rationals, from the heights over the plane of both
-/// points: as the point with these weights, of which t is that of the second.
+/// The intersection of a line through two points and a plane, in rationals, from the heights over the plane of both
+/// points: the point with these weights, of which t is that of the second.
 class LinePlaneHeights {
  public:
   LinePlaneHeights(const Point3<Rational>& from, const Point3<Rational>& to, const Plane<Rational>& plane);
 
-  /// With t >= 0, and t <= 1 where it ends.
+  /// The part with t >= 0, and t <= 1 if it ends.
   LinePlane<Rational> common(bool ends) const;
   const Rational& at_start() const { return at_start_; }
   const Rational& at_end() const { return at_end_; }

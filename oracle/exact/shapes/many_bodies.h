@@ -9,7 +9,7 @@
 
 namespace touchstone::oracle {
 
-/// Bodies of a list, validated: masses as integers on one unit, velocities on another.
+/// Validated bodies of a list: masses as integers in one unit, velocities in another.
 struct ManyBodies {
   WholeList masses, speeds;
 
@@ -28,7 +28,7 @@ struct ManyBodies {
 
   std::size_t size() const { return masses.whole.size(); }
   const Integer& mass(std::size_t i) const { return masses.whole[i]; }
-  /// Nothing moves beyond the last.
+  /// The velocity of body i, 0 beyond the last.
   Vector3<Integer> velocity(std::size_t i) const {
     if (i == size()) return {Integer(0), Integer(0), Integer(0)};
     return {speeds.whole[3 * i], speeds.whole[3 * i + 1], speeds.whole[3 * i + 2]};

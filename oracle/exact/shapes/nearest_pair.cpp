@@ -19,9 +19,8 @@ struct Fractions {
   Integer denominator;
 };
 
-/// A square system with its right sides in the last column: the solution, or nothing where it is singular. Gauss and
-/// Jordan without fractions: what is left after each step are minors of the system, so that every division is without
-/// remainder.
+/// A square system with its right sides in the last column: the solution, or nullopt if it is singular. Fraction-free
+/// Gauss-Jordan elimination: the numbers after each step are minors of the system, so that every division is exact.
 std::optional<Fractions> solved(std::vector<Row> rows) {
   const std::size_t n = rows.size();
   Integer last = 1;
@@ -72,7 +71,7 @@ Points points_of(const Hull& a, const Hull& b) {
   return points;
 }
 
-/// Which of the points may have a weight.
+/// The points that may have a weight.
 struct Support {
   std::vector<std::size_t> places;
   std::size_t of_a = 0;
@@ -88,8 +87,8 @@ Support support_of(const Points& points, unsigned chosen) {
   return support;
 }
 
-/// A weight of every point. With w the sum of weights times points: every point of a that may have one has one scalar
-/// product with w, every one of b another; both sums of weights are 1.
+/// A weight for every point. With w the sum of weights times points: all points of a that may have a weight have the
+/// same scalar product with w, and so do those of b; both sums of weights are 1.
 std::optional<Fractions> weights(const Points& points, const Support& support) {
   const std::size_t n = support.places.size();
   std::vector<Row> rows(n + 2, Row(n + 3));
@@ -115,7 +114,7 @@ WholeVector combination(const Points& points, const Fractions& weights, std::siz
   return sum;
 }
 
-/// Whether x, in the unit over a denominator, has the smallest scalar product with w of the points first <= i < last.
+/// True if x, in the unit over a denominator, has the smallest scalar product with w of the points first <= i < last.
 bool is_first(const WholeVector& x, const Integer& denominator, const Points& points, std::size_t first,
               std::size_t last, const WholeVector& w) {
   const Integer least = dot(w, x);
@@ -168,7 +167,7 @@ NearestPair nearest_pair(const Hull& a, const Hull& b) {
                           {each.begin(), middle},
                           {middle, each.end()},
                           quotient(dot(w, w), Integer(unit * unit))};
-    if (of_a == 1 || all - of_a == 1) break;  // a convex set has one point that is nearest to another
+    if (of_a == 1 || all - of_a == 1) break;  // in a convex set the point nearest to another is unique
   }
   return *nearest;
 }

@@ -23,12 +23,12 @@ struct NearestPair {
 /// By the conditions of Karush, Kuhn and Tucker: with x and y the points and w = x - y, the weights are not negative
 /// and of sum 1, and no point of a has a smaller scalar product with w than x, none of b a greater one than y. They
 /// suffice because all is convex. Each choice of points that may have a weight above 0 gives linear equations; one
-/// whose solution satisfies the conditions is there. Of several pairs of nearest points the one is taken whose first
+/// whose solution satisfies the conditions is there. Among several pairs of nearest points the one is taken whose first
 /// point of a has the greatest weight: on segments, the least parameter on a.
 NearestPair nearest_pair(const Hull& a, const Hull& b);
 
-/// Of two segments, on_a a point of the first that is nearest to the second, way from there to the nearest point of the
-/// second: of all such points of the first the one that is nearest to another point.
+/// For two segments, on_a a point of the first that is nearest to the second, way the displacement from there to the
+/// nearest point of the second: among all such points of the first the one nearest to another point.
 Point3<Rational> nearest_to(const Point3<Rational>& point, const Hull& a, const Hull& b, const Point3<Rational>& on_a,
                             const Vector3<Rational>& way);
 

@@ -38,10 +38,10 @@ class Scaled {
   CommonScale<Rational, 13> scale_;
 };
 
-/// The places of a line and a box, or a center.
+/// The positions of a line and a box, or a center.
 constexpr std::size_t from = 0, way = 1, least = 2, greatest = 3, middle = 2;
 
-/// t way <= max - from and -t way <= from - min on each axis; t <= 1 where the line ends.
+/// t way <= max - from and -t way <= from - min on each axis; t <= 1 if the line ends.
 Program program_of(const Scaled& n, bool ends) {
   std::vector<Program::Row> rows(2 * n.axes() + (ends ? 1 : 0), Program::Row::at_most);
   Program program(1, rows);
@@ -56,7 +56,7 @@ Program program_of(const Scaled& n, bool ends) {
   return program;
 }
 
-/// What Farkas' sum of the rows has of the upper sides less what it has of the lower ones.
+/// The upper sides' part of Farkas' sum of the rows minus that of the lower sides.
 std::vector<Rational> separating_normal(const Program& program, std::size_t axes) {
   std::vector<Rational> normal;
   for (std::size_t k = 0; k < axes; ++k)
@@ -64,13 +64,13 @@ std::vector<Rational> separating_normal(const Program& program, std::size_t axes
   return normal;
 }
 
-/// height + t slope <= 0 wants one axis.
+/// Requires height + t slope <= 0 on one axis.
 struct Want {
   Integer height, slope;
   std::size_t axis;
 };
 
-/// How far the line has to be moved, in the maximum norm, until the relation changes.
+/// The distance by which the line has to be moved, in the maximum norm, until the relation changes.
 Rational way_to_change(const Scaled& n, bool ends) {
   std::vector<Want> wants;
   for (std::size_t k = 0; k < n.axes(); ++k) {

@@ -11,7 +11,7 @@
 /// The first and the last t at which a line is in a solid, in the plane or in space, coordinate by coordinate.
 namespace touchstone::oracle {
 
-/// The points from + t way with t >= 0, and t <= 1 where it ends.
+/// The points from + t way with t >= 0, and t <= 1 if it ends.
 struct Line {
   std::vector<Rational> from, way;
   bool ends;
@@ -22,7 +22,7 @@ std::vector<Rational> coordinates(const Place& p) {
   if constexpr (requires { p.z; }) return {exact(p.x), exact(p.y), exact(p.z)};
   else return {exact(p.x), exact(p.y)};
 }
-/// Of a ray or a segment.
+/// The line of a ray or a segment.
 template <class Shape>
 Line line_of(const Shape& shape) {
   if constexpr (requires { shape.direction; }) {
@@ -38,7 +38,7 @@ Line line_of(const Shape& shape) {
 Truth<Passage<Rational>> passage_of_box(const Line& line, const std::vector<Rational>& min,
                                         const std::vector<Rational>& max);
 
-/// By the changes of sign of f(t) = |from + t way - center|^2 - radius^2, forwards and backwards; a ray is cut behind
+/// By the changes of sign of f(t) = |from + t way - center|^2 - radius^2, forwards and backwards; a ray is cut after
 /// all zeros.
 Truth<Passage<Surd>> passage_of_ball(const Line& line, const std::vector<Rational>& center, const Rational& radius);
 

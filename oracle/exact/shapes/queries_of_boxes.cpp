@@ -29,7 +29,7 @@ class BoxBesideBox {
     }
   }
 
-  /// How far one must be moved along the axes for them to meet; less than 0: what they have to spare.
+  /// The distance by which one must be moved along the axes for them to meet; negative: the room to spare.
   const Rational& lack() const { return *lack_; }
   bool met() const { return sgn(*lack_) <= 0; }
   Certificate proof() const {
@@ -43,7 +43,7 @@ class BoxBesideBox {
   std::vector<Rational> corner_;
 };
 
-/// How far a point of the ray is beyond a face: excess + slope t.
+/// The distance of a point of the ray beyond a face: excess + slope t.
 struct Face {
   Rational excess, slope;
 };
@@ -71,10 +71,10 @@ class BoxOnRay {
     }
   }
 
-  /// What the ray lacks to meet the box; less than 0: what it has to spare.
+  /// The distance by which the ray misses the box; negative: the room to spare.
   const Rational& lack() const { return *lack_; }
   bool met() const { return sgn(*lack_) <= 0; }
-  /// When it passes the last of the faces that it approaches, perhaps before it starts.
+  /// The time at which it passes the last of the faces that it approaches, possibly before its start.
   const Rational& entry() const { return *entry_; }
   Rational first() const { return std::max(*entry_, Rational(0)); }
 
@@ -108,12 +108,12 @@ class BoxOnRay {
   std::size_t entered_ = 0;
 };
 
-/// How much later the second of two that follow one another would have to be first.
+/// The change by which the second of two consecutive boxes would become the first.
 Rational lead(const BoxOnRay& one, const BoxOnRay& next) {
   return sgn(next.entry()) > 0 ? Rational(next.first() - one.first()) : Rational(-one.entry());
 }
 
-/// What a query sees of the bodies of a tree. A box around bodies lacks no more than they do.
+/// The bodies of a tree as a query finds them. A box around bodies lacks no more than they do.
 template <class Seen, class Query>
 class Search {
  public:
@@ -124,7 +124,7 @@ class Search {
     std::sort(met_.begin(), met_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 
-  /// By their indices.
+  /// The bodies met, by index.
   std::vector<std::pair<Index, Seen>> met() && { return std::move(met_); }
 
  private:
@@ -159,7 +159,8 @@ class Search {
   std::vector<std::pair<Index, Seen>> met_;
 };
 
-/// The proofs of a walk from a node on: of a node that the query misses one, of another one `open`, and its children's.
+/// The proofs of a traversal from a node on: one for a node that the query misses, and `open` for others, followed by
+/// the children's.
 template <class Seen, class Query>
 void prove(const Query& query, const BodyTree& tree, const Bodies& bodies, std::size_t place,
            std::vector<Certificate>& proofs) {

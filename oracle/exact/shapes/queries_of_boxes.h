@@ -9,7 +9,7 @@
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/shapes/body_tree.h"
 
-/// What a box or a ray meets of the bodies of a tree.
+/// The bodies of a tree that a box or a ray meets.
 namespace touchstone::oracle {
 
 template <class Number>
@@ -29,23 +29,23 @@ Ray3<Rational> exact(const Ray3<Number>& ray) {
 std::vector<Index> met_by(const Aabb3<Rational>& query, const BodyTree& tree, const Bodies& bodies,
                           std::optional<Rational>& margin);
 
-/// In the order of the first t, ties by index. Of each face's plane, origin + t direction is beyond it by c + s t, and
-/// a box is met if none is positive at some t >= 0. That is a linear program in t: its dual has a face that the ray
+/// In the order of the first t, ties by index. The point origin + t direction is beyond each face's plane by c + s t,
+/// and a box is met if none is positive at some t >= 0. That is a linear program in t: its dual has a face that the ray
 /// does not approach, or one that it approaches and one that it leaves, weighted so that t cancels. The greatest of
 /// these sums is what the ray lacks to meet the box. Margin: the least of what a ray lacks of a box, or has to spare of
-/// it, and of the way from one first contact to the next, in units of the direction's greatest component, squared. Of
-/// two boxes around the origin, that of the first: whether it begins behind the origin decides their order.
+/// it, and of the distance from one first contact to the next, in units of the direction's greatest component, squared.
+/// For two boxes around the origin, that of the first: whether it begins behind the origin decides their order.
 std::vector<Index> met_by(const Ray3<Rational>& ray, const BodyTree& tree, const Bodies& bodies,
                           std::optional<Rational>& margin);
 
-/// In preorder of the tree, of each node that has children and bodies that are there: `open`, and then its children's
-/// proofs; or why the query misses its box. Of each body of a leaf, then of each body that came later, by index: a
-/// point in common, or the axis of a gap; of a ray, where it starts in the box, or enters it, or the weights of the
+/// In preorder of the tree, for each node that has children and existing bodies: `open`, and then its children's
+/// proofs; or why the query misses its box. For each body of a leaf, then of each body that came later, by index: a
+/// point in common, or the axis of a gap; for a ray, whether it starts in the box, or enters it, or the weights of the
 /// dual.
 std::vector<Certificate> proofs_of(const Aabb3<Rational>& query, const BodyTree& tree, const Bodies& bodies);
 std::vector<Certificate> proofs_of(const Ray3<Rational>& ray, const BodyTree& tree, const Bodies& bodies);
 
-/// Whether a point is in the interior of a box, or a point of a ray.
+/// True if a point is in the interior of a box, or a point of a ray.
 bool in_interior(const Point3<Rational>& point, const Aabb3<Rational>& box);
 bool in_interior(const Ray3<Rational>& ray, const Aabb3<Rational>& box);
 

@@ -22,13 +22,13 @@ bool before(const Point3<Integer>& p, const Point3<Integer>& q) {
   return p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
-/// Of vectors in one direction.
+/// Compares vectors in one direction.
 bool longer(const Vector3<Integer>& v, const Vector3<Integer>& w) {
   return abs(v.x) + abs(v.y) + abs(v.z) > abs(w.x) + abs(w.y) + abs(w.z);
 }
 
-/// Turned about an edge of the hull, from a plane behind which all points lie, until it holds a face: seen along the
-/// edge the points off `known` lie within less than half a turn. From outside that face has the edge from a to b.
+/// Rotates a plane, behind which all points lie, about an edge of the hull until it contains a face: as seen along the
+/// edge, the points off `known` lie within less than half a turn. From outside that face has the edge from a to b.
 SupportingPlane folded(const WholeCloud& cloud, const SupportingPlane& known, Index a, Index b) {
   SupportingPlane plane{{0, 0, 0}, 0};
   for (Index p = 0; p < cloud.size(); ++p) {
@@ -38,8 +38,8 @@ SupportingPlane folded(const WholeCloud& cloud, const SupportingPlane& known, In
   return plane;
 }
 
-/// 1 where three points in a plane turn left about its normal, -1 to the right: as they do seen along an axis that the
-/// plane does not hold.
+/// 1 if three points in a plane turn left about its normal, -1 to the right: the same turn as seen along an axis that
+/// the plane does not contain.
 int turn_about(const Vector3<Integer>& normal, const Point3<Integer>& a, const Point3<Integer>& b,
                const Point3<Integer>& c) {
   using Point = Point3<Integer>;
@@ -52,7 +52,7 @@ int turn_about(const Vector3<Integer>& normal, const Point3<Integer>& a, const P
 }
 
 /// The least point is extreme, and as seen along the last axis all points lie on one side of a line through it and
-/// another: the plane through that line holds a face, or an edge.
+/// another: the plane through that line contains a face, or an edge.
 SupportingPlane first_face(const WholeCloud& cloud) {
   const Index least = cloud.least();
   SupportingPlane plane{{0, 0, 0}, 0};

@@ -25,7 +25,7 @@ class WholeCloud {
   const Point3<Integer>& operator[](Index i) const { return points[i]; }
   Vector3<Integer> between(Index from, Index to) const { return points[to] - points[from]; }
   Vector3<Integer> normal(Index a, Index b, Index c) const { return cross(between(a, b), between(a, c)); }
-  /// Positive where p lies on the side of the normal.
+  /// Positive if p lies on the side of the normal.
   Integer height(const SupportingPlane& plane, Index p) const { return Integer(along(plane.normal, p) - plane.level); }
   Integer along(const Vector3<Integer>& v, Index p) const {
     return Integer(v.x * points[p].x + v.y * points[p].y + v.z * points[p].z);
@@ -33,21 +33,21 @@ class WholeCloud {
   SupportingPlane plane(const Vector3<Integer>& normal, Index at) const { return {normal, along(normal, at)}; }
   /// The lexicographically least, and of equal ones the first.
   Index least() const;
-  /// Points that span all others, as few as can be, the least first; of four no more is said than that there are four.
+  /// As few points as possible that span all others, the least first; four are only counted.
   std::vector<Index> simplex() const;
 
   std::vector<Point3<Integer>> points;
   Rational unit;
 };
 
-/// The extreme points of the points in a plane that has at least three not on one line, counter-clockwise about its
-/// normal from the least place on. Of equal points the first.
+/// The extreme points of the points in a plane that has at least three not collinear, counter-clockwise about its
+/// normal from the least index. Equal points are represented by the first.
 std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane);
 
-/// Both ends of the points on one line, where not all are equal: the lexicographically least first.
+/// Both ends of collinear points, if not all are equal: the lexicographically least first.
 std::vector<Index> ends_of(const WholeCloud& cloud);
 
-/// The faces of the hull of points that lie in no plane, each as ring_in has it.
+/// The faces of the hull of points that are not coplanar, each like the result of ring_in.
 std::vector<std::vector<Index>> face_rings(const WholeCloud& cloud);
 
 }  // namespace touchstone::oracle

@@ -7,7 +7,7 @@
 
 namespace touchstone::oracle {
 
-/// Numbers of a list, however many, as integers times one positive unit: number i is whole[i] units.
+/// The numbers of a list of any length as integers times one positive unit: number i is whole[i] units.
 struct WholeList {
   std::vector<Integer> whole;
   Rational unit;

@@ -15,8 +15,8 @@ namespace touchstone::oracle {
 
 inline std::array<std::pair<Index, Index>, 3> edges_of(const Face& f) { return {{{f.a, f.b}, {f.b, f.c}, {f.c, f.a}}}; }
 
-/// Every edge, a pair of vertices in whichever order, is in an even number of faces: of triangles, since an edge of a
-/// cut alone is in two of these.
+/// Requires that every edge, an unordered pair of vertices, is in an even number of faces: tested for triangles, since
+/// a diagonal of a triangulation is in two of them.
 template <class Number>
 void validate_closed(const std::string& field, const Mesh<Number>& mesh) {
   std::map<std::pair<Index, Index>, int> times;

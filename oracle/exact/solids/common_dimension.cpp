@@ -16,7 +16,7 @@ using WholePoints = std::vector<WholePoint>;
 
 WholePoints corners_of(const Triangle3<Integer>& t) { return {t.a, t.b, t.c}; }
 
-/// How many of the vectors are independent.
+/// The number of independent vectors.
 int rank(const std::vector<WholeVector>& vectors) {
   WholeVector first{0, 0, 0}, normal{0, 0, 0};
   for (const WholeVector& v : vectors)
@@ -65,7 +65,7 @@ PointOfBoth point_at(const Program& program) {
   return {{weight(0), weight(1), weight(2)}, {weight(3), weight(4), weight(5)}};
 }
 
-/// The common point where the program stands, times the denominator.
+/// The common point at the program's current vertex, times the denominator.
 struct Scaled {
   WholePoint at;
   Integer denominator;

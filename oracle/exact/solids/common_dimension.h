@@ -8,7 +8,7 @@
 
 namespace touchstone::oracle {
 
-/// The dimension of what two triangles have in common, -1 if that is nothing.
+/// The dimension of the intersection of two triangles, -1 if it is empty.
 ///
 /// As long as there is a plane with normal . p <= offset on one triangle and >= on the other, and a corner off it (an
 /// exact linear program), what is common lies in the plane, so that only the corners in the plane matter. Where no
@@ -19,7 +19,7 @@ struct CommonDimension {
   CommonDimension(const Triangle3<Integer>& a, const Triangle3<Integer>& b);
 
   int dimension;
-  std::vector<WitnessPlane> planes;  ///< one after the other; normal . p <= offset on what is left of a
+  std::vector<WitnessPlane> planes;  ///< one after the other; normal . p <= offset for the remaining corners of a
 };
 
 /// A common point by weights of the corners of each.
@@ -27,8 +27,8 @@ struct PointOfBoth {
   std::array<Rational, 3> on_a, on_b;
 };
 
-/// As many common points as the dimension has and one more, not all in a space of fewer dimensions: the least and the
-/// greatest along the axes, or across what has been found, by the linear program over the six weights.
+/// One common point more than the dimension, affinely independent: the least and the greatest along the axes, or
+/// perpendicular to those found, by the linear program over the six weights.
 std::vector<PointOfBoth> points_of_both(const Triangle3<Integer>& a, const Triangle3<Integer>& b, int dimension);
 
 }  // namespace touchstone::oracle

@@ -12,7 +12,7 @@ namespace {
 using GridNumber = std::int64_t;
 using GridVector = Vector3<GridNumber>;
 
-/// At most N vectors or places, without allocation.
+/// At most N vectors or indices, without allocation.
 template <std::size_t N>
 struct Few {
   std::array<GridVector, N> all;
@@ -31,7 +31,7 @@ GridCorners corners_of(const Triangle3<GridNumber>& t) {
   return corners;
 }
 
-/// How many of the vectors are independent, and a vector across all where that is less than 3.
+/// The number of independent vectors, and a vector perpendicular to all if that is less than 3.
 struct Span {
   int rank = 0;
   GridVector first{0, 0, 0}, normal{0, 0, 0};
@@ -57,7 +57,8 @@ bool pushes(const GridVector& n, const Differences& all) {
   return positive;
 }
 
-/// The normal of a plane with all of a behind it and all of b in front, and not all within; false if there is none.
+/// The normal of a plane with all of a behind it and all of b in front, and not all within; returns false if there is
+/// none.
 bool find_normal(const GridCorners& a, const GridCorners& b, GridVector& found) {
   Differences all;
   Span span;

@@ -19,7 +19,7 @@ struct WholePlane {
   Vector3<Integer> normal;
   Integer offset;
   Integer at(const Point3<Integer>& p) const { return Integer(dot(normal, {p.x, p.y, p.z}) + offset); }
-  /// Times the point's w.
+  /// Its value times the point's w.
   Integer at(const HomogeneousPoint& p) const { return Integer(dot(normal, {p.x, p.y, p.z}) + offset * p.w); }
 };
 
@@ -27,12 +27,13 @@ struct WholePlane {
 /// are those of the mesh.
 class ConvexMesh {
  public:
-  /// Refuse what is not closed and convex, by the rules of reference/polyhedra/point_in_convex_polyhedron.h and
-  /// straight from the definition: edges are counted, and every vertex is put into the equation of every face's plane.
+  /// Refuses meshes that are not closed and convex, by the rules of reference/polyhedra/point_in_convex_polyhedron.h
+  /// and straight from the definition: edges are counted, and every vertex is put into the equation of every face's
+  /// plane.
   ConvexMesh(const std::string& field, const Meshd& mesh);
   ConvexMesh(const std::string& field, const Mesh<Rational>& mesh);
 
-  /// In the unit of the mesh.
+  /// The point in the unit of the mesh.
   HomogeneousPoint whole(const Point3d& p) const;
   HomogeneousPoint whole(const Point3<Rational>& p) const;
 

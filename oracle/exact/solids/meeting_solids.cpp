@@ -24,7 +24,7 @@ Motion motion(const ConvexMesh& a, const ConvexMesh& b, const std::array<Rationa
           Rational(1 / Rational(common))};
 }
 
-/// The least s for which a displacement with coordinates of at most s lets them meet: s, and the positive and the
+/// The least s for which a displacement with coordinates of at most s makes them meet: s, and the positive and the
 /// negative part of each coordinate.
 Rational distance(const Motion& m) {
   Meeting meeting(m, 7, 6);
@@ -41,7 +41,7 @@ Rational distance(const Motion& m) {
   return meeting.optimum(size);
 }
 
-/// How far a can be moved towards the nearest corner of a cube and still meet b.
+/// The distance by which a can be moved towards the nearest corner of a cube and still meet b.
 Rational depth(const Motion& m) {
   std::optional<Rational> least;
   for (int corner = 0; corner < 8; ++corner) {

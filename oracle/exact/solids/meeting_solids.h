@@ -8,7 +8,8 @@
 #include "oracle/exact/solids/convex_mesh.h"
 #include "oracle/exact/systems/linear_program.h"
 
-/// Whether the convex hulls of two lists of points, one of which moves, have a common point, by exact linear programs.
+/// Decides whether the convex hulls of two lists of points, one of which moves, have a common point, by exact linear
+/// programs.
 namespace touchstone::oracle {
 
 using Coordinates = std::array<Integer, 3>;
@@ -68,8 +69,8 @@ class Meeting {
   LinearProgram<Integer> program_;
 };
 
-/// How far a has to be moved, in the maximum norm and in units, until they meet; and, if they do, until they no longer
-/// do.
+/// The distance by which a has to be moved, in the maximum norm and in units, until they meet; and, if they do, until
+/// they no longer do.
 Rational distance(const Motion& m);
 Rational depth(const Motion& m);
 

@@ -11,7 +11,7 @@ namespace {
 
 using CoordinateOfPoint = Integer Point3<Integer>::*;
 
-/// Of each point the place of its coordinate among all different ones: it compares as the coordinate does.
+/// The rank of each point's coordinate among all distinct ones: ranks compare as the coordinates do.
 std::vector<Index> ranks(const WholeCloud& cloud, CoordinateOfPoint axis) {
   std::vector<Index> order(cloud.size()), rank(cloud.size());
   std::iota(order.begin(), order.end(), Index{0});

@@ -8,7 +8,7 @@
 
 namespace touchstone::oracle {
 
-/// Of each triangle the later ones of the list whose boxes have a point in common with its own, in ascending order: by
+/// For each triangle the later ones of the list whose boxes have a point in common with its own, in ascending order: by
 /// a sweep along the x axis.
 std::vector<std::vector<Index>> later_triangles_near(const WholeCloud& cloud, const std::vector<Face>& triangles);
 

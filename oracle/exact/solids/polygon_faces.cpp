@@ -20,7 +20,7 @@ using Ring = std::vector<Point>;
 
 Vector area_of(const Point& a, const Point& b, const Point& c) { return cross(b - a, c - a); }
 
-/// Whether all corners are in the plane of some three that are not on one line.
+/// True if all corners are in the plane of some three that are not collinear.
 bool planar(const Ring& corners) {
   const Point& a = corners[0];
   for (const Point& b : corners) {
@@ -39,7 +39,7 @@ struct Piece {
   const Vector& normal;
   const Ring& corners;
 
-  /// Twice the area of an edge and p, times the length of the normal: negative where p is outside.
+  /// Twice the area of an edge and p, times the length of the normal: negative if p is outside.
   Rational within(std::size_t edge, const Point& p) const {
     return Rational(dot(normal, area_of(corners[edge], corners[(edge + 1) % 3], p)));
   }
@@ -49,7 +49,7 @@ struct Piece {
   bool is_corner(const Point& p) const { return std::find(corners.begin(), corners.end(), p) != corners.end(); }
 };
 
-/// What of the ring lies within an edge of the triangle.
+/// The part of the ring within an edge of the triangle.
 Ring clipped(const Ring& ring, const Piece& by, std::size_t edge) {
   Ring left;
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -72,7 +72,7 @@ bool overlap(const Piece& one, const Piece& other) {
   return false;
 }
 
-/// How often each edge is run along forth, less back.
+/// The count of each edge's traversals, forward minus backward.
 using Boundary = std::map<std::pair<Index, Index>, long>;
 
 void run(Boundary& boundary, Index from, Index to) {

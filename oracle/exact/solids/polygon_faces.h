@@ -8,10 +8,10 @@
 
 namespace touchstone::oracle {
 
-/// Refuses a mesh whose polygons are not planar or whose triangles are no valid cut of them, by the definition in
+/// Refuses a mesh with polygons that are not planar or triangles that do not triangulate them, by the definition in
 /// geometry/polyhedra.h: triangles and polygon have one boundary, every two triangles are clipped against each other
-/// and leave no area, and no corner has weights in a triangle of which it is none. Its numbers are finite and its
-/// indices those of vertices.
+/// and leave no area, and no corner has weights in a triangle that does not contain it as a corner. Its numbers are
+/// finite and its indices valid.
 void validate_polygons(const std::string& field, const Mesh<Rational>& mesh);
 void validate_polygons(const std::string& field, const Meshd& mesh);
 

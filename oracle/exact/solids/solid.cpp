@@ -30,7 +30,7 @@ bool none_negative(const std::array<Integer, 3>& weights) {
   return std::all_of(weights.begin(), weights.end(), [](const Integer& weight) { return sgn(weight) >= 0; });
 }
 
-/// How far the origin is from the box around the corners, along each axis.
+/// The distance of the origin from the box around the corners, along each axis.
 std::array<Integer, 3> ways_to_box(const Corners& c) {
   std::array<Integer, 3> found;
   std::size_t i = 0;
@@ -51,7 +51,7 @@ bool box_holds_origin(const Corners& c) {
   return true;
 }
 
-/// That give the origin itself, if it is in the face.
+/// The weights that give the origin itself, if it is in the face.
 std::optional<Weights> weights_of_origin(const Corners& c) {
   if (!box_holds_origin(c) || sgn(dot(*c[0], cross(*c[1], *c[2]))) != 0) return std::nullopt;
   const Whole normal = normal_of(c);
@@ -97,7 +97,7 @@ Certificate on_face(std::size_t face, const Weights& weights) {
 
 }  // namespace
 
-/// Vertices as the point sees them, times `factor`.
+/// Vertices relative to the point, times `factor`.
 struct Solid::Seen {
   Seen(const Solid& solid, const Point3<Rational>& p) {
     mpz_lcm(factor.get_mpz_t(), p.x.get_den_mpz_t(), p.y.get_den_mpz_t());
@@ -108,7 +108,7 @@ struct Solid::Seen {
       vertices.push_back({Integer(factor * v.x - x), Integer(factor * v.y - y), Integer(factor * v.z - z)});
   }
   Corners corners(const Face& f) const { return {&vertices[f.a], &vertices[f.b], &vertices[f.c]}; }
-  /// What the edges span with the origin.
+  /// The planes spanned by the edges with the origin.
   void span(const Solid& solid) {
     for (const auto& [from, to] : solid.edges_) spans.push_back(cross(vertices[from], vertices[to]));
   }
@@ -126,7 +126,7 @@ struct Solid::Ray {
   std::vector<Crossing> crossings;
 
   bool odd() const { return crossings.size() % 2 == 1; }
-  /// The direction counted in no unit, so that t counts the mesh's.
+  /// The direction is dimensionless, so that t has the mesh's unit.
   Certificate certificate(const Rational& unit) const {
     std::vector<Rational> faces, parameters;
     for (const Crossing& crossing : crossings)
@@ -150,8 +150,8 @@ Solid::Solid(std::vector<Point3<Integer>> vertices, std::vector<Face> faces, Rat
   }
 }
 
-/// False if the ray's line may meet an edge. An edge on a line through the origin, which is not on the edge, is met
-/// only in a direction along that line.
+/// Returns false if the ray's line may meet an edge. An edge on a line through the origin, which is not on the edge, is
+/// met only in a direction along that line.
 bool Solid::along(Ray& ray, const Seen& seen) const {
   std::vector<Integer> sides;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -175,8 +175,8 @@ bool Solid::along(Ray& ray, const Seen& seen) const {
   return true;
 }
 
-/// The first k > 0 whose direction does. An edge and the origin span a plane, which a curve of the second degree meets
-/// at most twice, or a line: finitely many k do not.
+/// The first k > 0 whose direction meets none. An edge and the origin span a plane, which a curve of the second degree
+/// meets at most twice, or a line: all but finitely many k work.
 template <class Direction>
 Solid::Ray Solid::missing_all_edges(const Seen& seen, const Direction& direction) const {
   for (long k = 1;; ++k) {

@@ -12,10 +12,10 @@
 
 namespace touchstone::oracle {
 
-/// The solid within a closed mesh in integers, times one positive unit, to be asked about many points.
+/// The solid within a closed mesh in integers, times one positive unit, for many queries about points.
 ///
-/// Inside is what a ray past all edges leaves through an odd number of faces; all directions are told by signs of
-/// determinants of two corners and the direction, one for each edge, since faces share them.
+/// A point is inside if a ray that avoids all edges leaves it through an odd number of faces; all directions are
+/// decided by signs of determinants of two corners and the direction, one for each edge, since faces share them.
 class Solid {
  public:
   Solid(std::vector<Point3<Integer>> vertices, std::vector<Face> faces, Rational unit);
@@ -23,11 +23,11 @@ class Solid {
   const std::vector<Point3<Integer>>& vertices() const { return vertices_; }
   const std::vector<Face>& faces() const { return faces_; }
 
-  /// Of a point in units; without a margin. The certificate is in what the mesh counts, as point_in_polyhedron has it.
+  /// Locates a point in units; without a margin. The certificate is in the mesh's units, as in point_in_polyhedron.
   Truth<Location> locate(const Point3<Rational>& p) const;
-  /// The same, and two more rays agree.
+  /// The same, confirmed by two more rays.
   Truth<Location> locate_by_three_rays(const Point3<Rational>& p) const;
-  /// Of a point from the nearest face, in squares of units.
+  /// The squared distance of a point from the nearest face, in squares of units.
   Rational squared_distance(const Point3<Rational>& p) const;
 
  private:

@@ -18,7 +18,7 @@ Point rational_point(const WholePoint& p) { return {Rational(p.x), Rational(p.y)
 Vector rational_vector(const Way& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 Vector minus(const Vector& v) { return Rational(-1) * v; }
 
-/// The shortest of some ways, each in integers over a denominator.
+/// The shortest of several displacements, each in integers over a denominator.
 class Shortest {
  public:
   /// A normal times height / square, square that of the normal.
@@ -74,7 +74,7 @@ void try_edges(Shortest& shortest, const WholePoint& a0, const WholePoint& a1, c
   shortest.set(normal, height, square);
 }
 
-/// All vertices of which no other is lower.
+/// All vertices such that no other is lower.
 std::vector<Index> lowest(const std::vector<WholePoint>& vertices, const Vector& direction) {
   std::vector<Index> found{0};
   for (Index i = 1; i < vertices.size(); ++i) {
@@ -85,7 +85,7 @@ std::vector<Index> lowest(const std::vector<WholePoint>& vertices, const Vector&
   return found;
 }
 
-/// The vertices and edges of a solid in the plane of all its points that are lowest, moved.
+/// The vertices and edges of a solid in the plane of all its lowest points, translated.
 struct LowestPart {
   std::vector<Point> vertices;
   std::vector<std::pair<Point, Vector>> edges;
@@ -128,7 +128,7 @@ Integer denominator_of(const std::vector<Rational>& numbers) {
 }
 
 /// The multiplier for the lowest vertices of a and the highest of b alone, by a linear program in the positive and the
-/// negative part of each coordinate. Ways from the nearest points, all times one integer.
+/// negative part of each coordinate. Displacements are from the nearest points, all times one integer.
 Vector multiplier_of_lowest(const std::vector<Vector>& of_a, const std::vector<Vector>& of_b, const Vector& from_first,
                             const Integer& unit) {
   using Program = LinearProgram<Integer>;
@@ -227,7 +227,7 @@ Point first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector& way)
   return nearest_to(rational_point(a.vertices[0]), a, b, way);
 }
 
-/// What the lowest vertices alone allow, and as much of the way as the others want: it holds all of these off.
+/// The multiplier for the lowest vertices, plus enough of the displacement to satisfy the conditions of all others.
 Vector multiplier(const WholeSolid& a, const WholeSolid& b, const Point& on_a, const Vector& way) {
   const Point on_b = on_a + minus(way);
   const Vector from_first = on_a - rational_point(a.vertices[0]);

@@ -10,26 +10,26 @@
 /// or a face of each are tried.
 namespace touchstone::oracle {
 
-/// A convex mesh on a unit that another has too, its planes positive outside.
+/// A convex mesh in a unit shared with another, its planes positive outside.
 struct WholeSolid {
   std::vector<Point3<Integer>> vertices;
   std::vector<Face> faces;
-  std::vector<std::pair<Index, Index>> edges;  // each once
+  std::vector<std::pair<Index, Index>> edges;  // without duplicates
   std::vector<WholePlane> planes;
 
   WholeSolid(const ConvexMesh& mesh, std::vector<Point3<Integer>> at);
   bool holds(const Point3<Rational>& p) const;
-  /// Of all vertices, for a point of the surface.
+  /// Weights of all vertices, for a point of the surface.
   std::vector<Rational> weights(const Point3<Rational>& p) const;
 };
 
-/// The shortest way from a point of b to one of a.
+/// The shortest displacement from a point of b to one of a.
 Vector3<Rational> shortest_way(const WholeSolid& a, const WholeSolid& b);
 
-/// Of all points of a that are at the end of that way from a point of b, the one nearest to a point.
+/// Among all points of a that are at the end of that displacement from a point of b, the one nearest to a given point.
 Point3<Rational> nearest_to(const Point3<Rational>& point, const WholeSolid& a, const WholeSolid& b,
                             const Vector3<Rational>& way);
-/// To a's first vertex.
+/// The one nearest to a's first vertex.
 Point3<Rational> first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector3<Rational>& way);
 
 /// A vector g with g . (p - on_a) >= 0 for all vertices p of a, and h . (p - on_b) >= 0 for those of b, h = on_a - a's

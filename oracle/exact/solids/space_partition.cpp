@@ -16,7 +16,7 @@ namespace {
 
 using Point = Point3<Rational>;
 using Cells = SpacePartition::Cells;
-using Place = std::uint32_t;  ///< of a corner
+using Place = std::uint32_t;  ///< index of a corner
 using Polygon = std::vector<Place>;
 
 Rational height(const WitnessPlane& plane, const Point& p) {
@@ -30,7 +30,7 @@ struct Corner {
   Integer w;
 };
 
-/// Heights of corners over one plane, times the denominator of its offset; each is looked at once.
+/// Heights of corners over one plane, times the denominator of its offset; each is computed once.
 class Heights {
  public:
   explicit Heights(const std::vector<Corner>& corners) : corners_(corners) {}
@@ -44,7 +44,7 @@ class Heights {
     if (known_[at] != plane_) known_[at] = plane_, signs_[at] = sgn(height(at));
     return signs_[at];
   }
-  /// Where the plane crosses the way between two on different sides.
+  /// The point where the plane crosses the segment between two on different sides.
   Corner crossing(Place from, Place to) const {
     const Integer before = height(from), after = height(to);
     const auto between = [&](const Integer& p, const Integer& q) { return Integer(after * p - before * q); };
@@ -77,7 +77,7 @@ struct HalfSpace {
 };
 using Path = std::vector<HalfSpace>;
 
-/// A point strictly in all half-spaces: side (normal . p - offset) >= 1 in p = (x - s, y - s, z - s) / w, all of x, y,
+/// A point strictly in all half-spaces: side (normal . p - offset) >= 1 for p = (x - s, y - s, z - s) / w, with x, y,
 /// z, s, w not negative and w at least 1.
 Point point_within(const Path& path) {
   using Program = LinearProgram<Integer>;
@@ -101,7 +101,7 @@ Point point_within(const Path& path) {
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// The first so many bits of a number.
+/// The leading bits of a number.
 Rational shortened(const Rational& value, mp_bitcnt_t bits) {
   if (sgn(value) == 0) return value;
   const auto size = [](const Integer& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
@@ -117,7 +117,7 @@ bool strictly_in(const Path& path, const Point& p) {
                      [&p](const HalfSpace& half) { return half.side * sgn(height(half.plane, p)) > 0; });
 }
 
-/// The same point with so few bits that they take it no farther than within all half-spaces.
+/// The same point with as few bits as keep it within all half-spaces.
 Point shortest_within(const Path& path, const Point& p) {
   for (mp_bitcnt_t bits = 4; bits <= 4096; bits *= 2) {
     const Point shorter{shortened(p.x, bits), shortened(p.y, bits), shortened(p.z, bits)};
@@ -126,20 +126,20 @@ Point shortest_within(const Path& path, const Point& p) {
   return p;
 }
 
-/// The nearer, the greater k is, and on any line through p for one k at most.
+/// A point that is nearer for greater k, and on any line through p for at most one k.
 Point near(const Point& p, long k) {
   const Rational step(Integer(1), Integer(1) << static_cast<mp_bitcnt_t>(k));
   return {Rational(p.x + step), Rational(p.y + k * step), Rational(p.z + k * k * step)};
 }
 
-/// What of a face is in a cell that it enters.
+/// The part of a face in a cell that it enters.
 struct FacePiece {
   std::array<Place, 3> face;
   Polygon polygon;
 };
 using Pieces = std::array<std::vector<FacePiece>, 2>;
 
-/// Every so manyth.
+/// A sample with a regular stride.
 std::vector<const FacePiece*> some(const std::vector<FacePiece>& pieces, std::size_t most) {
   std::vector<const FacePiece*> chosen;
   const std::size_t step = (pieces.size() + most - 1) / most;
@@ -147,7 +147,7 @@ std::vector<const FacePiece*> some(const std::vector<FacePiece>& pieces, std::si
   return chosen;
 }
 
-/// How many pieces of each solid enter what is in front of a plane, and behind it.
+/// The numbers of pieces of each solid that enter the part in front of a plane, and behind it.
 struct Count {
   std::array<std::size_t, 2> front{}, behind{};
   /// Pairs of pieces of both, and all pieces.
@@ -174,7 +174,7 @@ class Cutting {
   bool all_of_space() { return done({}, all_); }
 
  private:
-  /// Divides a cell until all of its parts are outside of one solid; false where a common point is found.
+  /// Divides a cell until all of its parts are outside of one solid; returns false if a common point is found.
   bool done(const Path& path, const Pieces& pieces) {
     if (pieces[0].empty() || pieces[1].empty()) {
       if (is_outside(path, pieces)) return true;
@@ -186,8 +186,8 @@ class Cutting {
     return part_done(path, pieces, {plane, 1}) && part_done(path, pieces, {plane, -1});
   }
 
-  /// Of one of the solids that have no face in the cell, and so one point of the cell tells. A face without area may
-  /// hold it, but not all of those near it.
+  /// True if the cell is outside of one of the solids that have no face in the cell, so that one point of the cell
+  /// decides. A face without area may contain that point, but not all of those near it.
   bool is_outside(const Path& path, const Pieces& pieces) {
     const Point first = shortest_within(path, point_within(path));
     for (long k = 0;; ++k) {
@@ -218,7 +218,7 @@ class Cutting {
   Vector3<Integer> normal_of(const std::array<Place, 3>& face) const {
     return cross(vertex(face[1]) - vertex(face[0]), vertex(face[2]) - vertex(face[0]));
   }
-  /// The corners of the faces of which these are pieces.
+  /// The corners of the faces of these pieces.
   std::vector<Point3<Integer>> corners_of(const std::vector<const FacePiece*>& pieces) const {
     std::vector<Point3<Integer>> corners;
     for (const FacePiece* piece : pieces)
@@ -226,7 +226,7 @@ class Cutting {
     return corners;
   }
 
-  /// What of a convex polygon is in the half-space, closed.
+  /// The part of a convex polygon in the closed half-space.
   Polygon clipped(const Polygon& polygon, int side) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -286,7 +286,7 @@ class Cutting {
     return candidates[best];
   }
 
-  /// Each keeps one pair apart.
+  /// Planes that each separate one pair.
   std::vector<WitnessPlane> between_pairs(const Pieces& pieces) const {
     std::vector<WitnessPlane> found;
     for (const FacePiece* p : some(pieces[0], few)) {
@@ -295,7 +295,7 @@ class Cutting {
     return found;
   }
 
-  /// Each ends one piece.
+  /// Planes that each end one piece.
   std::vector<WitnessPlane> planes_of_faces(const Pieces& pieces) const {
     std::vector<WitnessPlane> found;
     for (const std::size_t solid : {0, 1}) {
@@ -309,7 +309,7 @@ class Cutting {
     return found;
   }
 
-  /// Where the box around the pieces of one solid ends. Only those that leave fewer pairs: then both parts have fewer
+  /// The sides of the box around the pieces of one solid. Only those that leave fewer pairs: then both parts have fewer
   /// pieces.
   void add_sides_of_boxes(std::vector<WitnessPlane>& candidates, const Pieces& pieces) {
     for (const auto& of_solid : pieces) {

@@ -42,7 +42,7 @@ Rational squared_distance(const WholePoint& p, const Segment& s) {
   return quotient(square(cross(along, from)), length);
 }
 
-/// From the nearer of their ends, or along the common perpendicular where its feet are within both.
+/// From the nearer of their ends, or along the common perpendicular if its feet are within both.
 Rational squared_distance(const Segment& s, const Segment& r) {
   const Rational ends = std::min(
       {squared_distance(s.a, r), squared_distance(s.b, r), squared_distance(r.a, s), squared_distance(r.b, s)});
@@ -54,7 +54,7 @@ Rational squared_distance(const Segment& s, const Segment& r) {
   return std::min(ends, quotient(Integer(height * height), whole));
 }
 
-/// Where the foot of the perpendicular is in the triangle.
+/// The squared height if the foot of the perpendicular is in the triangle.
 std::optional<Rational> squared_height(const WholePoint& p, const Triangle& t) {
   const WholeVector normal = cross(t.b - t.a, t.c - t.a);
   if (zero(normal)) return std::nullopt;

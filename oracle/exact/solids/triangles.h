@@ -20,11 +20,11 @@ struct WitnessPlane {
   Vector3<Integer> normal;
   Rational offset;
 
-  /// By the smallest integers of this direction, which certificates print.
+  /// Made with the smallest integers of this direction, which certificates print.
   static WitnessPlane of(const Vector3<Integer>& normal, const Rational& offset);
 };
 
-/// What a segment and a triangle have in common, by the exact linear program over the weights of the segment's two ends
+/// The intersection of a segment and a triangle, by the exact linear program over the weights of the segment's two ends
 /// and of the triangle's three corners.
 struct CommonPart {
   CommonPart(const Segment3<Integer>& segment, const Triangle3<Integer>& triangle);
@@ -39,12 +39,12 @@ struct CommonPart {
 /// segment.a + t (segment.b - segment.a)
 Point3<Rational> point_at(const Segment3<Integer>& segment, const Rational& t);
 
-/// A plane through the segment's point at t, with the end segment.a in front of it and none of the triangle: nothing
-/// before t is common. It is there where t > 0 is the least parameter of a common point: another linear program.
+/// A plane through the segment's point at t, with the end segment.a in front of it and no part of the triangle: nothing
+/// before t is common. It exists if t > 0 is the least parameter of a common point: another linear program.
 WitnessPlane plane_at_first(const Segment3<Integer>& segment, const Triangle3<Integer>& triangle, const Rational& t);
 
 /// The least squared distance of an end of the segment from the triangle, or of the segment from an edge: the squared
-/// distance of the two where they have nothing in common.
+/// distance of the two if they have nothing in common.
 Rational squared_way_to_touch(const Segment3<Integer>& segment, const Triangle3<Integer>& triangle);
 
 }  // namespace touchstone::oracle

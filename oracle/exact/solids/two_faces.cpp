@@ -19,7 +19,7 @@ bool has(const FaceCorners& corners, Index vertex) {
   return std::find(corners.begin(), corners.end(), vertex) != corners.end();
 }
 
-/// A row of the program: a corner, on which side of the plane it has to be (0: on it), and its place in its face.
+/// A row of the program: a corner, the side of the plane on which it must be (0: on it), and its index in its face.
 struct Demand {
   Index vertex;
   int side;
@@ -46,8 +46,8 @@ bool beside(const WholeCloud& cloud, const FaceCorners& plane, const FaceCorners
   return side != 0;
 }
 
-/// A plane has f below or on it and g above or on it, and on it, of one of them, only common corners. at: how high a
-/// vertex is.
+/// True if a plane has f below or on it and g above or on it, and one of them has only common corners on it. at: the
+/// height of a vertex.
 template <class Height>
 bool held_apart(const Height& at, const FaceCorners& f, const FaceCorners& g) {
   const Integer top = std::max({Integer(at(f[0])), Integer(at(f[1])), Integer(at(f[2]))}),
@@ -64,8 +64,8 @@ bool across_an_axis(const WholeCloud& cloud, const FaceCorners& f, const FaceCor
   return false;
 }
 
-/// The outward normals of the planes through the edges of f, at right angles to it: that of one with f below and g
-/// above.
+/// The outward normals of the planes through the edges of f, perpendicular to it: returns that of a plane with f below
+/// and g above.
 std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
   const Vector3<Integer> upwards = cloud.normal(f[0], f[1], f[2]);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -77,8 +77,8 @@ std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const F
 
 }  // namespace
 
-/// Variables: normal and offset, each as a difference of two, from the first corner as origin. side * (normal . p -
-/// offset) >= 1, or = 0 where the corner is common.
+/// Variables: normal and offset, each as a difference of two, relative to the first corner. side * (normal . p -
+/// offset) >= 1, or = 0 if the corner is common.
 TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
   const FaceCorners first = corners_of(f), second = corners_of(g);
   const std::vector<Demand> demands = demands_of(first, second);

@@ -19,9 +19,9 @@ Rational rational(const Fraction<Value>& t) {
   return quotient(t.numerator, t.denominator);
 }
 
-/// What a thin shape (a segment, or the ray from its a through its b) and a segment have in common, by the exact linear
-/// program over the two parameters. Value: Integer, or Int128 where every |coordinate| < 2^61 (a minor of the program
-/// is a sum of at most four products of two differences).
+/// The intersection of a thin shape (a segment, or the ray from its a through its b) and a segment, by the exact linear
+/// program over the two parameters. Value: Integer, or Int128 if every |coordinate| < 2^61 (a minor of the program is a
+/// sum of at most four products of two differences).
 template <class Value>
 struct CommonPoints {
   CommonPoints(const Segment2<Value>& first_shape, Extent extent, const Segment2<Value>& second_shape);

@@ -20,7 +20,7 @@ class Tableau {
 
   Complement solved() {
     std::size_t row = 0, entering = artificial();
-    for (std::size_t i = 1; i < n_; ++i)  // with equal constants the later is less: its w stands farther right
+    for (std::size_t i = 1; i < n_; ++i)  // with equal constants the later is less: its w is farther right
       if (rows_[i][constants()] <= rows_[row][constants()]) row = i;
     if (n_ == 0 || sgn(rows_[row][constants()]) >= 0) return basis();
     for (Integer& number : rows_[row]) number = -number;
@@ -44,7 +44,7 @@ class Tableau {
     return true;
   }
 
-  /// Whether row i over its entry comes before row k over its own: by the constants, then by the columns of w.
+  /// True if row i over its entry comes before row k over its own: by the constants, then by the columns of w.
   bool before(std::size_t i, std::size_t k, std::size_t column) const {
     const Integer &at_i = rows_[i][column], &at_k = rows_[k][column];
     Integer difference = rows_[i][constants()] * at_k - rows_[k][constants()] * at_i;
@@ -84,8 +84,8 @@ class Tableau {
     return found;
   }
 
-  /// z along the direction in which nothing bounds the entering variable. M is copositive plus, so M z = 0 there and
-  /// q . z < 0 (Cottle, Pang, Stone: The Linear Complementarity Problem, section 4.4).
+  /// z along the direction in which the entering variable is unbounded. M is copositive plus, so M z = 0 there and q .
+  /// z < 0 (Cottle, Pang, Stone: The Linear Complementarity Problem, section 4.4).
   Complement ray(std::size_t entering) const {
     Complement found{false, std::vector<Integer>(n_), denominator_};
     if (entering >= n_) found.numerators[entering - n_] = denominator_;

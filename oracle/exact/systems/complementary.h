@@ -14,7 +14,7 @@ struct Complementary {
   std::vector<Integer> constants;
 };
 
-/// solved: z is numerators / denominator, which is positive. Else no w, z >= 0 fulfil the equations: then the
+/// solved: z is numerators / denominator, which is positive. Otherwise no w, z >= 0 satisfy the equations: then the
 /// numerators y are not negative, M y = 0 and q . y < 0.
 struct Complement {
   bool solved;
@@ -22,10 +22,10 @@ struct Complement {
   Integer denominator;
 };
 
-/// Lemke's complementary pivoting: an artificial variable makes w >= 0, and what left the basis is followed by its
-/// complement until the artificial one leaves, or nothing bounds the entering one. The row is chosen lexicographically,
-/// so no basis comes twice. The tableau is of integers over one common denominator, minors of the input, so that every
-/// division is without remainder.
+/// Lemke's complementary pivoting: an artificial variable makes w >= 0, and the variable that left the basis is
+/// followed by its complement until the artificial one leaves, or the entering one is unbounded. The row is chosen
+/// lexicographically, so no basis repeats. The tableau consists of integers over one common denominator, minors of the
+/// input, so that every division is exact.
 Complement lemke(const Complementary& problem);
 
 }  // namespace touchstone::oracle

@@ -5,7 +5,7 @@
 
 namespace touchstone::oracle {
 
-/// By comparing alone, which is had much faster of long integers: one segment is left of the other, or below it.
+/// By comparisons alone, which are much faster for long integers: one segment is left of the other, or below it.
 template <class Word>
 bool boxes_apart(const Segment2<Word>& a, const Segment2<Word>& b) {
   const auto apart = [](const Word& p, const Word& q, const Word& r, const Word& s) {
@@ -14,10 +14,10 @@ bool boxes_apart(const Segment2<Word>& a, const Segment2<Word>& b) {
   return apart(a.a.x, a.b.x, b.a.x, b.b.x) || apart(a.a.y, a.b.y, b.a.y, b.b.y);
 }
 
-/// The relation of two closed segments on integers by elimination: Cramer's rule for a(ta) = b(tb) where the directions
-/// differ, the order along the line where all four ends are collinear. No fraction is formed.
+/// The relation of two closed segments on integers by elimination: Cramer's rule for a(ta) = b(tb) if the directions
+/// differ, the order along the line if all four ends are collinear. No fraction is formed.
 ///
-/// Second truth beside the linear program of segment_segment, and the fast one: for exhaustive runs.
+/// A second truth in addition to the linear program of segment_segment, and the fast one: for exhaustive runs.
 /// Word holds the coordinates, Wide the products: with |coordinate| < 2^k, Word needs k + 2 bits and Wide 2k + 4
 /// (std::int64_t for both up to k = 29; Word std::int64_t and Wide __int128 up to k = 61; GMP integers for the rest).
 template <class Wide, class Word>

@@ -11,8 +11,8 @@ namespace {
 
 using ContactPlaces = std::vector<std::size_t>;
 
-/// The problem in doubles, each contact in a unit of its own, so that the diagonal is about 1. What is nearly 0 counts
-/// as 0: nothing here has to be right.
+/// The problem in doubles, each contact in a unit of its own, so that the diagonal is about 1. Numbers near 0 count as
+/// 0: nothing here has to be right.
 class GuessedPivots {
  public:
   explicit GuessedPivots(const Complementary& problem) : n_(problem.constants.size()), solves_for_z_(n_) {
@@ -29,7 +29,7 @@ class GuessedPivots {
       constants_.push_back(in_unit(problem.constants[i], most.value_or(0) + units[i]));
   }
 
-  /// The z that are not 0, if the pivots come to an end.
+  /// The nonzero z, if the pivots come to an end.
   std::optional<ContactPlaces> found() {
     for (std::size_t i = 0; i < n_; ++i)
       if (constants_[i] < -tiny && !raised(i)) return std::nullopt;
@@ -86,7 +86,7 @@ class GuessedPivots {
   std::vector<bool> solves_for_z_;
 };
 
-/// The z at these places with which w is 0 there, all others being 0; nothing if there are several. The row with the
+/// The z at these indices with which w is 0 there, all others being 0; nullopt if there are several. The row with the
 /// fewest numbers is eliminated first.
 std::optional<std::vector<Rational>> solution_at(const Complementary& problem, const ContactPlaces& places) {
   const std::size_t n = places.size();

@@ -6,7 +6,7 @@
 #include "oracle/exact/numbers/rational_validation_of_bodies.h"
 #include "oracle/truth.h"
 
-/// What a bounce changes, on integers: velocities in one unit, the normal in another, and the same in doubles and
+/// The effect of a bounce, on integers: velocities in one unit, the normal in another, and the same in doubles and
 /// rationals.
 namespace touchstone::oracle {
 
@@ -14,7 +14,7 @@ template <class Scale>
 Vector3<Integer> whole_vector(const Scale& scale, std::size_t i) {
   return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
 }
-/// Counted in units, as it is.
+/// In units, unchanged.
 template <class Scale>
 Vector3<Rational> actual_vector(const Scale& scale, const Vector3<Rational>& v) {
   return {scale.actual(v.x, 1), scale.actual(v.y, 1), scale.actual(v.z, 1)};
@@ -29,8 +29,8 @@ Vector3<Rational> from_origin(const Point3<Number>& p) {
 }
 inline std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
 
-/// The velocity of a particle after a bounce off a plane: the one whose product with the normal is -k times what it
-/// was, and whose products with vectors across the normal stay. Valid arguments.
+/// The velocity of a particle after a bounce off a plane: the one whose product with the normal is multiplied by -k,
+/// and whose products with vectors perpendicular to the normal stay. Requires valid arguments.
 template <class Number>
 Vector3<Rational> after_bounce(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Rational& k);
 

@@ -27,7 +27,7 @@ Number magnitude(const Number& x) {
   return sgn(x) < 0 ? Number(-x) : x;
 }
 
-/// Whether x, a sum of numbers of that size, is negative beyond its roundings.
+/// True if x, a sum of numbers of that size, is negative beyond its rounding.
 bool is_negative(const OverRoot& x, const OverRoot&) { return sgn(x) < 0; }
 bool is_negative(const Rough& x, const Rough& size) {
   Rough bound(size, rough_bits);
@@ -35,7 +35,7 @@ bool is_negative(const Rough& x, const Rough& size) {
   return x + bound < 0;
 }
 
-/// The solution of a system of equations, or nothing where they are dependent.
+/// The solution of a system of equations, or nullopt if they are dependent.
 template <class Number>
 std::optional<std::vector<Number>> solved(std::vector<std::vector<Number>> rows) {
   const std::size_t n = rows.size();

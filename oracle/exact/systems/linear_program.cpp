@@ -123,7 +123,7 @@ int LinearProgram<Value>::entering_column(const std::vector<Value>& cost) const 
   for (int j = 0; j + 1 < columns_; ++j) {
     const int variable = nonbasic_[index(j)];
     if (fixed(variable) || (column >= 0 && variable > nonbasic_[index(column)])) continue;
-    Value slope(0);  // how the objective changes with this variable, times the denominator
+    Value slope(0);  // derivative of the objective by this variable, times the denominator
     if (variable < variables_) slope = cost[index(variable)] * denominator_;
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
       if (basic_[index(i)] < variables_) slope -= cost[index(basic_[index(i)])] * entry(i, j);

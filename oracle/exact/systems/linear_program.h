@@ -14,7 +14,7 @@ namespace touchstone::oracle {
 /// leads to a feasible vertex or to a row that proves there is none; then the primal simplex method to an optimum.
 /// Bland's least-index rule in both, so no cycle.
 ///
-/// Value: Integer (any input), or Int128 where the minors of (A b I), and cost . x over such, stay within 127 bits.
+/// Value: Integer (any input), or Int128 if the minors of (A b I), and cost . x over such, stay within 127 bits.
 template <class Value>
 class LinearProgram {
  public:
@@ -25,10 +25,10 @@ class LinearProgram {
   void set_coefficient(int row, int variable, const Value& value) { entry(row, variable) = value; }
   void set_right_side(int row, const Value& value) { entry(row, columns_ - 1) = value; }
 
-  /// Looks for a feasible vertex. Afterwards numerator() speaks of it, or farkas() of the contradiction.
+  /// Looks for a feasible vertex. Afterwards numerator() describes it, or farkas() the contradiction.
   bool feasible();
 
-  /// From a feasible vertex to one where cost . x is least; false if it falls for ever.
+  /// Moves from a feasible vertex to one where cost . x is least; returns false if it is unbounded.
   bool minimise(const std::vector<Value>& cost);
 
   /// Variable j is numerator(j) / denominator() at the vertex; the denominator is positive.
@@ -50,7 +50,7 @@ class LinearProgram {
   void pivot(int row, int column);
 
   int variables_, columns_;  // the last column is the right side
-  std::vector<Row> rows_;    // variable variables_ + i is what row i lacks: 0, or >= 0
+  std::vector<Row> rows_;    // variable variables_ + i is the slack of row i: 0, or >= 0
   std::vector<int> basic_, nonbasic_;
   std::vector<Value> entries_;  // basic_i = (entry(i, last) - sum_j entry(i, j) nonbasic_j) / denominator_
   std::vector<Value> farkas_;

@@ -4,7 +4,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// What divides all numbers, which are divided by it; 1 where all are 0.
+/// The greatest common divisor of all numbers, which are divided by it; 1 if all are 0.
 Integer common_factor(const std::vector<std::vector<Integer>*>& rows) {
   Integer common(0);
   for (const auto* row : rows) {
@@ -23,7 +23,7 @@ class Dictionary {
  public:
   explicit Dictionary(const Complementary& problem)
       : n_(problem.constants.size()), matrix_(problem.matrix), constants_(problem.constants), solves_for_z_(n_) {
-    // Masses and normals of few digits stand far above their unit.
+    // Masses and normals of few digits are far above their unit.
     std::vector<std::vector<Integer>*> rows;
     for (auto& row : matrix_) rows.push_back(&row);
     of_matrix_ = common_factor(rows), of_constants_ = common_factor({&constants_});
@@ -33,8 +33,8 @@ class Dictionary {
     for (std::size_t i = 0; i < n_; ++i) {
       if (sgn(constants_[i]) < 0 && !raised(i)) return std::nullopt;
     }
-    // Where w and z are both 0, z might push if the columns of those that may push are dependent: then some diagonal
-    // of 0 is left.
+    // If w and z are both 0, z might push if the columns of those that may push are dependent: then some diagonal of 0
+    // remains.
     for (std::size_t i = 0; i < n_; ++i) {
       if (!solves_for_z_[i] && sgn(constants_[i]) == 0 && !pivot(i)) return std::nullopt;
     }
@@ -46,7 +46,8 @@ class Dictionary {
   }
 
  private:
-  /// Whether variable `raise`, below 0, was brought to 0 by its complement, none that is not below 0 falling below it.
+  /// Returns true if variable `raise`, below 0, was brought to 0 by its complement, while no nonnegative one fell below
+  /// it.
   bool raised(std::size_t raise) {
     std::vector<bool> kept(n_);
     for (std::size_t i = 0; i < n_; ++i) kept[i] = sgn(constants_[i]) >= 0;

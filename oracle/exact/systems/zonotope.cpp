@@ -12,7 +12,7 @@
 namespace touchstone::oracle {
 namespace {
 
-/// Divides numbers, not all of them 0, by the greatest power of two that they share: what is left is shorter.
+/// Divides numbers, not all of them 0, by the greatest power of two that they share: the result is shorter.
 void shorten(const std::vector<Integer*>& numbers) {
   mp_bitcnt_t shared = ~mp_bitcnt_t{0};
   for (const Integer* n : numbers)
@@ -49,7 +49,7 @@ Zonotope::Held solved(const std::array<Equation, 3>& equations) {
     program.set_coefficient(3 + i, i, Value(1));
     program.set_coefficient(3 + i, count, Value(-2));
   }
-  program.feasible();  // for a growth that is great enough
+  program.feasible();  // for a growth that is large enough
   std::vector<Value> cost(static_cast<std::size_t>(count + 1));
   cost.back() = 1;
   program.minimise(cost);

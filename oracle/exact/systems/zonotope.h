@@ -14,7 +14,7 @@ namespace touchstone::oracle {
 
 /// The points sum r_i e_i with -1 <= r_i <= 1, where three of the edges e_i are linearly independent, in integers. With
 /// the half axes of a parallelepiped as edges it is that solid around the origin, with those of two the Minkowski
-/// difference of both: the differences of their points, but for the difference of their centers.
+/// difference of both: the differences of their points, except for the difference of their centers.
 ///
 /// The part of it that lies farthest along a normal n has r_i = 1 or -1, by the sign of n . e_i, for every edge that is
 /// not at a right angle to n, and any r_i for the others. It is a facet exactly if two of those others are independent;
@@ -32,20 +32,20 @@ class Zonotope {
   /// By linear programming.
   Held held(const Vector3<Integer>& d) const;
 
-  /// A plane of a facet, its normal to the side of d; height > 0 where d lies beyond it, in units of the normal.
+  /// The plane of a facet, its normal towards d; height > 0 if d lies beyond it, in units of the normal.
   struct Support {
     Vector3<Integer> normal;
     Integer height;
     Rational squared_distance() const;
   };
-  /// Of the planes that d lies beyond the farthest; where it lies beyond none, the nearest of all.
+  /// Among the planes that d lies beyond the farthest; if it lies beyond none, the nearest of all.
   Support deciding(const Vector3<Integer>& d) const;
 
  private:
   std::vector<Vector3<Integer>> edges_;
 };
 
-/// Of doubles the determinant is taken in integers: half axes are linearly independent in any unit.
+/// For doubles the determinant is taken in integers: half axes are linearly independent in any unit.
 template <class Number>
 void validate_parallelepiped(const std::string& field, const Obb3<Number>& box) {
   validation::validate(field, box);

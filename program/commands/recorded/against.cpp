@@ -19,10 +19,10 @@ namespace {
 
 using Partings = std::vector<audit::PartedOperation>;
 
-/// How long the smallest question of each kind is made smaller.
+/// Time for reducing the smallest question of each kind.
 constexpr double usual_seconds_to_reduce = 5;
 
-/// Of the answers that differ: which of the two is right.
+/// Counts of differing answers by which of the two is right.
 struct RightOf {
   std::uint64_t first = 0, second = 0, both = 0, neither = 0;
 };

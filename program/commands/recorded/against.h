@@ -10,11 +10,11 @@
 
 namespace touchstone::program {
 
-/// `audit --engine A --against B`: on which questions two engines part, who is right, the smallest question of each
-/// kind. Exits with 1 where they part.
+/// `audit --engine A --against B`: the questions on which two engines differ, which of them is right, and the smallest
+/// question of each kind. Exits with 1 if they differ.
 int audit_against_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
 
-/// `judge LOG --against B`: the same of recorded answers and an engine.
+/// `judge LOG --against B`: the same for recorded answers and an engine.
 int judge_against_command(const JudgeCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace touchstone::program

@@ -36,7 +36,7 @@ JudgeOptions judge_options(const JudgeCommand& command, const Shard& shard) {
   return options;
 }
 
-/// What makes a run this one.
+/// The parameters that identify this run.
 Json run_of(const JudgeCommand& command, const Shard& shard) {
   return {{"judge", command.files},
           {"ops", command.operations},
@@ -48,7 +48,7 @@ Json run_of(const JudgeCommand& command, const Shard& shard) {
           {"shard", shard.text()}};
 }
 
-/// Whether anything was judged; else says why not.
+/// Returns whether anything was judged; otherwise prints the reason.
 bool judged_any(const JudgedLogs& judged, std::ostream& err) {
   if (sum_of(judged.tally.operations).cases() > 0) return true;
   std::uint64_t calls = 0;
@@ -67,7 +67,7 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   const Gate gate = gate_of(command.gate);
   const bool asks_engine = !command.pairs.empty() || !command.columns.empty();
   if (!command.engine.empty() && !asks_engine)
-    throw UsageError("--engine: expected --pairs or --columns too, of which it answers the questions");
+    throw UsageError("--engine: expected --pairs or --columns too, whose questions it answers");
   const Shard shard = shard_of(command.shard);
   if (shard.of > 1 && asks_engine) throw UsageError("--shard: expected recorded calls, not --pairs or --columns");
   tell(shard, err);
@@ -102,7 +102,7 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   const GateResult result = finish_gate(command.gate, gate, tally, readable);
   if (tally.interrupted && shard.named()) {
     err << "touchstone: interrupted, nothing is written"
-        << (checkpoint.file().empty() ? "" : "; the same command goes on from ") << checkpoint.file() << '\n';
+        << (checkpoint.file().empty() ? "" : "; the same command resumes from ") << checkpoint.file() << '\n';
     return interrupted;
   }
   write_file("--json", command.json_file, tally_json(tally));
@@ -117,7 +117,7 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
     readable << "report: " << command.report_directory << "/index.html\n";
   }
   if (tally.interrupted) {
-    err << "touchstone: interrupted; what had been judged until then is what was written\n";
+    err << "touchstone: interrupted; the results so far were written\n";
     return interrupted;
   }
   return (command.gate.decides() ? !result.passed() : tally.has_findings()) ? findings : nothing_found;

@@ -15,7 +15,7 @@
 namespace touchstone::program {
 namespace {
 
-/// A shape of a file, as a field of a question has it, and what it is called.
+/// A shape of a file, as a field of a question, and its name.
 struct NamedShape {
   std::string name;
   Json shape;
@@ -52,7 +52,7 @@ std::vector<NamedShape> shapes_in(const std::vector<std::string>& files) {
   return shapes;
 }
 
-/// Asks and judges, so many questions at a time.
+/// Asks and judges a batch of questions at a time.
 class AskedFiles {
  public:
   AskedFiles(const Operation& operation, Engine& engine)
@@ -125,7 +125,7 @@ void add_pairs(const Operation& operation, const std::vector<std::string>& files
   }
 }
 
-/// The numbers of a line, between commas, semicolons or tabs; none where no cell is one, as in a heading.
+/// The numbers of a line, separated by commas, semicolons or tabs; none if no cell is a number, as in a heading.
 std::vector<double> numbers_of(const std::string& line, const std::string& place, bool may_be_heading) {
   std::vector<double> numbers;
   std::string wrong;
@@ -144,7 +144,7 @@ std::vector<double> numbers_of(const std::string& line, const std::string& place
 }
 
 void add_columns(const Operation& operation, const std::vector<std::string>& files, AskedFiles& asked) {
-  // Of several forms, in the plane and in space, the number of columns says which; it is the only word of a question.
+  // The number of columns selects one of several forms, in the plane or in space; it is the only word of a question.
   const std::vector<Question> forms = operation.zeros_of_alternatives(0);
   const std::size_t words = forms.size() > 1 ? 1 : 0;
   std::string lengths;
@@ -170,7 +170,7 @@ void add_columns(const Operation& operation, const std::vector<std::string>& fil
 
 audit::JudgedLogs judge_files(const JudgeCommand& command, EngineNotes& notes) {
   const Operation& operation = operation_named(command.pairs.empty() ? command.columns : command.pairs);
-  if (command.engine.empty()) throw UsageError("--pairs, --columns: expected --engine too, which answers");
+  if (command.engine.empty()) throw UsageError("--pairs, --columns: expected --engine too, to answer the questions");
   require_asked_of_engines({&operation});
   const auto engine = pipe_engine(command.engine, command.timeout, &Interruptible::stopped(), &notes);
   if (!engine->supports(operation.name()))

@@ -6,9 +6,9 @@
 
 namespace touchstone::program {
 
-/// `judge --pairs OP FILES` and `judge --columns OP FILES`: files that people have, as questions to an engine. Pairs
-/// are all two of the mesh files, or of the geometries in files of WKT (a line each) and GeoJSON; columns are numbers,
-/// a row for each question. Call sites are the files of a question. Throws UsageError and InvalidInput naming file and
+/// `judge --pairs OP FILES` and `judge --columns OP FILES`: existing files as questions to an engine. Pairs are all
+/// pairs of the mesh files, or of the geometries in files of WKT (one per line) and GeoJSON; columns are numbers, one
+/// row for each question. Call sites are the files of a question. Throws UsageError and InvalidInput naming file and
 /// line.
 audit::JudgedLogs judge_files(const JudgeCommand& command, EngineNotes& notes);
 

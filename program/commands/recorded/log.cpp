@@ -18,7 +18,7 @@ namespace {
 
 using Cells = std::array<std::string, 5>;
 
-/// Columns as wide as they have to be.
+/// Columns as narrow as possible.
 void print_columns(const std::vector<Cells>& rows, std::ostream& out) {
   std::array<std::size_t, 5> width{};
   for (const Cells& row : rows)
@@ -69,7 +69,7 @@ void show(const std::string& file, std::ostream& out) {
   print_account(account, out);
 }
 
-/// The calls, and the header and the end mark of the one log that a file may hold.
+/// Copies the calls, and the header and the end mark of the one log that a file may hold.
 void copy(LogReader& log, LogWriter& to) {
   bool begun = false;
   const auto begin = [&] {

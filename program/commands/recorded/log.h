@@ -12,15 +12,15 @@ namespace touchstone::program {
 
 struct LogConvertCommand {
   std::string in, out;
-  std::string to;  ///< "json" or "binary"; empty: the form that the log does not have
+  std::string to;  ///< "json" or "binary"; empty: the other form than the log's
 };
 
-/// What a log holds beside its calls, a line each.
+/// Prints the contents of a log besides its calls, one line each.
 void print_account(const audit::LogAccount& account, std::ostream& out);
 
 int log_show_command(const std::vector<std::string>& files, std::ostream& out);
 
-/// Standard output is `out`. Returns bad_usage where the log has calls that no operation takes: they are not written.
+/// Standard output is `out`. Returns bad_usage if the log has calls that no operation takes: they are not written.
 int log_convert_command(const LogConvertCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace touchstone::program

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* with_float = "reference,float";
 
-/// The one question of the file: alone, or the input of a line as draw, ask and logs of calls have them.
+/// The question of the file: alone, or the input of a line from draw, ask or a log of calls.
 Question question_of(const ReduceCommand& command, const Operation& operation, const FileMeshes& meshes) {
   std::optional<std::string> text;
   const auto take = [&](std::uint64_t number, const std::string& found) {
@@ -50,7 +50,7 @@ Question question_of(const ReduceCommand& command, const Operation& operation, c
   }
 }
 
-/// Engines may crash or hang as often as they like: that is what is reduced.
+/// Engines may crash or hang without limit: that is what is being reduced.
 std::vector<std::unique_ptr<Engine>> engines_of(const ReduceCommand& command, const Operation& operation, int jobs,
                                                 EngineNotes& notes) {
   require_asked_of_engines({&operation});
@@ -67,7 +67,7 @@ std::vector<std::unique_ptr<Engine>> engines_of(const ReduceCommand& command, co
   return engines;
 }
 
-/// How long the lists are that a question has as fields, or as parts of these: {"a.vertices": 8, "a.faces": 12}.
+/// The lengths of the lists that a question has as fields, or as parts of these: {"a.vertices": 8, "a.faces": 12}.
 void add_lengths(const Shape& shape, const std::string& path, Cursor<double>& at, Json& lengths) {
   Cursor<double> end = at;
   struct {
@@ -99,13 +99,13 @@ Json size_of(const Operation& operation, const Question& question) {
   return size;
 }
 
-/// Who decides whether a question is still of interest.
+/// Decides whether a question is still of interest.
 struct Deciding {
   std::unique_ptr<Respondent> asked{};  ///< nullptr: a command decides
   std::unique_ptr<Interest> interest{};
 };
 
-/// Rounds the question as it will be asked. Throws UsageError where there is nothing to reduce.
+/// Rounds the question as it will be asked. Throws UsageError if there is nothing to reduce.
 Deciding deciding(const ReduceCommand& command, const Operation& operation, int jobs, EngineNotes& notes,
                   Question& question) {
   Deciding made;
@@ -139,7 +139,7 @@ std::string repeat_line(const ReduceCommand& command, const Operation& operation
   if (!command.until.empty())
     return "echo '" + one_line(operation.print(question)) + "' | (" + command.until + "); echo $?";
   std::string line = repeat_command(operation, question, repeat, !command.engine.empty());
-  // `ask` evaluates the formula in double alone.
+  // `ask` evaluates the formula only in double.
   if (command.engine.empty() && command.with == with_float)
     line.replace(line.rfind(" ask "), std::string::npos, " reduce " + operation.name() + " --with " + with_float);
   return line;

@@ -11,8 +11,8 @@
 namespace touchstone::program {
 
 struct ReduceCommand {
-  std::string program = "touchstone";  ///< as it was called
-  std::string operation, file;         ///< empty file: standard input, or none where meshes are every field
+  std::string program = "touchstone";  ///< the name by which it was called
+  std::string operation, file;         ///< empty file: standard input, or none if meshes give every field
   std::string engine;                  ///< command; empty: the textbook formula
   std::string with = "reference";      ///< or "reference,float"
   std::string until;                   ///< command that decides; empty: the judge does
@@ -20,14 +20,14 @@ struct ReduceCommand {
   bool any_answer = false, allow_degenerate = false, allow_invalid = false;
   double seconds = 0;
   int jobs = 0;           ///< 0: as many as the machine has
-  std::string directory;  ///< empty: nothing but standard output
+  std::string directory;  ///< empty: only standard output
   std::vector<std::string> meshes;
   Preparation preparation;
   bool wkt = false, geojson = false;
 };
 
-/// The smallest question found that fails as that of the file does, a line of JSON: op, input, what it was reduced from
-/// and to, the truth and what was answered.
+/// Finds the smallest question that fails like that of the file, and prints a line of JSON: op, input, its size before
+/// and after, the truth and the answer.
 int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace touchstone::program

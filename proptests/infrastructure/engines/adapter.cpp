@@ -249,6 +249,6 @@ TEST_CASE("adapter: a name in TOUCHSTONE_FUZZ_ONLY that would never abort is ref
     INFO(only << ": " << fuzzed.complaint);
     REQUIRE(WIFEXITED(fuzzed.status));
     REQUIRE(WEXITSTATUS(fuzzed.status) == 2);
-    REQUIRE_THAT(fuzzed.complaint, StartsWith("TOUCHSTONE_FUZZ_ONLY: verdicts with commas"));
+    REQUIRE_THAT(fuzzed.complaint, StartsWith("TOUCHSTONE_FUZZ_ONLY: verdicts separated by commas"));
   }
 }

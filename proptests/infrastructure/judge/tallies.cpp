@@ -245,7 +245,7 @@ TEST_CASE("tallies: refused cases add up, and cells of one shard or cut into oth
   third.grid = {3, 3, {1}}, other.grid = {3, 3, {2}};
   CHECK(refusal(third, other) == "merged");
   other.grid.done = {1};
-  CHECK(refusal(third, other) == "grid.done: every shard once (1 is there twice)");
+  CHECK(refusal(third, other) == "grid.done: duplicate shard 1");
   other.grid = {3, 4, {2}};
   CHECK(refusal(third, other) == "grid.shards: the same in every file");
 }
@@ -358,9 +358,9 @@ TEST_CASE("tallies: a file whose numbers do not add up, or whose words the opera
   CHECK(said("/ways/0/truth", "up") == cell + "ways[0].truth: enumerators of orientation");
   CHECK(said("/ways/0/answer", "up") == cell + "ways[0].answer: enumerators of orientation");
   CHECK(said("/ways/0/answer", "left/") == cell + "ways[0].answer: enumerators of orientation");
-  CHECK_THAT(said("/ways/0/cases/ordinary", 999999), ContainsSubstring("sum of the ways"));
-  CHECK_THAT(said("/ways/1", way), ContainsSubstring("every way once"));
-  CHECK_THAT(said("/counts/agree", 999999), ContainsSubstring("counts.agree: sum of the ways"));
+  CHECK_THAT(said("/ways/0/cases/ordinary", 999999), ContainsSubstring("sum of the outcomes"));
+  CHECK_THAT(said("/ways/1", way), ContainsSubstring("duplicate outcome"));
+  CHECK_THAT(said("/counts/agree", 999999), ContainsSubstring("counts.agree: sum of the outcomes"));
 }
 
 TEST_CASE("tallies: a shard that the cut does not have is refused") {

@@ -123,7 +123,7 @@ TEST_CASE("glTF: nodes move positions, exactly") {
   CHECK(refused(with_nodes(R"({"mesh":0,"rotation":[1,0,0,1]})")).starts_with("a.glb: nodes[0].rotation: none"));
   CHECK(refused(with_nodes(R"({"mesh":0,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,2]})")) ==
         "a.glb: nodes[0].matrix: a last row of 0 0 0 1");
-  CHECK(refused(with_nodes(R"({"mesh":0,"children":[0]})")) == "a.glb: nodes[0]: a node below one node alone");
+  CHECK(refused(with_nodes(R"({"mesh":0,"children":[0]})")) == "a.glb: nodes[0]: a node with at most one parent");
 }
 
 TEST_CASE("glTF: a mesh is there once for each node that shows it, within a limit") {

@@ -54,7 +54,7 @@ TEST_CASE("habits: the first count of OFF may stand directly behind the keyword"
   CHECK(refusal("a.off", "OFF3\n" + body) == "a.off:1: counts of vertices and faces");
   CHECK(refusal("a.off", "OFFX 3 1\n" + body) == "a.off:1: OFF in the first line");
   CHECK(refusal("a.off", "OFF-3 1 0\n" + body) == "a.off:1: OFF in the first line");
-  CHECK(refusal("a.off", "OFF4 1 0\n" + body) == "a.off:5: as many faces as it says: the file ends too early");
+  CHECK(refusal("a.off", "OFF4 1 0\n" + body) == "a.off:5: the file ends before the declared number of faces");
 }
 
 TEST_CASE("habits: binary STL may begin with solid and hold colours") {
@@ -127,7 +127,7 @@ TEST_CASE("habits: what stands behind the declared values of a row of ascii PLY 
   CHECK(read.notes ==
         Notes{"3 rows longer than the header says, the first on line 10: the rest of each is passed over"});
   CHECK(refusal("a.ply", header + "0 0 0 1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n") ==
-        "a.ply:14: more numbers: the file ends too early");
+        "a.ply:14: the file ends before the declared number of values");
 }
 
 TEST_CASE("habits: strips of PLY become triangles that all face the same side") {

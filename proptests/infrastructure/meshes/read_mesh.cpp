@@ -204,9 +204,9 @@ TEST_CASE("meshes: a refusal names the file, the place and the rule in one line"
   CHECK(refusal("a.obj", three + "f 1 2 -4") ==
         "a.obj:4: index of a vertex: got -4 of 3 vertices, counted from 1, or backwards from -1");
   CHECK(refusal("a.obj", three + "f 1 2 0") == "a.obj:4: index of a vertex: got 0, and OBJ counts from 1");
-  CHECK(refusal("a.obj", three + "f 1 2 99999999999999999999") == "a.obj:4: whole number of less than 64 bits");
-  CHECK(refusal("a.obj", three + "f 1 2 x/1") == "a.obj:4: whole number: got \"x\"");
-  CHECK(refusal("a.obj", three + "f 1 2 /1") == "a.obj:4: whole number: got \"\"");
+  CHECK(refusal("a.obj", three + "f 1 2 99999999999999999999") == "a.obj:4: an integer of less than 64 bits");
+  CHECK(refusal("a.obj", three + "f 1 2 x/1") == "a.obj:4: an integer, got \"x\"");
+  CHECK(refusal("a.obj", three + "f 1 2 /1") == "a.obj:4: an integer, got \"\"");
   CHECK(refusal("a.obj", "v 0,0 0,0 0,0\nf 1 1 1") == "a.obj:1: number: got \"0,0\"");
   CHECK(refusal("a.obj", three + "f 1 2") == "a.obj:4: at least 3 corners");
   CHECK(refusal("a.obj", three + "f 1 2 \\") == "a.obj:4: a line behind the backslash");
@@ -215,10 +215,11 @@ TEST_CASE("meshes: a refusal names the file, the place and the rule in one line"
   CHECK(refusal("a.off", "OFF\n3") == "a.off:2: counts of vertices and faces");
   CHECK(refusal("a.off", "OFF\n-3 1") == "a.off:2: counts of vertices and faces");
   CHECK(refusal("a.off", "OFF\n9000000000000000000 1\n0 0 0\n") ==
-        "a.off:3: as many vertices as it says: the file ends too early");
+        "a.off:3: the file ends before the declared number of vertices");
   CHECK(refusal("a.off", "OFF\n1 9000000000000000000\n0 0 0\n") ==
-        "a.off:3: as many faces as it says: the file ends too early");
-  CHECK(refusal("a.off", "OFF\n1 1\n0 0 0\n9000000000000000000 0 0 0\n") == "a.off:4: as many corners as it says");
+        "a.off:3: the file ends before the declared number of faces");
+  CHECK(refusal("a.off", "OFF\n1 1\n0 0 0\n9000000000000000000 0 0 0\n") ==
+        "a.off:4: the line ends before the declared number of corners");
   CHECK(refusal("a.off", "OFF\n1 1\n0 0 0\n3 0 0 1\n") ==
         "a.off:4: index of a vertex: got 1 of 1 vertex, counted from 0");
   CHECK(refusal("a.off", "OFF\n1 0\n0 0 0\n3 0 0 0\n") == "a.off:4: nothing behind the last face");
@@ -233,11 +234,11 @@ TEST_CASE("meshes: hostile PLY and STL files are refused, whatever they count") 
   CHECK(refusal("a.ply", head + "element nothing 9000000000000000000\nend_header\n") ==
         "a.ply:3: an element with properties");
   CHECK(refusal("a.ply", head + "element vertex 9000000000000000000\n" + xyz + "end_header\n1 2 3\n") ==
-        "a.ply:8: more numbers: the file ends too early");
+        "a.ply:8: the file ends before the declared number of values");
   CHECK(refusal("a.ply", head + "element vertex -1\n") == "a.ply:3: count >= 0");
   CHECK(refusal("a.ply", head + "element vertex 1\nproperty quad x\n").starts_with("a.ply:4: type of a property"));
   CHECK(refusal("a.ply", head + "element vertex 1\nproperty list float int x\n") ==
-        "a.ply:4: whole numbers as the counts of a list");
+        "a.ply:4: an integer type for the counts of a list");
   CHECK(refusal("a.ply", head + "element vertex 0\n" + xyz + "end_header\n1\n") ==
         "a.ply:8: nothing behind the last element");
   const std::string face = "element face 1\nproperty list char int vertex_indices\n";
@@ -247,7 +248,8 @@ TEST_CASE("meshes: hostile PLY and STL files are refused, whatever they count") 
   CHECK(refusal("a.ply", one + "2 0 0\n") == "a.ply:11: at least 3 corners");
   CHECK(refusal("a.ply", one + "-1\n") == "a.ply:11: count >= 0");
   CHECK(refusal("a.ply", one + "3 0 0 -1\n") == "a.ply:11: index of a vertex: got -1 of 1 vertex, counted from 0");
-  CHECK(refusal("a.ply", one + "9000000000000000000 0 0 0\n") == "a.ply:11: more numbers: the file ends too early");
+  CHECK(refusal("a.ply", one + "9000000000000000000 0 0 0\n") ==
+        "a.ply:11: the file ends before the declared number of values");
   for (const bool big : {false, true}) {
     const std::string whole = ply_binary(big);
     for (std::size_t length = 0; length < whole.size(); ++length)

@@ -181,7 +181,7 @@ TEST_CASE("3MF: what does not hold together is refused, in one line") {
   CHECK(refused(triangle, R"(<item objectid="1" transform="1 0 0"/>)") ==
         "a.3mf: a.model:4: a transform of 12 numbers");
   CHECK(refused(triangle, R"(<item objectid="1" p:path="/b.model"/>)") ==
-        "a.3mf: a.model:4: objects of this part alone; export as one part");
+        "a.3mf: a.model:4: objects of this part only; export as one part");
   CHECK(refused(triangle, "") == "a.3mf: at least one face: the file holds nothing");
   const auto with_model = [](const std::string& text) {
     return zip({{"_rels/.rels", relationships}, {"a.model", text}});
@@ -191,11 +191,11 @@ TEST_CASE("3MF: what does not hold together is refused, in one line") {
   CHECK(refusal(with_model("")) == "a.3mf: a.model:1: XML: no element found");
   CHECK(refusal(zip({{"_rels/.rels", relationships}})) == "a.3mf: 3MF: a zip archive with a model");
   CHECK(refusal(zip({{"a.model", model(triangle, item)}})) == "a.3mf: 3MF: a zip archive with a file _rels/.rels");
-  CHECK(refusal(zip({{"a", ""}, {"a", ""}})) == "a.3mf: a: in the archive once");
+  CHECK(refusal(zip({{"a", ""}, {"a", ""}})) == "a.3mf: a: in the archive only once");
   CHECK(refusal(zip({{"_rels/.rels", relationships}, {"a.model", ""}}, false, 1)) ==
         "a.3mf: _rels/.rels: not encrypted");
   CHECK(refusal(replaced(archive(triangle, item), "-2.5", "-2.6")) ==
-        "a.3mf: a.model: whole: its checksum or length is another one");
+        "a.3mf: a.model: intact: its checksum or length differs");
   for (const bool wide : {false, true}) {
     const std::string whole = zip({{"_rels/.rels", relationships}, {"a.model", model(triangle, item)}}, wide);
     for (std::size_t length = 0; length < whole.size(); ++length) {

@@ -99,7 +99,7 @@ TEST_CASE("draw: an operation or a family that is none is named in one line") {
                   "--families shared: orientation has no such family; touchstone ops --json lists them");
   require_refused(called({"draw", "orientation", "--families", "colinear"}), bad_usage,
                   "--families colinear: orientation has no such family (did you mean \"collinear\"?)");
-  require_refused(called({"draw", "orientation", "--cases", "0"}), bad_usage, "a whole number from 1 to");
+  require_refused(called({"draw", "orientation", "--cases", "0"}), bad_usage, "an integer from 1 to");
 }
 
 }  // namespace touchstone::proptests::draw_tests

@@ -8,10 +8,10 @@ namespace touchstone::proptests::program_tests {
 
 TEST_CASE("program: numbers that an option cannot hold are refused in one line") {
   for (const char* cases : {"0", "-1", "1.5", "1e6", "99999999999999999999", "x"}) {
-    require_refused(called({"audit", "--cases", cases}), bad_usage, "a whole number from 1 to");
+    require_refused(called({"audit", "--cases", cases}), bad_usage, "an integer from 1 to");
   }
   for (const char* seed : {"-1", "18446744073709551616", "one"}) {
-    require_refused(called({"audit", "--seed", seed}), bad_usage, "a whole number from 0 to 18446744073709551615");
+    require_refused(called({"audit", "--seed", seed}), bad_usage, "an integer from 0 to 18446744073709551615");
   }
 }
 

@@ -115,7 +115,7 @@ TEST_CASE("shards: a launcher that does not say how many there are, or of one pr
 
 TEST_CASE("shards: variables that name no part are refused") {
   const std::vector<std::pair<Variables, std::string>> refused{
-      {{{"SLURM_ARRAY_TASK_ID", "x"}}, "SLURM_ARRAY_TASK_ID: expected a whole number, got x"},
+      {{{"SLURM_ARRAY_TASK_ID", "x"}}, "SLURM_ARRAY_TASK_ID: expected an integer, got x"},
       {{{"SLURM_ARRAY_TASK_ID", "1"}}, "SLURM_ARRAY_TASK_MAX: expected"},
       {{{"SLURM_ARRAY_TASK_ID", "9"},
         {"SLURM_ARRAY_TASK_MIN", "3"},
@@ -125,7 +125,7 @@ TEST_CASE("shards: variables that name no part are refused") {
       {{{"SLURM_ARRAY_TASK_ID", "0"}, {"TOUCHSTONE_SHARDS", "3"}}, "an index from 1"},
       {{{"PARALLEL_SEQ", "4"}, {"TOUCHSTONE_SHARDS", "3"}}, "GNU parallel: expected an index"},
       {{{"JOB_COMPLETION_INDEX", "3"}, {"TOUCHSTONE_SHARDS", "3"}}, "an index from 0"},
-      {{{"PMI_RANK", "-1"}, {"PMI_SIZE", "2"}}, "PMI_RANK: expected a whole number"},
+      {{{"PMI_RANK", "-1"}, {"PMI_SIZE", "2"}}, "PMI_RANK: expected an integer"},
       {{{"PMI_RANK", "1"}, {"PMI_SIZE", "2"}, {"PARALLEL_SEQ", "1"}, {"TOUCHSTONE_SHARDS", "3"}},
        "expected one launcher"},
   };
@@ -197,7 +197,7 @@ TEST_CASE(
     CHECK(!fs::exists(file));
     const Called again = called_with(with(file));
     CHECK(again.code == code);
-    CHECK_THAT(again.err, ContainsSubstring("goes on from " + part));
+    CHECK_THAT(again.err, ContainsSubstring("resumes from " + part));
     CHECK(text_of(file) == text_of(whole));
     CHECK(!fs::exists(part));
   }
@@ -255,8 +255,8 @@ TEST_CASE("shards: soaks and audits merge to those of one run; what is missing i
     CHECK(some.code == bad_usage);
     CHECK_THAT(some.err, EndsWith("touchstone: merge: 1 of 3 shards are missing: 2\n"));
     CHECK(called({"merge", second.c_str(), sum.c_str()}).code == merged.code);  // the sum of some is one of them
-    require_refused(called({"merge", first.c_str(), second.c_str(), first.c_str()}), bad_usage, "(1 is there twice)");
-    require_refused(called({"merge", first.c_str(), sum.c_str()}), bad_usage, "(1 is there twice)");
+    require_refused(called({"merge", first.c_str(), second.c_str(), first.c_str()}), bad_usage, "duplicate shard 1");
+    require_refused(called({"merge", first.c_str(), sum.c_str()}), bad_usage, "duplicate shard 1");
     require_refused(called({"merge", first.c_str(), whole.c_str()}), bad_usage, "shards: the same in every file");
 
     const auto with = [&](const std::string& from, const std::string& to) {

@@ -103,7 +103,7 @@ TEST_CASE("engines: one that misbehaves ends with one sentence, and the other ru
       {"forgets_a_body", "step 3: bodies: "},
       {"forgets_a_number", "step 3: bodies[0]: "},
       {"is_late", "step 3: step: expected 3"},
-      {"meets_nobody", "step 3: contacts[0].other: expected a whole number below 2"},
+      {"meets_nobody", "step 3: contacts[0].other: expected an integer below 2"},
       {"meets_itself", "step 3: contacts[0]: a body meets another one"},
       {"gives_up", "step 3: error: \"no solution\""},
       {"half_a_line", "step 3: exit code 1"},
@@ -141,7 +141,7 @@ TEST_CASE("engines: other lines are passed over, names stay apart, and several r
 TEST_CASE("engines: one cannot go on from a file") {
   const TextFile file("engine.jsonl", "");
   require_refused(with_engine(two_balls, example, {"--trajectory", file.path(), "--resume"}), bad_usage,
-                  "--resume: an engine cannot go on from a file");
+                  "--resume: an engine cannot resume from a file");
 }
 
 TEST_CASE("engines: the page plays them too, as far as they came") {

@@ -208,9 +208,9 @@ TEST_CASE("gas: a scene's fields are told by place and rule") {
   };
   const std::string rest = R"("cubes_along":2,"gap":3,"speed":1,"seed":1)";
   CHECK(refusal_of("{\"side\":5,\"until\":9," + rest + "}") == "read");
-  CHECK(refusal_of("{\"side\":0,\"until\":9," + rest + "}") == "gas.side: expected a whole number from 1 up, got 0");
+  CHECK(refusal_of("{\"side\":0,\"until\":9," + rest + "}") == "gas.side: expected an integer from 1 up, got 0");
   CHECK(refusal_of("{\"side\":1.5,\"until\":9," + rest + "}") ==
-        "gas.side: expected a whole number below 2^32, got 1.5");
+        "gas.side: expected an integer below 2^32, got 1.5");
   CHECK(refusal_of("{\"side\":5," + rest + "}") == "gas.until: missing");
   CHECK(refusal_of("{\"side\":5,\"untill\":9," + rest + "}").substr(0, 32) == "gas.untill: no such field (did y");
 }

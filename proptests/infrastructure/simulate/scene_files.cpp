@@ -68,7 +68,7 @@ TEST_CASE("scene files: what is wrong is told by place, rule and what was found"
       {with_advance(R"("option":1)"), R"(advance: expected timestep or steps_per_second, got {"option":1})"},
       {with_advance(R"("timestep":0,"option":1)"), "advance.timestep: expected a number greater than 0, got 0"},
       {with_advance(R"("steps_per_second":0,"option":1)"),
-       "advance.steps_per_second: expected a whole number from 1 up, got 0"},
+       "advance.steps_per_second: expected an integer from 1 up, got 0"},
       {with_advance(R"("timestep":1,"option":3)"), "advance.option: expected 1 or 2, of p. 23, got 3"},
       {with_advance(R"("timestep":1,"option":2,"turn":"before_move")"), "advance.turn: is for option 1"},
       {with_advance(R"("timestep":1,"option":1,"moments":3)"), "advance.moments: is for option 2"},

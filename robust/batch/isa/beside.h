@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/close_triangles.h"
 
-/// Points beside a shape that all rows share: the model and the constants of kernels.h. A filter knows a point where it
-/// can tell of every edge or face that matters; the second stage, for instruction sets that have an FMA, looks again
-/// at those that it cannot tell, exactly. The turn of an edge and the side of a face, with the numbers that a face has,
-/// are proved by machine from their text (robust/proofs/lane_beside.v); what is concluded from all is argued here.
+/// Points against a shape that all rows share: the model and the constants of kernels.h. A filter decides a point if it
+/// is certain about every edge or face that matters. For instruction sets with an FMA, the second stage decides the
+/// others exactly. The turn of an edge and the side of a face, computed from a face's numbers, are proved by machine
+/// from their text (robust/proofs/lane_beside.v); the conclusions from all edges and faces are argued here.
 namespace touchstone::robust::batch::isa {
 namespace {
 
-/// On which side of a face a point is; positive is where its normal points to. Its numbers are a corner a, the normal
-/// n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from there
-/// (robust/batch/isa/faces.h).
+/// The side of a face on which a point lies; positive is the side to which the normal points. Its numbers are a corner
+/// a, the normal n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from
+/// there (robust/batch/isa/faces.h).
 ///
 /// As for FacePlane of robust/kernel/filters/face_filter.h: a product of n . (p - a) goes through eight roundings, the
 /// last of which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes
@@ -33,7 +33,7 @@ namespace {
   return {above(value, bound), above(same(0) - value, bound)};
 }
 
-/// The points of which it is known where they are; of these those outside, those on the boundary.
+/// The points whose location is certain; among these, those outside and those on the boundary.
 struct Located {
   Mask known, outside, on;
 };
@@ -48,10 +48,10 @@ Mask finite(const Lanes* p) {
 
 #if TOUCHSTONE_LANES > 2
 
-/// Parts of a shape that a filter cannot tell, one for each lane at most, so that all lanes are looked at at once.
+/// Parts of a shape that a filter cannot decide, at most one for each lane, so that all lanes are examined at once.
 struct Waiting {
   Mask asked = 0;
-  Lanes part = same(0);  ///< by number
+  Lanes part = same(0);  ///< its number
   bool has_room(Mask inconclusive) const { return (asked & inconclusive) == 0; }
   void add(Mask inconclusive, std::size_t number) {
     part = chosen(inconclusive, same(static_cast<double>(number)), part);
@@ -59,7 +59,7 @@ struct Waiting {
   }
 };
 
-/// The numbers of a part for each lane.
+/// Gathers the numbers of a part for each lane.
 class Gathered {
  public:
   Gathered(const double* numbers, std::size_t of_part, Lanes part) {
@@ -77,7 +77,7 @@ class Gathered {
   const double* from_[lanes];
 };
 
-/// On which side of faces points are, exactly where all are in the window of cubes.
+/// The sides of faces on which points lie, exact if all numbers are in the window of cubes.
 [[gnu::noinline]] Signs exact_side(const Gathered& face, const Lanes* point, Mask asked) {
   Lanes at[9];
   for (std::size_t k = 0; k < 9; ++k) at[k] = face[k < 3 ? k : 6 + k];
@@ -88,7 +88,7 @@ class Gathered {
 
 #endif
 
-/// The turn of a point and the ends of an edge, of which these are the differences from the point: as Turn, with its C.
+/// The turn at a point of an edge whose ends are given by their differences from the point: as Turn, with its C.
 struct TurnSeen {
   Lanes value, bound;
   TurnSeen(Lanes from_x, Lanes from_y, Lanes to_x, Lanes to_y) {
@@ -98,13 +98,13 @@ struct TurnSeen {
   }
 };
 
-/// The ray to +x from each point, with all edges of a ring: shared.numbers holds its vertices, x and y in turn, which
-/// are finite; there are shared.count of them.
+/// Casts the ray to +x from each point against all edges of a ring: shared.numbers holds its vertices, x and y in turn,
+/// which are finite; there are shared.count of them.
 ///
-/// An edge from a to b crosses the ray's line where exactly one of a.y and b.y is greater than the point's y; those are
-/// comparisons, and exact. It crosses the ray where the turn of a, b and the point has the sign of b.y - a.y: as for
-/// Turn. On the boundary the point is on an edge that crosses the line, where the turn is 0; or on a horizontal one or
-/// a vertex, and then it has the y of a vertex.
+/// An edge from a to b crosses the ray's line if exactly one of a.y and b.y is greater than the point's y; those are
+/// comparisons, and exact. It crosses the ray if the turn of a, b and the point has the sign of b.y - a.y, with the
+/// bound of Turn. A point on the boundary is on an edge that crosses the line, and then the turn is 0; or on a
+/// horizontal edge or a vertex, and then it has the y of a vertex.
 class Ring {
  public:
   static constexpr std::size_t columns = 2;
@@ -154,7 +154,7 @@ class Ring {
     }
   };
 
-  /// Calls look(edge, the number of the vertex where it ends).
+  /// Calls look(edge, number of the vertex at its end).
   template <class Look>
   [[gnu::always_inline]] static void for_each_edge(const Shared& shared, const Lanes* p, const Look& look) {
     const double* a = shared.numbers + 2 * (shared.count - 1);
@@ -216,7 +216,7 @@ struct ConvexSolid {
 #endif
 };
 
-/// A byte for each point of a chunk: inside 0, on the boundary 1, outside 2.
+/// Writes a byte for each point of a chunk: inside 0, on the boundary 1, outside 2.
 template <class Shape>
 void filter_beside(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
                    std::uint8_t* answers, std::uint64_t* unknown) {

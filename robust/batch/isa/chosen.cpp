@@ -11,7 +11,7 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
-/// To nearest, and neither results nor operands flushed to zero.
+/// True if results are rounded to nearest and neither results nor operands are flushed to zero.
 bool plain_arithmetic() {
 #if defined(__SSE2__)
   constexpr unsigned rounding = 0x6000, flush_to_zero = 0x8000, denormals_are_zero = 0x0040;

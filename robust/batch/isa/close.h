@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/sums.h"
 
-/// The second stage of arrays, for rows that a filter leaves, near-degenerate and degenerate ones: products with their
-/// rounding errors, and where these do not tell, exact signs. Unit by unit, for instruction sets that have an FMA.
+/// The second stage of arrays, for the near-degenerate and degenerate rows that a filter leaves: products with their
+/// rounding errors, and if these do not decide, exact signs. Compiled per unit, for instruction sets that have an FMA.
 namespace touchstone::robust::batch::isa {
 namespace {
 
 #if TOUCHSTONE_LANES > 2
 
-/// The lanes in which three points certainly turn left, turn right, are on one line.
+/// The lanes in which three points certainly turn left, turn right, or are collinear.
 struct Sides {
   Mask left, right, on = 0;
   Mask known() const { return left | right | on; }
   Sides opposite() const { return {right, left, on}; }
 };
 
-/// How three points turn, from the differences u + u' and w + w', of the second and the first, in x and y, and t + t'
-/// and s + s', of the third and the first, with what rounding left out. Never says that they are on one line.
+/// The turn of three points, from the differences u + u' and w + w', of the second and the first, in x and y, and t +
+/// t' and s + s', of the third and the first, with their rounding errors. Never finds points collinear.
 ///
 /// Let L + l and R + r be the products u s and w t in heads and tails, and S = |L| + |R|. The turn is (L - R) + ((l -
-/// r) + ((u s' + s u') - (w t' + t w'))) + (u' s' - w' t'). The last is at most v^2 S and left out. Of the terms in the
-/// middle l and r add up to v S at most, the others to 2 v S, all but for terms of higher order. The roundings of the
+/// r) + ((u s' + s u') - (w t' + t w'))) + (u' s' - w' t'). The last is at most v^2 S and left out. Among the terms in
+/// the middle l and r add up to v S at most, the others to 2 v S, up to terms of higher order. The roundings of the
 /// four products add 2 v^2 S, those of the sums of two 2 v^2 S and v^2 S, of the difference of these 2 v^2 S, and of
 /// the sum in the middle 3 v^2 S: 11 v^2 S with what is left out. L - R is off by v |L - R|, and the outermost sum by v
 /// times itself; L - R is at most the value and 3 v S. So the value is off by less than 2 v |value| + 14 v^2 S, with
@@ -33,8 +33,8 @@ struct Sides {
 /// more: 2^-1000 pays for that. An FMA leaves out roundings.
 ///
 /// Overflow, infinite or NaN numbers. Every number is in a head, which is then infinite or NaN, and with it a product
-/// and S; so is a tail, where anything in it overflows, and with it the value. |value| > bound is false where the bound
-/// is NaN or both are infinite, and the bound is infinite where S or the value is.
+/// and S; so is a tail, where anything in it overflows, and with it the value. |value| > bound is false if the bound is
+/// NaN or both are infinite, and the bound is infinite if S or the value is.
 Sides close_turn(const Difference& u, const Difference& w, const Difference& s, const Difference& t) {
   const Product l(u.head, s.head), r(w.head, t.head);
   const Lanes first = multiply_add(u.head, s.tail, s.head * u.tail);
@@ -46,11 +46,11 @@ Sides close_turn(const Difference& u, const Difference& w, const Difference& s, 
   return {sure & ~below, sure & below};
 }
 
-/// Adds to what is known of a turn, exactly: of those lanes that are asked, with all coordinates in the window.
+/// Decides the missing turns of the asked lanes exactly, if all their coordinates are in the window.
 ///
-/// Where no difference was rounded, the turn is the difference of two products, in heads and tails. Rounding is
-/// monotone: where one head is greater, so is its product, and where the heads are equal the tails decide. Elsewhere
-/// the turn is the sum of eight products, in sixteen terms.
+/// If no difference was rounded, the turn is the difference of two products, in heads and tails. Rounding is monotone:
+/// if one head is greater, so is its product, and if the heads are equal the tails decide. Otherwise the turn is the
+/// sum of eight products, in sixteen terms.
 [[gnu::noinline]] void settle(Sides& sides, const Lanes* p, const Lanes* q, const Lanes* r, Mask asked) {
   asked &= ~sides.known();
   const Lanes* const points[] = {p, q, r};
@@ -82,8 +82,8 @@ Sides close_turn(const Difference& u, const Difference& w, const Difference& s, 
   sides.on |= asked & signs.zero;
 }
 
-/// The rows that a stage decides, and of these the rows with the answers 1 and 2; the others have 0. A stage is
-/// of_lengths where all numbers may be multiplied by one factor.
+/// The rows that a stage decides, and among these the rows with the answers 1 and 2; the others have 0. A stage is
+/// of_lengths if all numbers may be multiplied by one factor.
 struct Decision {
   Mask known, one, two;
 };
@@ -98,7 +98,7 @@ struct CloseOrientation {
   }
 };
 
-/// On the line of the segment, and within its box.
+/// True if the point is on the segment's line and within its box.
 struct ClosePointOnSegment {
   static constexpr std::size_t columns = 6;
   static constexpr bool of_lengths = true;
@@ -112,11 +112,11 @@ struct ClosePointOnSegment {
   }
 };
 
-/// Disjoint where an axis or the line of one segment has the other strictly on one side; elsewhere they meet. Where
-/// all four ends are on one line they meet in what their boxes have in common, which is more than a point where it has
-/// an extent along an axis; elsewhere they meet in a point. Both ends of each segment are on the other's line only
-/// where all are on one: a segment without length has the other's line, where that has a length and the segment is not
-/// on it, strictly on one side.
+/// The segments are disjoint if an axis or the line of one segment has the other strictly on one side; otherwise they
+/// meet. If all four ends are collinear they meet in the intersection of their boxes, which is more than a point if it
+/// has an extent along an axis; otherwise they meet in a point. Both ends of each segment are on the other's line only
+/// if all are collinear: the line of the other, if that has a length, has a segment without length that is not on it
+/// strictly on one side.
 struct CloseSegmentSegment {
   static constexpr std::size_t columns = 8;
   static constexpr bool of_lengths = true;
@@ -134,7 +134,7 @@ struct CloseSegmentSegment {
     const Lanes ax = c[0], ay = c[1], bx = c[2], by = c[3], px = c[4], py = c[5], qx = c[6], qy = c[7];
     const Difference abx(bx, ax), aby(by, ay), pqx(qx, px), pqy(qy, py);
     const Difference apx(px, ax), apy(py, ay), aqx(qx, ax), aqy(qy, ay), pbx(bx, px), pby(by, py);
-    // From p to a it is as far as from a to p, the other way.
+    // The difference from p to a is the negated difference from a to p.
     Turns turns{close_turn(abx, aby, apy, apx), close_turn(abx, aby, aqy, aqx),
                 close_turn(pqx, pqy, apy, apx).opposite(), close_turn(pqx, pqy, pby, pbx)};
     const Lanes a_left = lesser(ax, bx), a_right = greater(ax, bx), a_low = lesser(ay, by), a_high = greater(ay, by);
@@ -158,7 +158,7 @@ struct CloseSegmentSegment {
   }
 };
 
-/// For each row of `where` the byte 1, 2 or 0. Nothing else is written.
+/// Writes the byte 1, 2 or 0 for each row of `where`, and nothing else.
 void put_answers(std::uint8_t* to, std::uint64_t where, std::uint64_t one, std::uint64_t two) {
 #if TOUCHSTONE_LANES == 8
   _mm512_mask_storeu_epi8(to, where, _mm512_mask_set1_epi8(_mm512_maskz_set1_epi8(one, 1), two, 2));

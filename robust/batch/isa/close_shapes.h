@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/close.h"
 
-/// Second stages of planes, boxes and balls, as those of close.h: exact signs, and comparisons.
+/// Second stages of planes, boxes and balls, like those of close.h: exact signs, and comparisons.
 namespace touchstone::robust::batch::isa {
 namespace {
 
 #if TOUCHSTONE_LANES > 2
 
-/// The sum of three products and the offset, in seven terms, all of multiples of 2^-1064 where all numbers are in the
-/// window. A normal of length 0 is to be refused.
+/// The sum of three products and the offset, in seven terms, all multiples of 2^-1064 if all numbers are in the window.
+/// A normal of length 0 is to be refused.
 struct ClosePointPlane {
   static constexpr std::size_t columns = 7;
   static constexpr bool of_lengths = false;
@@ -25,8 +25,8 @@ struct ClosePointPlane {
   }
 };
 
-/// Comparisons decide: disjoint where on some axis one ends before the other begins, else touching where on some axis
-/// one ends where the other begins, or has no extent.
+/// Comparisons decide: the boxes are disjoint if on some axis one ends before the other begins; otherwise they touch if
+/// on some axis one ends at the beginning of the other, or has no extent.
 template <std::size_t dimensions>
 struct CloseBoxes {
   static constexpr std::size_t columns = 4 * dimensions;
@@ -45,7 +45,8 @@ struct CloseBoxes {
   }
 };
 
-/// The six terms of a square of head and tail, each group of terms after smaller ones: place `at` of `count` squares.
+/// Adds the six terms of the square of a head and a tail, each group of terms after smaller ones: place `at` of `count`
+/// squares.
 template <std::size_t count>
 void add_square(Lanes (&terms)[6 * count], std::size_t at, Lanes head, Lanes tail, bool minus) {
   const Lanes by_head = minus ? opposite(head) : head, by_tail = minus ? opposite(tail) : tail;
@@ -55,11 +56,12 @@ void add_square(Lanes (&terms)[6 * count], std::size_t at, Lanes head, Lanes tai
   terms[4 * count + at] = great.tail, terms[5 * count + at] = great.head;
 }
 
-/// The square of the sum of the radii less that of the distance. A ball of radius 0 has no interior: it can only touch.
+/// The square of the sum of the radii minus that of the distance. A ball of radius 0 has no interior: it can only
+/// touch.
 ///
-/// A speck, a radius below 2^-720 where the other numbers are 0 or between 2^-200 and 2^200, is left out: without it
-/// these are multiples of 2^-252, and the value one of 2^-504. Specks add less than 2^-510, so they tell only where the
-/// value is 0.
+/// A speck, a radius below 2^-720 while the other numbers are 0 or between 2^-200 and 2^200, is left out: the others
+/// are multiples of 2^-252, and the value without it is a multiple of 2^-504. Specks add less than 2^-510, so they
+/// decide only if the value is 0.
 template <std::size_t dimensions>
 struct CloseSpheres {
   static constexpr std::size_t columns = 2 * dimensions + 2;
@@ -90,8 +92,8 @@ struct CloseSpheres {
   }
 };
 
-/// The square of the radius less that of the distance of the center from the nearest point of the box, of which each
-/// coordinate is one of the numbers given. A ball or a box without an interior can only touch.
+/// The square of the radius minus that of the distance of the center from the nearest point of the box, each coordinate
+/// of which is one of the given numbers. A ball or a box without an interior can only touch.
 template <std::size_t dimensions>
 struct CloseSphereBox {
   static constexpr std::size_t columns = 3 * dimensions + 1;
@@ -114,9 +116,9 @@ struct CloseSphereBox {
   }
 };
 
-/// A ray misses a box where it leaves it along some axis before it begins, or before it enters along another: times are
-/// distances by speeds, and which of two is the later the sign of a sum of four products tells. Along an axis in which
-/// the direction does not lead, comparisons do.
+/// A ray misses a box if it leaves it along some axis before the ray begins, or before it enters along another axis.
+/// Times are distances divided by speeds, and the sign of a sum of four products tells which of two is later. Along an
+/// axis on which the direction is 0, comparisons decide.
 template <std::size_t dimensions>
 struct CloseRayBox {
   static constexpr std::size_t columns = 4 * dimensions;
@@ -159,7 +161,7 @@ struct CloseRayBox {
     return {valid & (apart | known), ~apart, 0};
   }
 
-  /// Of the entry along one axis less the exit along another.
+  /// The sign of the entry along one axis minus the exit along another.
   static Signs order(const OfAxis& in, const OfAxis& out, Mask asked) {
     const Product late(in.entry.head, out.speed), soon(opposite(out.exit.head), in.speed);
     const Product late_rest(in.entry.tail, out.speed), soon_rest(opposite(out.exit.tail), in.speed);

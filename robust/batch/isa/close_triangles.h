@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/close.h"
 #include "robust/batch/isa/triangles.h"
 
-/// Second stages of triangles in space, as those of close.h. They know nothing of what lies in one plane, nor of
-/// triangles without area: of those every volume is 0.
+/// Second stages of triangles in space, like those of close.h. They do not decide coplanar shapes, nor triangles
+/// without area: every volume of those is 0.
 namespace touchstone::robust::batch::isa {
 namespace {
 
 #if TOUCHSTONE_LANES > 2
 
-/// A displacement with what rounding left out.
+/// A displacement with its rounding error.
 struct Way {
   Difference x, y, z;
   Way(const InSpace& to, const InSpace& from) : x(to.x, from.x), y(to.y, from.y), z(to.z, from.z) {}
   Lanes tails() const { return magnitude(x.tail) + magnitude(y.tail) + magnitude(z.tail); }
 };
 
-/// v x w of displacements between points in the window of cubes, and the signs of its products with such.
+/// v x w of displacements between points in the window of cubes, and the signs of its scalar products with such
+/// displacements.
 ///
 /// Let p q and r s be the exact products of a coordinate, L + l and R + t those of their heads, S = |L| + |R|, and D +
 /// d the difference of L and R. The coordinate is D and a tail: d, l - t and the four products of a head and a tail.
 /// The tail is at most 4 v S and off by 15 v^2 S: v^2 S for l - t, 2 for the four products, 2 for the sums of two, 2
 /// for the difference of these, 3 and 4 for the last two sums, 1 for the products of two tails, which are left out.
 /// Times the third displacement, h + k, in units of v^2 S |h|: 15 from that, 4 for the product of two tails, left out,
-/// 1 and 4 for the products, 5 and 6 for their sums; what is beside D h, rounded, is at most 6 v S |h|. The three of
+/// 1 and 4 for the products, 5 and 6 for their sums; the rest besides D h, rounded, is at most 6 v S |h|. The three of
 /// these are added (12), and to them the errors of the two sums of D h (2 and 8): 57 v^2 P in all, P being the sum of
 /// S |h|, and the last sum cannot make a sign wrong. The bound is 2^7 v^2 P, which pays for all terms of higher order.
 ///
@@ -36,7 +37,7 @@ class CloseNormal {
   CloseNormal(const Way& v, const Way& w)
       : x_(v.y, w.z, v.z, w.y), y_(v.z, w.x, v.x, w.z), z_(v.x, w.y, v.y, w.x), tails_(v.tails() + w.tails()) {}
 
-  /// Where nothing was rounded the sign is that of the value, 0 too.
+  /// If nothing was rounded, the sign is that of the value, even 0.
   Signs along(const Way& d, Mask asked) const {
     const Lanes zero = same(0);
     Lanes low = zero, size = zero, rounded = tails_ + d.tails();
@@ -78,7 +79,7 @@ class CloseNormal {
     }
   };
 
-  /// Adds to what is known, exactly, where no displacement was rounded: the sum of twelve products.
+  /// Decides the missing signs exactly if no displacement was rounded: the sum of twelve products.
   [[gnu::noinline]] void settle(Signs& found, const Way& d, Mask asked) const {
     asked &= ~found.known() & equal(tails_ + d.tails(), same(0));
     if (asked == 0) return;
@@ -102,7 +103,7 @@ Mask in_window_of_cubes(const Lanes* numbers) {
   return all;
 }
 
-/// A line that crosses a triangle's plane misses the triangle where it has edges strictly on both sides of itself.
+/// A line that crosses a triangle's plane misses the triangle if it has edges strictly on both sides.
 Decision crossing(const Signs& start, const Signs& end, Mask apart, const Signs& ab, const Signs& bc, const Signs& ca,
                   Mask valid) {
   const Mask misses = (ab.positive | bc.positive | ca.positive) & (ab.negative | bc.negative | ca.negative);
@@ -111,7 +112,7 @@ Decision crossing(const Signs& start, const Signs& end, Mask apart, const Signs&
   return {known, ~(apart | misses), 0};
 }
 
-/// As stages::segment_triangle::decision::lattice.
+/// The exact stage: stages::segment_triangle::decision::lattice.
 struct CloseSegmentTriangle {
   static constexpr std::size_t columns = 15;
   static constexpr bool of_lengths = true;
@@ -128,7 +129,7 @@ struct CloseSegmentTriangle {
   }
 };
 
-/// As stages::ray_triangle::decision::lattice. A direction of length 0 is to be refused.
+/// The exact stage: stages::ray_triangle::decision::lattice. A direction of length 0 is to be refused.
 struct CloseRayTriangle {
   static constexpr std::size_t columns = 15;
   static constexpr bool of_lengths = true;
@@ -147,7 +148,7 @@ struct CloseRayTriangle {
   }
 };
 
-/// The corner that is alone on its side of the other's plane, or on it, and the others
+/// The corner that is alone on its side of the other's plane, or on it, and the other corners
 /// (robust/kernel/solids/small_hulls.cpp).
 struct CloseTip {
   InSpace corner, others[2];
@@ -174,12 +175,12 @@ struct CloseTip {
   }
 };
 
-/// As robust/kernel/solids/small_hulls.cpp has them, which says why.
+/// The same decision as in robust/kernel/solids/small_hulls.cpp, which derives it.
 struct CloseTriangleTriangle {
   static constexpr std::size_t columns = 18;
   static constexpr bool of_lengths = true;
 
-  /// On which sides of the plane of `own` the corners of `other` are.
+  /// The sides of the plane of `own` on which the corners of `other` lie.
   struct Corners {
     Signs at[3];
     Corners(const InSpace* own, const InSpace* other, Mask asked) {

@@ -7,21 +7,23 @@
 #include "geometry/invalid_input.h"
 #include "robust/kernel/filters/strict_math.h"
 
-/// Decisions asked by the million, over columns.
+/// Decisions over columns of millions of rows.
 ///
-/// robust::batch::NAME(operands..., count, answers) writes to answers[i] what robust::NAME answers of row i of the
-/// operands, for every i < count: the enumerator as a number, a byte each. The answers are right for all finite doubles
-/// in every floating-point environment, as those of robust::NAME are, and the same with every instruction set.
+/// robust::batch::NAME(operands..., count, answers) writes robust::NAME of row i of the operands to answers[i], for
+/// every i < count: the enumerator as a number, one byte each. Like those of robust::NAME, the answers are right for
+/// all finite doubles in every floating-point environment; they are the same with every instruction set.
 ///
-/// What robust::NAME refuses is refused: InvalidInput names the first such row and its field, "questions[17].p1[0]". Of
-/// the answers some may have been written then. A row count of 0 asks nothing, and refuses nothing.
+/// Rows that robust::NAME refuses are refused: InvalidInput names the first such row and its field,
+/// "questions[17].p1[0]". Some answers may have been written by then. A row count of 0 asks nothing, and refuses
+/// nothing.
 ///
-/// Several threads may call at the same time. Nothing is allocated unless a row has to be decided with integers of any
-/// length, and nothing is kept between calls.
+/// Several threads may call at the same time. Nothing is allocated unless a row needs integers of arbitrary length, and
+/// nothing is kept between calls.
 namespace touchstone::robust::batch {
 
-/// One number of each row, that of row i at data[i * stride]: 1 for an array of its own, 2 or 3 for points side by
-/// side, as in an array of the shape (n, 2) or (n, 3), 0 for one operand that all rows share. May start at any double.
+/// One number of each row, that of row i at data[i * stride]. The stride is 1 for an array of its own, 2 or 3 for
+/// interleaved points, as in an array of the shape (n, 2) or (n, 3), and 0 for one operand that all rows share. May
+/// start at any double.
 struct Column {
   const double* data = nullptr;
   std::ptrdiff_t stride = 1;
@@ -78,7 +80,7 @@ struct Triangles3 {
   Points3 a, b, c;
 };
 
-/// Which instructions a call may use. It uses the widest of these that the processor has; the answers are the same.
+/// The instructions that a call may use. It uses the widest of these that the processor has; the answers are the same.
 enum class Instructions { portable, avx2, avx512 };
 
 }  // namespace touchstone::robust::batch

@@ -12,8 +12,8 @@
 /// Faces of a mesh that all rows share, as the filters of isa/beside.h and isa/solid.h read them.
 namespace touchstone::robust::batch::isa {
 
-/// Of a face's numbers those of its plane: a corner, the normal, and the sums of the magnitudes of its terms, 2^-1000
-/// too large. `outside` is the side of the face to which the normal points, 1 or -1.
+/// The numbers of a face's plane: a corner, the normal, and the sums of the magnitudes of its terms, 2^-1000 too large.
+/// `outside` is the side of the face to which the normal points, 1 or -1.
 inline std::array<double, 9> plane_numbers(const Point3d& a, const Point3d& b, const Point3d& c, double outside) {
   const Vector3d v = b - a, w = c - a, normal = cross(v, w);
   const auto size = [](double p, double q) { return __builtin_fabs(p) + __builtin_fabs(q) + 0x1p-1000; };
@@ -28,7 +28,7 @@ inline std::array<double, 9> plane_numbers(const Point3d& a, const Point3d& b, c
           size(v.x * w.y, v.y * w.x)};
 }
 
-/// And the other corners, counter-clockwise as seen from where the normal points to.
+/// Adds those and the other corners, counter-clockwise as seen from the side to which the normal points.
 inline void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
   for (const double number : plane_numbers(a, b, c, outside)) numbers.push_back(number);
@@ -36,7 +36,7 @@ inline void add_face(const Meshd& mesh, const Face& face, int outside, std::vect
     for (const double number : {corner->x, corner->y, corner->z}) numbers.push_back(number);
 }
 
-/// And the least y, the greatest y, the least z, the greatest z and the greatest x.
+/// Adds those and the least y, the greatest y, the least z, the greatest z and the greatest x.
 inline void add_boxed_face(const Meshd& mesh, const Face& face, std::vector<double>& numbers) {
   add_face(mesh, face, 1, numbers);
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];

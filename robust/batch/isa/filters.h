@@ -9,37 +9,37 @@
 /// The filters of arrays, compiled once for each instruction set.
 namespace touchstone::robust::batch::isa {
 
-/// Rows of a chunk: a bit of a 64-bit number stands for each.
+/// Rows of a chunk: each is one bit of a 64-bit number.
 inline constexpr std::size_t chunk = 64;
 
-/// What all rows share; empty where every operand is a column.
+/// The data that all rows share; empty if every operand is a column.
 struct Shared {
   const double* numbers = nullptr;
   std::size_t count = 0;
 };
 
-/// So many numbers has a face of a mesh that all rows share, with the box around it and without (faces.h).
+/// The count of numbers of a face of a shared mesh, without and with the box around it (faces.h).
 inline constexpr std::size_t of_face = 15, of_boxed_face = of_face + 5;
 
 /// Filters `chunks` chunks: column k starts at columns[k], and its next chunk is steps[k] doubles further on (0: the
-/// same again). answers receives a byte for each row; unknown a number for each chunk, with the bits of those rows that
-/// the filter could not decide, whose bytes mean nothing.
+/// same chunk again). `answers` receives a byte for each row. `unknown` receives a number for each chunk, with the bits
+/// of those rows that the filter could not decide; their bytes mean nothing.
 using Filter = void(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
                     std::uint8_t* answers, std::uint64_t* unknown);
 
-/// Of the rows of one chunk, columns[k] being where its column k starts, decides those that are asked, writes a byte
-/// for each that it decides and no others, and returns those that it does not.
+/// Decides the asked rows of one chunk, whose column k starts at columns[k]. Writes a byte for each row that it decides
+/// and no others, and returns the rows that it does not decide.
 using SecondStage = std::uint64_t(const double* const* columns, std::uint64_t asked, const Shared& shared,
                                   std::uint8_t* answers);
 
-/// The filters of one instruction set. They hold where results are rounded to nearest and nothing is flushed.
+/// The filters of one instruction set. They hold if results are rounded to nearest and nothing is flushed.
 struct Filters {
   Filter *orientation, *point_on_segment, *segment_segment, *point_plane;
   Filter *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
   Filter *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
   Filter *segment_triangle, *ray_triangle, *triangle_triangle;
   Filter *point_in_ring, *point_in_convex_solid, *point_in_solid;
-  /// Second stages, for the rows that a filter left; nullptr where there is none.
+  /// Second stages, for the rows that a filter left; nullptr if there is none.
   SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *close_point_plane;
   SecondStage *close_boxes_in_plane, *close_boxes_in_space, *close_spheres_in_plane, *close_spheres_in_space;
   SecondStage *close_sphere_and_box_in_plane, *close_sphere_and_box_in_space;
@@ -50,8 +50,8 @@ struct Filters {
 
 extern const Filters portable_filters, avx2_filters, avx512_filters;
 
-/// The widest of these instruction sets that the processor has; nullptr where the control word asks for anything but
-/// rounding to nearest and gradual underflow.
+/// Returns the widest of these instruction sets that the processor has; nullptr if the control word asks for anything
+/// but rounding to nearest and gradual underflow.
 const Filters* filters_here(int at_most);
 
 }  // namespace touchstone::robust::batch::isa

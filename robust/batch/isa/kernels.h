@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/filters.h"
 #include "robust/batch/isa/lanes.h"
 
-/// What the filters of arrays share, and why they are right.
+/// Shared by the filters of arrays, and the proof that they are right.
 ///
 /// Model. These filters run only where results are rounded to nearest and nothing is flushed, so the universal model of
 /// robust/kernel/filters/filters.h is not needed: with v = 2^-53, the result of a sum or a difference is exact * (1 +
 /// e), and that of a product exact * (1 + e) + h, with |e| <= v and |h| <= 2^-1075; a sum that underflows is exact. An
-/// FMA leaves a rounding out. What underflow costs in all is a sum of a few h, each at most times a small constant:
+/// FMA leaves a rounding out. The total cost of underflow is a sum of a few h, each at most times a small constant:
 /// every bound here ends with + 2^-1000, which pays for it many times over, and for what the bound itself loses by
 /// underflow.
 ///
-/// Overflow. |value| > bound is false where the bound is infinite or NaN. So each bound is made to be that whenever
-/// anything in the value is, and no guard is needed besides. The trap: a bound of the kind C * size, C small, stays
-/// finite where a partial sum of the value overflows. Each filter says how it avoids that. The same holds for numbers
-/// that are infinite or NaN: the row is not decided here, and past the filter it is refused.
+/// Overflow. |value| > bound is false if the bound is infinite or NaN. So each bound is constructed to be infinite or
+/// NaN whenever anything in the value is, and no other guard is needed. A bound of the form C * size with a small C
+/// would stay finite when a partial sum of the value overflows. Each filter says how it avoids that. The same holds for
+/// infinite and NaN inputs: the row is not decided here, and a later stage refuses it.
 ///
-/// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
+/// With m <= 12 roundings before a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
 /// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. The
 /// filters of this file are proved by machine from this text (robust/proofs/lane_*.v); triangles.h and beside.h say
-/// what is proved of theirs.
+/// which of theirs are proved.
 namespace touchstone::robust::batch::isa {
 namespace {
 
-/// The rows that a filter decides, and of these the rows for which the answer is F::set and not F::clear.
+/// The rows that a filter decides, and among these the rows whose answer is F::set and not F::clear.
 struct Verdict {
   Mask known, set;
 };
@@ -36,12 +36,13 @@ constexpr double v = 0x1p-53, tiny = 0x1p-1000;
 /// |value| > bound, with the sign of the value.
 Verdict by_sign(Lanes value, Lanes bound) { return {above(magnitude(value), bound), negative(value)}; }
 
-/// Three points in the plane.
+/// The turn of three points in the plane.
 ///
 /// Let l and r be the exact products, L and R the computed ones: L lies between l (1 - v)^3 and l (1 + v)^3, R
-/// likewise. If the signs of l and r differ or one is 0, L - R has the right sign, or is 0. Else let both be positive,
-/// and L > R though l <= r: R >= q L with q = ((1 - v) / (1 + v))^3, so L - R <= (1 - q) / (1 + q) (L + R), and that is
-/// tanh(3 artanh v) <= 3 v. C = 4 v; there are points that need 2.9999999 v (proptests/agreement/arrays.cpp).
+/// likewise. If the signs of l and r differ or one is 0, L - R has the right sign, or is 0. Otherwise let both be
+/// positive, and L > R though l <= r: R >= q L with q = ((1 - v) / (1 + v))^3, so L - R <= (1 - q) / (1 + q) (L + R),
+/// and that is tanh(3 artanh v) <= 3 v. C = 4 v; there are points that need 2.9999999 v
+/// (proptests/agreement/arrays.cpp).
 ///
 /// The sum L + R is itself the size: where L and R are so large that it overflows, the bound is infinite. Where L - R
 /// overflows and L + R does not, the signs differ, and that of L - R is right. An infinite L or R makes both infinite,
@@ -65,7 +66,7 @@ struct Orientation {
   }
 };
 
-/// Knows only of points that are certainly off the line of the segment.
+/// Decides only points that are certainly off the line of the segment.
 struct PointOnSegment {
   static constexpr std::size_t columns = 6;
   static constexpr std::uint8_t set = 1, clear = 1;  // off
@@ -75,12 +76,12 @@ struct PointOnSegment {
   }
 };
 
-/// The value is that of filters::segments, and what it says of the segments is proved there: negative, they cross;
-/// positive, the line of one has the other on one side. Seven roundings before the last difference, of products that
-/// add up to 2 ex ey at most: 14 v and terms of higher order. C = 2^4 v.
+/// The value is that of filters::segments, whose meaning is proved there: if negative, the segments cross; if positive,
+/// the line of one has the other on one side. Seven roundings precede the last difference, of products that add up to 2
+/// ex ey at most: 14 v and terms of higher order. C = 2^4 v.
 ///
 /// With Q = ex ey as computed, every product is at most Q, rs, rf and sf are at most 2 Q, and each sum of them at most
-/// 8 Q. The bound is infinite where 2^8 Q is, so nothing in the value overflows; 2^5 would be enough, and no cheaper.
+/// 8 Q. The bound is infinite if 2^8 Q is, so nothing in the value overflows; 2^5 would be enough, and no cheaper.
 struct SegmentSegment {
   static constexpr std::size_t columns = 8;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, disjoint
@@ -95,10 +96,10 @@ struct SegmentSegment {
   }
 };
 
-/// A product has its own rounding and at most two sums' before the last sum, which cannot make a sign wrong: what that
-/// adds is off by 3 v times the sum of the magnitudes of its terms. C = 4 v. That sum is taken in the order of the
-/// value, so by monotony no partial sum of the value is greater than the same one of magnitudes. Where no term but the
-/// offset is other than 0, the normal may be zero, which is to be refused.
+/// A product has its own rounding and at most two from sums before the last sum, which cannot make a sign wrong: the
+/// value's terms are off by 3 v times the sum of their magnitudes. C = 4 v. That sum is taken in the order of the
+/// value, so by monotonicity no partial sum of the value is greater than the same one of magnitudes. If no term but the
+/// offset differs from 0, the normal may be zero, which is to be refused.
 struct PointPlane {
   static constexpr std::size_t columns = 7;
   static constexpr std::uint8_t set = 2, clear = 0;  // back, front
@@ -112,7 +113,7 @@ struct PointPlane {
   }
 };
 
-/// By the differences of robust/kernel/filters/box_differences.h, which says why.
+/// By the differences of robust/kernel/filters/box_differences.h, which derives them.
 template <std::size_t dimensions>
 struct Boxes {
   static constexpr std::size_t columns = 4 * dimensions;
@@ -185,10 +186,10 @@ struct SphereBox {
   }
 };
 
-/// Separating axes, as filters::box_relation has them: those of the box, where comparisons decide, and those across the
-/// ray's line and one of them, where |w_i s_j - w_j s_i| is compared with |w_i| h_j + |w_j| h_i. w is the direction, s
-/// twice the origin as seen from the box's center, h the box's width; a ray that is apart from a box is so along one of
-/// these. Across two axes along which the ray does not lead, the first and the second are both exactly 0.
+/// Separating axes, as in filters::box_relation: those of the box, which comparisons decide, and those perpendicular to
+/// the ray's line and one of them, where |w_i s_j - w_j s_i| is compared with |w_i| h_j + |w_j| h_i. w is the
+/// direction, s twice the origin relative to the box's center, h the box's width; one of these axes separates every ray
+/// that misses a box. For two axes on which the direction is 0, the first and the second are both exactly 0.
 ///
 /// s_j is the sum of two differences: two roundings, in units of m_j, the sum of their magnitudes. With the product and
 /// the difference of products these are four, in units of |w_i| m_j + |w_j| m_i; the other products and their sum have

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 #include <immintrin.h>
 #endif
 
-// All of this is internal to its unit. A function that the linker could share with other units would take the
-// instructions of this one to processors that lack them.
+// Everything here is internal to its unit. A function that the linker could share with other units would carry this
+// unit's instructions to processors that lack them.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -43,8 +43,8 @@ struct Lanes {
   friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.v * b.v); }
 };
 
-// same(x) is x in all lanes. lesser(x, y) is y where x or y is NaN, like x < y ? x : y; greater likewise. a * b + c may
-// be rounded once or twice.
+// same(x) is x in all lanes. lesser(x, y) is y if x or y is NaN, like x < y ? x : y; greater likewise. a * b + c may be
+// rounded once or twice.
 #if TOUCHSTONE_LANES == 8
 Lanes same(double x) { return Lanes(_mm512_set1_pd(x)); }
 Lanes magnitude(Lanes x) { return Lanes(_mm512_abs_pd(x.v)); }
@@ -101,7 +101,7 @@ Lanes chosen(Mask mask, Lanes x, Lanes y) {
 }
 #endif
 
-/// A byte for each bit: `set` or `clear`.
+/// Writes a byte for each bit: `set` or `clear`.
 void put_bytes(std::uint8_t* to, std::uint64_t bits, std::uint8_t set, std::uint8_t clear) {
 #if TOUCHSTONE_LANES == 8
   const auto bytes = _mm512_mask_blend_epi8(bits, _mm512_set1_epi8(static_cast<char>(clear)),

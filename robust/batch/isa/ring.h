@@ -7,7 +7,7 @@
 
 namespace touchstone::robust::batch::isa {
 
-/// Where each point lies of a polygon that was validated.
+/// Locates each point in a polygon that has been validated.
 inline void locate(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
                    Instructions at_most) {
   static_assert(sizeof(Point2d) == 2 * sizeof(double));

@@ -10,7 +10,7 @@
 #include "geometry/volumes.h"
 #include "robust/batch/isa/columns.h"
 
-/// Rows of columns, as the functions of one question take them.
+/// Rows of columns, as the operands of a function of one question.
 namespace touchstone::robust::batch {
 
 inline double row(const Column& c, std::size_t i) { return c.data[static_cast<std::ptrdiff_t>(i) * c.stride]; }
@@ -29,10 +29,10 @@ inline Ray2d row(const Rays2& r, std::size_t i) { return {row(r.origin, i), row(
 inline Ray3d row(const Rays3& r, std::size_t i) { return {row(r.origin, i), row(r.direction, i)}; }
 inline Triangle3d row(const Triangles3& t, std::size_t i) { return {row(t.a, i), row(t.b, i), row(t.c, i)}; }
 
-/// Throws what the row broke, with the row's number before the field.
+/// Throws the error of a row, with the row's number before the field.
 [[noreturn]] void refuse_row(std::size_t i, const InvalidInput& refused);
 
-/// decide(operands...) of one row.
+/// Calls decide(operands...) of one row.
 template <class Decide, class... Operands>
 std::uint8_t decided(const Decide& decide, std::size_t i, const Operands&... operands) {
   try {
@@ -42,13 +42,13 @@ std::uint8_t decided(const Decide& decide, std::size_t i, const Operands&... ope
   }
 }
 
-/// Of every row.
+/// Calls it for every row.
 template <class Decide, class... Operands>
 void decide_each(const Decide& decide, std::size_t count, std::uint8_t* answers, const Operands&... operands) {
   for (std::size_t i = 0; i < count; ++i) answers[i] = decided(decide, i, operands...);
 }
 
-/// The columns of which operands are made, one after another.
+/// The columns of the operands, one after another.
 template <class... Operands>
 struct Flat {
   static constexpr std::size_t size = (sizeof(Operands) + ...) / sizeof(Column);

@@ -8,15 +8,15 @@
 #include "robust/batch/isa/filters.h"
 #include "robust/batch/isa/rows.h"
 
-/// Rows in chunks through a filter, and what it leaves through the stages of one question.
+/// Runs rows in chunks through a filter, and the rows that it leaves through the stages of one question.
 namespace touchstone::robust::batch::isa {
 
-/// At most so many chunks are filtered before what they leave is decided: their numbers are still in the cache.
+/// The largest number of chunks filtered before their undecided rows are decided: their numbers are still in the cache.
 inline constexpr std::size_t most_chunks = 64;
-/// So many at a time, where columns are copied.
+/// The number of chunks at a time if columns are copied.
 inline constexpr std::size_t copied_chunks = 4;
 
-/// Columns as a filter reads them, contiguous ones in place and others copied, part after part.
+/// Feeds columns to a filter, contiguous ones in place and others copied, part after part.
 template <std::size_t size>
 class Feed {
  public:
@@ -28,7 +28,7 @@ class Feed {
     }
   }
 
-  /// Makes the rows from `first` on ready, `count` at most and perhaps fewer; returns how many.
+  /// Prepares the rows from `first` on, `count` at most and perhaps fewer; returns the number of rows.
   std::size_t take(std::size_t first, std::size_t count) {
     const bool direct = in_place_ && count >= chunk;
     const std::size_t rows =
@@ -59,8 +59,8 @@ class Feed {
   alignas(64) double copies_[size][copied_chunks * chunk];
 };
 
-/// Rows that a filter left. Where they are many in a chunk the second stage looks at them where they stand; elsewhere
-/// they are packed to full chunks for it. What that leaves is decided one by one, and in order.
+/// The rows that a filter left. If a chunk has many, the second stage takes them in place; otherwise they are packed
+/// into full chunks. Rows that the second stage leaves are decided one by one, in order.
 template <class PastFilter, class... Operands>
 class Left {
  public:
@@ -70,7 +70,7 @@ class Left {
        const Operands&... operands)
       : close_(close), shared_(shared), past_filter_(past_filter), answers_(answers), operands_(operands...) {}
 
-  /// Those of chunk n of the feed, whose first row is `first`.
+  /// Adds the rows of chunk n of the feed, whose first row is `first`.
   void add(const Feed<columns>& feed, std::size_t n, std::size_t first, std::uint64_t rows) {
     if (close_ == nullptr) return decide(first, rows);
     std::array<const double*, columns> starts;
@@ -106,7 +106,7 @@ class Left {
   }
 
  private:
-  /// A sixth of a chunk: to pack a row costs about as much as to look at six where they stand.
+  /// A sixth of a chunk: packing a row costs about as much as deciding six in place.
   static constexpr int many = 11;
 
   void decide(std::size_t first, std::uint64_t rows) {
@@ -125,14 +125,14 @@ class Left {
   alignas(64) double packed_[columns][chunk];
 };
 
-/// Members of Filters: the filter, and the stage for what it leaves.
+/// Members of Filters: the filter, and the second stage.
 struct Which {
   Filter* Filters::*filter;
   SecondStage* Filters::*close = &Filters::none;
 };
 
-/// A filter for all rows where it holds, then the second stage and past_filter(operands...) for those that it does not
-/// decide; elsewhere decide(operands...) for each row.
+/// Filters all rows if the filter is valid here, then applies the second stage and past_filter(operands...) to the
+/// undecided rows; otherwise calls decide(operands...) for each row.
 template <class Decide, class PastFilter, class... Operands>
 void run(Which which, const Shared& shared, Instructions at_most, const Decide& decide, const PastFilter& past_filter,
          std::size_t count, std::uint8_t* answers, const Operands&... operands) {
@@ -148,7 +148,7 @@ void run(Which which, const Shared& shared, Instructions at_most, const Decide& 
     const std::size_t full = rows / chunk * chunk;
     if (full == rows) {
       filter(feed.starts(), feed.steps(), chunks, shared, answers + first, unknown);
-    } else {  // nothing is written behind the last answer
+    } else {  // nothing is written past the last answer
       std::uint8_t all[copied_chunks * chunk];
       filter(feed.starts(), feed.steps(), chunks, shared, all, unknown);
       std::memcpy(answers + first, all, rows);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/beside.h"
 
-/// The filter of points beside a closed mesh that all rows share.
+/// The filter of points against a closed mesh that all rows share.
 namespace touchstone::robust::batch::isa {
 namespace {
 
-/// The edges of a face as seen along x, with the ray to +y from each point: y and z are what x and y are to
-/// Ring. Where an odd number of them is `crossed`, the point is within the face as seen, and `left` of the
-/// edge that was, or right. `inconclusive`: a turn in doubt; `level`: a corner at the height of the point.
+/// The edges of a face as seen along x, with the ray to +y from each point: y and z play the role that x and y play in
+/// Ring. If an odd number of them is `crossed`, the projected face contains the point, which lies `left` of the crossed
+/// edge, or right. `inconclusive`: a turn is uncertain; `level`: a corner has the point's height.
 struct SeenAlongX {
   Mask crossed = 0, left = 0, inconclusive = 0, level = 0;
 
@@ -37,17 +37,17 @@ struct SeenAlongX {
   }
 };
 
-/// The points that have the plane of a face ahead, by their side of it and that of the edge that was crossed.
+/// The points for which the plane of a face lies ahead, from their side of it and that of the crossed edge.
 Mask ahead(Mask left, Mask positive, Mask negative) { return (left & negative) | (~left & positive); }
 
-/// The ray to +x from each point, with all faces of a closed mesh: shared.numbers holds those of shared.count faces
-/// and of the boxes around them, least y, greatest y, least z, greatest z, greatest x.
+/// Casts the ray to +x from each point against all faces of a closed mesh: shared.numbers holds those of shared.count
+/// faces and of the boxes around them, least y, greatest y, least z, greatest z, greatest x.
 ///
-/// A point that is on no face is inside where the ray crosses an odd number of faces, each counted where the point is
-/// within it as seen along x and the plane is ahead: it turns the other way about the point than its edges do. An edge
-/// of two faces is crossed for both or for neither, by the same comparisons. On a face the point is within it as seen,
-/// and in its plane, which is looked at exactly; or on an edge as seen, whose turn is then 0 or one of whose ends is as
-/// high, and that is not decided here. What a face whose box is elsewhere adds is 0.
+/// A point that is on no face is inside if the ray crosses an odd number of faces. A face counts if its projection
+/// along x contains the point and its plane is ahead: its turn about the point is opposite to that of its edges. An
+/// edge of two faces is crossed for both or for neither, by the same comparisons. A point on a face is within its
+/// projection and in its plane, which is tested exactly; or it is on a projected edge, whose turn is then 0 or one of
+/// whose ends has the same height, and that is not decided here. A face whose box does not match adds 0.
 class Solid {
  public:
   static constexpr std::size_t columns = 3;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/kernels.h"
 
-/// Sums and products with their rounding errors, which an FMA tells, and signs of sums of many terms, exactly. For
+/// Sums and products with their rounding errors, computed by an FMA, and exact signs of sums of many terms. For
 /// instruction sets that have an FMA.
 namespace touchstone::robust::batch::isa {
 namespace {
@@ -18,8 +18,8 @@ struct Signs {
 
 #if TOUCHSTONE_LANES > 2
 
-/// x + y and what rounding left out, exactly: sum and error of Knuth's two-sum. Where anything in it overflows, the
-/// head or the tail is infinite or NaN.
+/// x + y and its exact rounding error: sum and error of Knuth's two-sum. If anything in it overflows, the head or the
+/// tail is infinite or NaN.
 struct Sum {
   Lanes head, tail;
   Sum(Lanes x, Lanes y) : head(x + y), tail(x) {
@@ -28,7 +28,7 @@ struct Sum {
   }
 };
 
-/// The same of x - y.
+/// The same for x - y.
 struct Difference {
   Lanes head, tail;
   Difference(Lanes x, Lanes y) : head(x - y), tail(x) {
@@ -37,7 +37,7 @@ struct Difference {
   }
 };
 
-/// x y and what rounding left out: exactly, where that does not underflow; elsewhere it is off by 2^-1075 at most.
+/// x y and its rounding error: exact if that does not underflow; otherwise off by 2^-1075 at most.
 struct Product {
   Lanes head, tail;
   Product(Lanes x, Lanes y) : head(x * y), tail(multiply_add(x, y, same(0) - head)) {}
@@ -45,15 +45,15 @@ struct Product {
 
 Lanes opposite(Lanes x) { return same(0) - x; }
 
-/// The lanes of numbers that are 0 or between 2^-480 and 2^480: multiples of 2^-532. So are their differences, with
-/// both parts; products of two such parts are multiples of 2^-1064, and less than 2^963. Nothing that is computed of
-/// them underflows or overflows, and all heads and tails are exact. The window of cubes ends at 2^250.
+/// The lanes of numbers that are 0 or between 2^-480 and 2^480: multiples of 2^-532. So are both parts of their
+/// differences; products of two such parts are multiples of 2^-1064, and less than 2^963. No result computed from them
+/// underflows or overflows, and all heads and tails are exact. The window of cubes ends at 2^250.
 Mask in_window(Lanes x, double greatest = 0x1p480) {
   const Lanes size = magnitude(x);
   return (not_below(size, same(1 / greatest)) & not_below(same(greatest), size)) | equal(size, same(0));
 }
 
-/// 2^620 where the size is less than 2^-240, 2^-620 where it is more than 2^240, 1 elsewhere.
+/// 2^620 if the size is less than 2^-240, 2^-620 if it is more than 2^240, 1 otherwise.
 Lanes factor_of(Lanes size) {
   const Lanes up = same(0x1p620), down = same(0x1p-620), low = same(0x1p-240), high = same(0x1p240);
 #if TOUCHSTONE_LANES == 8
@@ -65,8 +65,8 @@ Lanes factor_of(Lanes size) {
 #endif
 }
 
-/// Multiplies the numbers of each lane by one power of two where the greatest of them is far from 1 and all products
-/// are exact: each is in the window, and 0 only where the number is 0. Where the factor is 2^620 none can be too large.
+/// Multiplies the numbers of each lane by one power of two if the greatest of them is far from 1 and all products are
+/// exact: each is in the window, and 0 only if the number is 0. With the factor 2^620 none can be too large.
 template <std::size_t n>
 void bring_near_one(Lanes (&numbers)[n]) {
   Lanes size = magnitude(numbers[0]);
@@ -89,15 +89,15 @@ void bring_near_one(Lanes (&numbers)[n]) {
   for (Lanes& number : numbers) number = number * factor;
 }
 
-/// The signs of sums of terms that are multiples of 2^-1074 and so small that nothing overflows, of those lanes that
-/// are asked. The terms are best in the order of their sizes, the greatest last.
+/// The signs, in the asked lanes, of sums of terms that are multiples of 2^-1074 and so small that nothing overflows.
+/// The terms are best sorted by size, the greatest last.
 ///
-/// A pass adds each term to the next and keeps in its place what rounding left out: the sum of all terms stays what it
-/// is, exactly (Ogita, Rump and Oishi, Accurate sum and dot product, 2005). The sign of the last term is that of the
-/// sum where its magnitude is more than the magnitudes of all others add up to. As computed that is at least (1 - v)^n
-/// of what it is, or exact where it is less than 2^-1022: a factor of 1 + 2^-40 is enough for n up to 2^12. Where the
-/// others are all 0 the last term is the sum. Each pass leaves about 2^-52 of what was left; after most_passes a lane
-/// is left to the other stages.
+/// A pass adds each term to the next and stores the rounding error in its place: the exact sum of all terms stays the
+/// same (Ogita, Rump and Oishi, Accurate sum and dot product, 2005). The sign of the last term is that of the sum if
+/// its magnitude exceeds the sum of the magnitudes of all others. As computed that sum is at least (1 - v)^n of the
+/// exact one, or exact if it is less than 2^-1022: a factor of 1 + 2^-40 is enough for n up to 2^12. If the others are
+/// all 0 the last term is the sum. Each pass leaves about 2^-52 of the remainder; after most_passes a lane is left to
+/// the other stages.
 template <std::size_t n>
 Signs signs_of_sums(Lanes (&terms)[n], Mask asked) {
   constexpr int most_passes = 6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/beside.h"

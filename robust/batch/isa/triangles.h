@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
 #include "robust/batch/isa/kernels.h"
 
-/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them what the
-/// filters answer, are proved by machine from this text (robust/proofs/lane_faces.v, lane_triangles.v,
+/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them the
+/// filters' answers, are proved by machine from this text (robust/proofs/lane_faces.v, lane_triangles.v,
 /// lane_triangle_triangle.v).
 namespace touchstone::robust::batch::isa {
 namespace {
@@ -24,13 +24,13 @@ struct Certain {
 };
 Mask alike(const Certain& s, const Certain& t) { return (s.positive & t.positive) | (s.negative & t.negative); }
 
-/// The plane through three points, and on which side of it others lie: positive where a, b, c are seen
+/// The plane through three points, and the side of it on which others lie: positive if a, b, c are seen
 /// counter-clockwise.
 ///
-/// The same as point_in_convex_solid, with its C: eight roundings of six products, the last of them shared. The sums of
-/// the magnitudes of the normal's terms are 2^-1000 too large, for what underflows in the normal. The terms are at
-/// least the value, and so is every partial sum of them: where anything in the value overflows, so does the bound. An
-/// infinite or NaN coordinate makes a difference so, and every difference is in the terms.
+/// The bound is that of point_in_convex_solid, with its C: eight roundings of six products, the last of them shared.
+/// The sums of the magnitudes of the normal's terms are 2^-1000 too large, which covers underflow in the normal. The
+/// terms are at least the value, and so is every partial sum of them: if anything in the value overflows, so does the
+/// bound. An infinite or NaN coordinate makes a difference infinite or NaN, and every difference is in the terms.
 class FacePlane {
  public:
   FacePlane(const InSpace& a, const InSpace& b, const InSpace& c) : origin_(a), normal_(a), terms_(a) {
@@ -47,7 +47,7 @@ class FacePlane {
 
   Certain side(const InSpace& p) const { return leading(p - origin_); }
 
-  /// The same of a displacement: to which side it leads.
+  /// The same for a displacement: the side to which it leads.
   Certain leading(const InSpace& d) const {
     const Lanes value = normal_.x * d.x + normal_.y * d.y + normal_.z * d.z;
     const Lanes terms = terms_.x * magnitude(d.x) + terms_.y * magnitude(d.y) + terms_.z * magnitude(d.z);
@@ -60,8 +60,8 @@ class FacePlane {
   InSpace origin_, normal_, terms_;
 };
 
-/// Where a line crosses a triangle's plane once: inside of the triangle, where it has all three edges on one side of
-/// itself; outside, where it has two of them on different sides.
+/// Places the crossing of a line with a triangle's plane: inside the triangle if the line has all three edges on one
+/// side; outside if it has two of them on different sides.
 struct Edges {
   Mask inside, outside;
   Edges(const Certain& ab, const Certain& bc, const Certain& ca)
@@ -69,7 +69,7 @@ struct Edges {
         outside((ab.positive | bc.positive | ca.positive) & (ab.negative | bc.negative | ca.negative)) {}
 };
 
-/// As stages::segment_triangle::decision::filter.
+/// The filter stage: stages::segment_triangle::decision::filter.
 struct SegmentTriangle {
   static constexpr std::size_t columns = 15;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, none
@@ -83,7 +83,7 @@ struct SegmentTriangle {
   }
 };
 
-/// As stages::ray_triangle::decision::filter.
+/// The filter stage: stages::ray_triangle::decision::filter.
 struct RayTriangle {
   static constexpr std::size_t columns = 15;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, none
@@ -98,10 +98,10 @@ struct RayTriangle {
   }
 };
 
-/// Where all corners of one are certainly on one side of the other's plane there is nothing in common. Where each plane
-/// certainly has corners of the other triangle on both sides and none on itself, the triangles meet where an edge of
-/// one crosses the other, and then in a segment: an edge whose ends are on different sides of the plane, with all edges
-/// of the other on one side of its line. The sides of all pairs of edges serve both.
+/// If all corners of one are certainly on one side of the other's plane, the triangles have nothing in common. If each
+/// plane certainly has corners of the other triangle on both sides and none on itself, the triangles meet if an edge of
+/// one crosses the other, and then in a segment. An edge crosses if its ends are on different sides of the plane and
+/// all edges of the other are on one side of its line. The sides of all pairs of edges serve both.
 struct TriangleTriangle {
   static constexpr std::size_t columns = 18;
   static constexpr std::uint8_t set = 2, clear = 0;  // segment, none
@@ -116,7 +116,7 @@ struct TriangleTriangle {
     const Mask certain =
         at_a[0].known() & at_a[1].known() & at_a[2].known() & at_b[0].known() & at_b[1].known() & at_b[2].known();
     if ((certain & ~apart) == 0) return {apart, 0};
-    Certain sides[3][3];  // of edge i of a and edge j of b
+    Certain sides[3][3];  // for edge i of a and edge j of b
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) sides[i][j] = FacePlane(a[i], a[(i + 1) % 3], b[j]).side(b[(j + 1) % 3]);
     Mask crosses = 0, passes = all_lanes;

@@ -16,15 +16,16 @@
 ///   what is taken from high and added to low rounds by u of its result, settled or not. c as a factor: 2. c, where it
 ///   is itself a product: 11. The product of both: 1 + 1.1 + 2.2 + 1.1. Together 41, and its tail is below 2.2 T s.
 /// - n . n is off by 18 of itself, its product with m by 12 more, the sum of its head and tail by 1: together 31.
-/// - Of the quotient, head q: q times the divisor's head is exact, so its subtraction rounds by u of what is left, 4 T
-///   s at most; by q times the tail and its subtraction 6 more, by adding low 3: 13. What is left then, 1.1 T s, times
-///   the inverse, which is off by 2 u: 4.
+/// - The quotient has the head q: q times the divisor's head is exact, so its subtraction rounds by u of what is left,
+///   4 T
+///   s at most; by q times the tail and its subtraction 6 more, by adding low 3: 13. The remainder, 1.1 T s, times the
+///   inverse, which is off by 2 u: 4.
 /// - t n: 14.6, as robust/kernel/enclosed/push.h has it of a tail below 2.4 T s i.
 /// Together 104; 144 are taken, eight times the error of Sum, |c| and i. A bound relative to S holds where the products
-/// cancel, too: nothing here has to be settled. Not proved by machine, but for the last line.
+/// cancel, too: nothing here has to be settled. Not proved by machine, except for the last line.
 namespace touchstone::robust::kernel {
 
-/// Two scalar products, lane by lane.
+/// Two scalar products, one per lane.
 inline Enclosed<Two> enclosed_dots(const Vector3<Factor<Two>>& v, const Vector3<Factor<Two>>& w) {
   Sum sum(product(v.x, w.x));
   sum += product(v.y, w.y), sum += product(v.z, w.z);
@@ -36,7 +37,7 @@ inline Enclosed<Two> approach_and_square(const Vector3d& v, const Vector3d& n) {
   return enclosed_dots(factors(Two(v.x, n.x), Two(v.y, n.y), Two(v.z, n.z)), factors(n));
 }
 
-/// numerator / d; size: |c| times the error of d . n.
+/// Returns numerator / d; size: |c| times the error of d . n.
 template <class Float>
 [[gnu::always_inline]] inline Share<Float> share(const Term2<Float>& numerator, const Float& size,
                                                  const Factor<Float>& d, const Float& inverse) {
@@ -46,14 +47,14 @@ template <class Float>
   return {q, rest * inverse, Format::above(8) * size * inverse};
 }
 
-/// A vector that is not yet put together: made where it stays, see Perhaps.
+/// A vector whose parts are not yet combined: constructed in place, see Perhaps.
 struct Pushed {
   Two xy, z;
 
   Vector3d answer() const { return {xy.first(), xy.second(), z.first()}; }
 };
 
-/// t: the same in both lanes.
+/// t is the same in both lanes.
 [[gnu::always_inline]] inline std::optional<Pushed> enclosed_push(const Vector3d& v, const Share<Two>& t,
                                                                   const Vector3d& n) {
   const auto xy = enclosed_push(Two(v.x, v.y), t, factor(Two(n.x, n.y)));
@@ -63,7 +64,7 @@ struct Pushed {
   return Pushed{*xy, *z};
 }
 
-/// Numbers of a vector as integers on one power of two.
+/// The numbers of a vector as integers over one power of two.
 inline Vector3<mpz_class> whole_vector(const Integers<3>& numbers) {
   return {numbers.at[0], numbers.at[1], numbers.at[2]};
 }

@@ -4,7 +4,7 @@
 
 #include "robust/kernel/contacts/contact_system.h"
 
-/// Nothing here has to be right: a wrong guess costs time.
+/// Nothing here has to be right: a wrong guess only costs time.
 namespace touchstone::robust::kernel {
 namespace {
 
@@ -13,8 +13,8 @@ using Rows = std::vector<std::map<std::size_t, double>>;
 double largest(const Vector3d& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 Vector3d over(const Vector3d& v, double size) { return {v.x / size, v.y / size, v.z / size}; }
 
-/// The impulses that give these contacts what they want, 0 for one that depends on others or nearly; by elimination,
-/// the row with the fewest numbers first.
+/// The impulses that meet the demands of these contacts, 0 for a contact that depends on others, or nearly; by
+/// elimination, the row with the fewest numbers first.
 std::vector<double> balanced(Rows rows, std::vector<double> x, const std::vector<bool>& active) {
   const std::size_t size = rows.size();
   const Rows whole = rows;
@@ -55,8 +55,8 @@ std::vector<double> balanced(Rows rows, std::vector<double> x, const std::vector
 
 }  // namespace
 
-/// Block principal pivoting (Judice, Pires): all contacts that would have to pull cease to push, and all whose demand
-/// is broken begin to, until none is wrong. Where they have not become fewer for a while, the last of them alone.
+/// Block principal pivoting (Judice, Pires): all contacts that would have to pull stop pushing, and all whose demand is
+/// broken start, until none is wrong. If their number has not decreased for a while, only the last of them changes.
 Contacts guessed(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts, double e,
                  const Contacts& part) {
   constexpr int patience = 8;

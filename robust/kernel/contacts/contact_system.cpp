@@ -9,7 +9,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// The least exponent among numbers that are not 0, and integers on it.
+/// The least exponent among nonzero numbers, and integers over it.
 class Unit {
  public:
   void add(double number) {
@@ -31,13 +31,13 @@ class Unit {
   int least_ = INT_MAX;
 };
 
-/// 1, -1 or 0: which way the contact's impulse goes at that body.
+/// Returns 1, -1 or 0: the sign of the contact's impulse at that body.
 int push_at(const WholeContact& contact, Index body) { return (contact.a == body) - (contact.b == body); }
 
-/// Sums of impulses along normals at each body, times some denominator.
+/// Sums of impulses along normals at each body, times a common denominator.
 using Pushes = std::map<Index, Vector3<mpz_class>>;
 
-/// The part as a program over places in `part`.
+/// The part as a quadratic program over indices into `part`.
 class ActiveSet {
  public:
   ActiveSet(const ContactSystem& system, const Contacts& part) : system_(system), part_(part) {
@@ -57,7 +57,7 @@ class ActiveSet {
 
  private:
   const WholeContact& at(std::size_t i) const { return system_.contacts[i]; }
-  /// How the impulse of one contact parts another.
+  /// The separation at one contact due to the impulse of another.
   mpz_class effect(const WholeContact& c, const WholeContact& d) const {
     const mpz_class mass =
         push_at(d, c.a) * system_.inverse_masses[c.a] - push_at(d, c.b) * system_.inverse_masses[c.b];
@@ -89,13 +89,13 @@ class ActiveSet {
       }
     return rows;
   }
-  /// Of contacts none of which depends on others.
+  /// Solves the equations of contacts that are linearly independent.
   Solution solved(const std::vector<std::vector<mpz_class>>& right_sides) const {
     std::size_t dependent = 0;
     return *solve(matrix(), right_sides, dependent);
   }
 
-  /// Leaves contacts out until none depends on others, and none would have to pull.
+  /// Removes contacts until they are independent and none would have to pull.
   Solution pushing() {
     for (;;) {
       std::size_t dependent = 0;
@@ -112,7 +112,7 @@ class ActiveSet {
     }
   }
 
-  /// A contact whose demand is broken by these impulses.
+  /// Returns a contact whose demand these impulses break.
   std::optional<std::size_t> broken_by(const Solution& solution) const {
     Pushes pushes;
     for (std::size_t k = 0; k < active_.size(); ++k) {
@@ -128,18 +128,18 @@ class ActiveSet {
     return std::nullopt;
   }
 
-  /// Lets contact p push as well, so far that its demand is met; contacts that would have to pull from some push on are
-  /// left out. Whether it can be met.
+  /// Lets contact p push as well, until its demand is met; contacts that would have to pull from some impulse on are
+  /// left out. Returns false if the demand cannot be met.
   ///
-  /// With an impulse t at p the active ones are x - t d, where A x = r and A d = the effects of p; p's surplus is that
-  /// of x and t times what d leaves of p's own effect, 0 if p depends on them.
+  /// With an impulse t at p the active ones are x - t d, where A x = r and A d = the effects of p. The surplus of p is
+  /// that for x plus t times the part of its own effect that d leaves, 0 if p depends on them.
   bool enforced(std::size_t p) {
     for (;;) {
       const std::vector<mpz_class> effects = effects_of(p);
       const Solution solution = solved({wanted(), effects});
       const std::vector<mpz_class>&x = solution.numerators[0], &d = solution.numerators[1];
       mpz_class lacking = at(p).wanted * solution.denominator, own = effect(at(p), at(p)) * solution.denominator;
-      std::optional<std::size_t> first;  // to lose its push: x / d is least
+      std::optional<std::size_t> first;  // first to lose its push: x / d is least
       for (std::size_t k = 0; k < active_.size(); ++k) {
         lacking -= effects[k] * x[k], own -= effects[k] * d[k];
         if (sgn(d[k]) > 0 && (!first || x[k] * d[*first] < x[*first] * d[k])) first = k;
@@ -195,7 +195,7 @@ std::vector<Contacts> connected_parts(const ContactSystem& system) {
   const auto moves = [&system](Index body) { return sgn(system.inverse_masses[body]) != 0; };
   for (const WholeContact& c : system.contacts)
     if (moves(c.a) && moves(c.b)) root[root_of(c.a)] = root_of(c.b);
-  std::map<std::size_t, Contacts> parts;  // contacts of immovable bodies alone are a part each, beyond all bodies
+  std::map<std::size_t, Contacts> parts;  // contacts of immovable bodies are parts of their own, after all bodies
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
     const WholeContact& c = system.contacts[i];
     parts[moves(c.a) ? root_of(c.a) : moves(c.b) ? root_of(c.b) : bodies + i].push_back(i);

@@ -6,11 +6,11 @@
 #include "geometry/bodies.h"
 #include "robust/kernel/contacts/definite_system.h"
 
-/// Bodies that touch, as the quadratic program of simultaneous collisions: impulses x >= 0 with A x >= r, each 0 or its
-/// row met without a surplus. A is how the impulse of one contact parts another.
+/// Bodies in contact, as the quadratic program of simultaneous collisions: impulses x >= 0 with A x >= r, where each is
+/// 0 or its row holds with equality. A tells how much the impulse of one contact separates another.
 namespace touchstone::robust::kernel {
 
-/// All on integers: inverse masses and velocities each in a unit of their own, each normal too.
+/// Everything is an integer: inverse masses and velocities each in their own unit, and each normal, too.
 struct WholeContact {
   Index a, b;
   Vector3<mpz_class> normal;
@@ -26,13 +26,14 @@ struct ContactSystem {
 ContactSystem contact_system(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts,
                              double e);
 
-/// Places of contacts.
+/// Indices of contacts.
 using Contacts = std::vector<std::size_t>;
 
-/// The contacts in parts, none of which shares a body that can move with another.
+/// The contacts in parts; no movable body belongs to two of them.
 std::vector<Contacts> connected_parts(const ContactSystem& system);
 
-/// Impulses over one denominator, which is positive; or possible is false. Contacts without an impulse are left out.
+/// Impulses over one positive denominator; `possible` is false if there are none. Contacts without an impulse are left
+/// out.
 struct Impulses {
   bool possible = true;
   Contacts contacts;
@@ -40,12 +41,12 @@ struct Impulses {
   mpz_class denominator = 1;
 };
 
-/// What solves one part: a dual active-set method (Goldfarb, Idnani), exact in every step. It starts from the contacts
-/// of `guess`, any of the part, less those that would have to pull or depend on others. If the guess is right, one
-/// solution of equations proves it.
+/// Solves one part by a dual active-set method (Goldfarb, Idnani), exact in every step. It starts from the contacts of
+/// `guess`, any subset of the part, without those that would have to pull or depend on others. If the guess is right,
+/// one solution of equations proves it.
 Impulses impulses_of(const ContactSystem& system, const Contacts& part, const Contacts& guess);
 
-/// The contacts of a part that push, as far as floating-point numbers tell: right or not, for impulses_of.
+/// The contacts of a part that push according to floating-point arithmetic: a guess for impulses_of, right or wrong.
 Contacts guessed(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts, double e,
                  const Contacts& part);
 

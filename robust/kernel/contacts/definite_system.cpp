@@ -4,7 +4,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// A minor that was last reached by that many eliminations.
+/// A minor, and the number of eliminations that it includes.
 struct Entry {
   mpz_class value;
   std::size_t level = 0;
@@ -21,7 +21,7 @@ class Elimination {
     }
   }
 
-  /// Whether no row depends on those before it; `row` is one that does.
+  /// Returns true if no row depends on those before it; otherwise `row` is one that does.
   bool eliminated(std::size_t& row) {
     std::vector<bool> done(size_);
     for (std::size_t step = 0; step < size_; ++step) {
@@ -54,7 +54,7 @@ class Elimination {
   }
 
  private:
-  /// As if that many eliminations had reached it, all of which leave its quotient by the minor alone.
+  /// Brings the entry to that number of eliminations, all of which keep its quotient by the minor.
   void lift(Entry& entry, std::size_t level) const {
     if (entry.level == level) return;
     entry.value *= minors_[level];
@@ -86,7 +86,7 @@ class Elimination {
   std::size_t size_;
   std::vector<std::map<std::size_t, Entry>> rows_;
   std::vector<std::vector<Entry>> right_;
-  std::vector<mpz_class> minors_;  // of the rows eliminated so far, the first of none
+  std::vector<mpz_class> minors_;  // of the rows eliminated so far, beginning with the minor of no rows
   std::vector<std::size_t> order_;
 };
 

@@ -4,11 +4,11 @@
 #include "geometry/bodies.h"
 #include "robust/kernel/contacts/along_normal.h"
 
-/// What two bodies do to each other along the normal of their contact: with d = v1 - v2 and b = 1 + e,
-/// v1 - (b m2 d . n) / ((m1 + m2) n . n) n and v2 + (b m1 d . n) / ((m1 + m2) n . n) n.
+/// The velocities of two bodies after an impulse along the normal of their contact: with d = v1 - v2 and b = 1 + e, v1
+/// - (b m2 d . n) / ((m1 + m2) n . n) n and v2 + (b m1 d . n) / ((m1 + m2) n . n) n.
 namespace touchstone::robust::kernel {
 
-/// Whether numbers are 0, or of a magnitude in [2^-60, 2^60], their sum too: finite.
+/// True if numbers, and their sum, are 0 or of a magnitude in [2^-60, 2^60]: finite.
 ///
 /// As robust/kernel/enclosed/window.h, for quotients of degree 4 by degree 3. All numbers are multiples of 2^-112, so
 /// the numerator is a multiple of 2^-448 below 2^252; the denominator, a product of masses and squares, lies between
@@ -24,7 +24,7 @@ bool in_narrow_window(Numbers... numbers) {
   Two sizes;
   const auto look = [&](Two x) {
     const Two::Lanes size = Format::magnitude(x).lanes;
-    // A comparison may read a subnormal as zero, which is small too; whether it is zero is asked of its bits. With NaN
+    // A comparison may read a subnormal as zero, which is small too, so the bits decide whether it is zero. With NaN
     // the sum is not at most 2^60.
     outside |= (size < Two(0x1p-60).lanes) & reinterpret_cast<Two::Bits>(size);
     sizes = sizes + Two(size);
@@ -33,20 +33,20 @@ bool in_narrow_window(Numbers... numbers) {
   return (outside[0] | outside[1]) == 0 && sizes <= Two(0x1p60);
 }
 
-/// The velocities of both bodies, side by side: x, y, z.
+/// The velocities of both bodies, one per lane: x, y, z.
 struct Impelled {
   Two x, y, z;
 
   Velocitiesd answer() const { return {{x.first(), y.first(), z.first()}, {x.second(), y.second(), z.second()}}; }
 };
 
-/// c: -b m2 and b m1. in_narrow_window and rounds_to_nearest have been asked of all numbers, and masses are positive.
-/// Empty where n is 0, too.
+/// c: -b m2 and b m1. in_narrow_window of all numbers and rounds_to_nearest must hold, and masses must be positive.
+/// Returns nullopt if n is 0.
 [[gnu::always_inline]] inline std::optional<Impelled> enclosed_impulse(const Massesd& masses,
                                                                        const Velocitiesd& velocities, const Vector3d& n,
                                                                        const Factor<Two>& c) {
   const auto& [v, w] = velocities;
-  // d in the first lane, and n - 0 beside it.
+  // d in the first lane, and n - 0 in the second.
   const Vector3<Factor<Two>> normal = factors(n), left{vector_between(Two(w.x, 0), Two(v.x, n.x)),
                                                        vector_between(Two(w.y, 0), Two(v.y, n.y)),
                                                        vector_between(Two(w.z, 0), Two(v.z, n.z))};

@@ -25,7 +25,7 @@ class ActiveSet {
   }
 
  private:
-  /// What the active contacts push so that they are parted by as much as `wanted` says; none depends on others.
+  /// Returns the impulses of the active contacts that separate them by `wanted`; they are independent.
   Column solved(const Column& wanted) const {
     const std::size_t n = active_.size();
     std::vector<Column> rows;
@@ -58,12 +58,12 @@ class ActiveSet {
     return std::nullopt;
   }
 
-  /// As in contact_system.cpp: with an impulse t at p the active ones are x - t d.
+  /// The same as in contact_system.cpp: with an impulse t at p the active ones are x - t d.
   void enforce(std::size_t p) {
     for (;;) {
       const Column x = solved(program_.wanted), d = solved(program_.effects[p]);
       OneRoot lacking = program_.wanted[p], own = program_.effects[p][p];
-      std::optional<std::size_t> first;  // to lose its push: x / d is least
+      std::optional<std::size_t> first;  // first to lose its push: x / d is least
       for (std::size_t k = 0; k < active_.size(); ++k) {
         const OneRoot& effect = program_.effects[p][active_[k]];
         lacking = lacking - effect * x[k], own = own - effect * d[k];

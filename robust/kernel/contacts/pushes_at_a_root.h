@@ -7,14 +7,14 @@
 
 namespace touchstone::robust::kernel {
 
-/// Impulses x >= 0 with A x >= r, each 0 or its row met without a surplus, as in contact_system.h, over one root: A is
-/// how the impulse of one contact parts another, r what is wanted. There are such impulses.
+/// Impulses x >= 0 with A x >= r, where each is 0 or its row holds with equality, as in contact_system.h, over one
+/// root: A tells how much the impulse of one contact separates another, r is the demand. Such impulses exist.
 struct PushesAtARoot {
   std::vector<std::vector<OneRoot>> effects;
   std::vector<OneRoot> wanted;
 };
 
-/// The dual active-set method of contact_system.h (Goldfarb, Idnani), from no contact that pushes.
+/// The dual active-set method of contact_system.h (Goldfarb, Idnani), started with no pushing contact.
 std::vector<OneRoot> impulses_of(const PushesAtARoot& program);
 
 }  // namespace touchstone::robust::kernel

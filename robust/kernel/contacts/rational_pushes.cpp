@@ -11,7 +11,7 @@ namespace {
 
 using Rational = mpq_class;
 
-/// What numbers are counted in so that they are integers: 1 over the least common multiple of their denominators.
+/// The unit in which numbers are integers: 1 over the least common multiple of their denominators.
 class Unit {
  public:
   void add(const Rational& a) { mpz_lcm(parts_.get_mpz_t(), parts_.get_mpz_t(), a.get_den_mpz_t()); }

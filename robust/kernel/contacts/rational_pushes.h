@@ -10,9 +10,9 @@
 
 namespace touchstone::robust::kernel {
 
-/// Impulses of contacts that hang together, as contact_system.h has them, of rational numbers; `bounce` is 1 + e. No
-/// contact parts, so that there are such impulses. Time: a guess in doubles and, where it is right, one exact solution
-/// of sparse equations.
+/// Impulses of a connected set of contacts, as in contact_system.h, of rational numbers; `bounce` is 1 + e. No contact
+/// separates, so that such impulses exist. Time: a guess in doubles and, if it is right, one exact solution of sparse
+/// equations.
 std::vector<mpq_class> impulses_of(const std::vector<PointBody<mpq_class>>& bodies,
                                    const std::vector<BodyContact<mpq_class>>& contacts, const mpq_class& bounce);
 

@@ -5,19 +5,18 @@
 
 #include "robust/kernel/filters/float_format.h"
 
-/// Numbers to one and a half times the precision, each with a bound on its error: the stage between filters, which find
-/// no number, and integers, which find every one. If both ends of what encloses a number round to the same double, that
-/// is the number correctly rounded (the rounding test of libraries of correctly rounded functions, after Ziv).
+/// Numbers with one and a half times the precision, each with a bound on its error: the stage between filters, which
+/// compute no number, and integers, which compute every number. If both ends of an enclosure round to the same double,
+/// that is the correctly rounded number (the rounding test of libraries of correctly rounded functions, after Ziv).
 ///
 /// Model. p = precision, u = 2^-p. Rounding is to nearest, so that one operation is exact * (1 + e), |e| <= u, and
-/// nothing overflows or underflows: robust/kernel/enclosed/window.h guards both before anything of this is asked.
+/// nothing overflows or underflows: the caller checks both with robust/kernel/enclosed/window.h beforehand.
 ///
-/// A number is cut into a head of k = p / 2 digits (rounded down) and a tail below T = 2^(1 - k) of it. The product of
-/// two heads has at most p digits: it is exact, the same whether a compiler contracts it with a sum or not, and all
-/// that would be lost is in tails, where a rounding costs u T = E of the number, 2^-78 for double. (Products free of
-/// error, by Dekker's halves or FMA, would reach u^2 and take three times as long; sums free of error, which keep the
-/// tails of what cancels, are needed in both.) Where a compiler contracts a product in a tail, one rounding is left
-/// out.
+/// A number is split into a head of k = p / 2 digits (rounded down) and a tail below T = 2^(1 - k) of it. The product
+/// of two heads has at most p digits: it is exact, the same whether a compiler contracts it with a sum or not, and all
+/// rounding errors are in tails, where one costs u T = E of the number, 2^-78 for double. (Error-free products, by
+/// Dekker's halves or FMA, would reach u^2 and take three times as long; error-free sums, which keep the tails of
+/// cancelling terms, are needed in both.) If a compiler contracts a product in a tail, one rounding disappears.
 ///
 /// Bounds. They are derived to first order in units of E; each constant leaves a sixth or more of itself for what that
 /// neglects, factors 1 + T and 1 + u: proptests/infrastructure/robust/toy_enclosed.cpp tries formats with T up to 2^-5.
@@ -49,7 +48,7 @@ Pair<Float> difference(const Float& a, const Float& b) {
   return {sum, (a - (sum + of_b)) + (of_b - b)};
 }
 
-/// A number as head + tail, off by E |whole| at most; whole is the number rounded.
+/// A number as head + tail, off by at most E |whole|; whole is the rounded number.
 template <class Float>
 struct Factor {
   Float whole, head, tail;
@@ -61,7 +60,7 @@ Factor<Float> factor(const Pair<Float>& x) {
   const Float head = filters::FloatFormat<Float>::head(x.high);
   return {x.high, head, (x.high - head) + x.low};
 }
-/// Exact.
+/// The conversion is exact.
 template <class Float>
 Factor<Float> factor(const Float& x) {
   const Float head = filters::FloatFormat<Float>::head(x);
@@ -87,7 +86,7 @@ template <class Float>
 struct Enclosed {
   Float high, low, error;
 
-  /// Zero, or known not to be and with the sign of high, and low is small beside high.
+  /// True if the number is zero, or certainly nonzero with the sign of high; then low is small compared with high.
   bool settled() const {
     using Format = filters::FloatFormat<Float>;
     return Format::magnitude(high) >= Format::above(16) * (Format::magnitude(low) + error);
@@ -96,10 +95,10 @@ struct Enclosed {
 
 /// A sum of less than 2^12 terms: heads by two_sum, and tails and what two_sum leaves in one number.
 ///
-/// Let M be the sum of the magnitudes of n heads. The terms are off by 7 E M, and their tails are at most 2 T M. What
-/// two_sum leaves is at most u M each time; adding it to the term's tail costs 2 E M for all terms together, adding
-/// both to what is left so far 2 E M for each but the first; for u M, n^2 u^2 M more. Together 2 n + 7 in units of E M,
-/// and n^2 u / T, which is below 1/8. 2 n + 12 are taken.
+/// Let M be the sum of the magnitudes of n heads. The terms are off by 7 E M, and their tails are at most 2 T M. The
+/// remainder of two_sum is at most u M each time; adding it to the term's tail costs 2 E M for all terms together,
+/// adding both to what is left so far 2 E M for each but the first; for u M, n^2 u^2 M more. Together 2 n + 7 in units
+/// of E M, and n^2 u / T, which is below 1/8. 2 n + 12 are taken.
 template <class Float>
 class Sum {
   using Format = filters::FloatFormat<Float>;
@@ -125,7 +124,7 @@ class Sum {
   int terms_ = 1;
 };
 
-/// Adding the low parts and what two_sum leaves costs 2 u of their magnitudes; 3 are taken.
+/// Adding the low parts and the errors of two_sum costs 2 u of their magnitudes; 3 are taken.
 template <class Float>
 Enclosed<Float> operator+(const Enclosed<Float>& x, const Enclosed<Float>& y) {
   using Format = filters::FloatFormat<Float>;
@@ -143,7 +142,7 @@ Enclosed<Float> operator-(const Enclosed<Float>& x, const Enclosed<Float>& y) {
   return x + -y;
 }
 
-/// Of a settled number: low is at most high / 16, so head lies between high / 2 and 2 high, and high - head is exact
+/// For a settled number: low is at most high / 16, so head lies between high / 2 and 2 high, and high - head is exact
 /// (Sterbenz).
 template <class Float>
 Factor<Float> factor(const Enclosed<Float>& x) {
@@ -151,8 +150,8 @@ Factor<Float> factor(const Enclosed<Float>& x) {
   return {whole, head, (x.high - head) + x.low};
 }
 
-/// Of settled numbers. 7 E as `product` has it, of which 10 are taken; the product of both errors is at most a
-/// sixteenth of another term.
+/// For settled numbers. 7 E as in `product`, of which 10 are taken; the product of both errors is at most a sixteenth
+/// of another term.
 template <class Float>
 Enclosed<Float> operator*(const Enclosed<Float>& x, const Enclosed<Float>& y) {
   using Format = filters::FloatFormat<Float>;
@@ -163,8 +162,8 @@ Enclosed<Float> operator*(const Enclosed<Float>& x, const Enclosed<Float>& y) {
           Format::above(1.25) * carried + Format::above(10 * cut<Float>) * Format::magnitude(term.head)};
 }
 
-/// start + t v for a t that is off by so much, as Sum has it, and that error times |v|. t's tail is at most T of its
-/// head, or beyond that by no more than the error.
+/// start + t v for a t with the error that Sum gives, and that error times |v|. t's tail is at most T of its head, or
+/// beyond that by no more than the error.
 template <class Float>
 [[gnu::always_inline]] inline Enclosed<Float> along(const Float& start, const Factor<Float>& t, const Float& error,
                                                     const Factor<Float>& v) {
@@ -191,13 +190,13 @@ struct Divisor {
       : value(factor(d)), error(d.error), inverse(filters::FloatFormat<Float>::above(1) / value.whole) {}
 };
 
-/// high is of k digits: the quotient's head, q.
+/// high has k digits: the quotient's head, q.
 ///
 /// q is off by T and 6 u; let S = |q d|. q times the divisor's head leaves at most 2 T S + |n.low| of n.high, which
 /// costs 2 E S and u |n.low|, and nothing if n is settled (Sterbenz). q times the divisor's tail costs E S; its
 /// subtraction, which leaves little more than T S + |n.low|, E S and u |n.low|; adding n.low, which leaves little more
-/// than T S, E S; the divisor's tail itself is off by E. What is left times the inverse, which is off by 3 u: 3 E S and
-/// E S. Together 10 E of the quotient, and 2 u |n.low / d|; 14 E and 40 u |n.low| are taken.
+/// than T S, E S; the divisor's tail itself is off by E. The remainder times the inverse, which is off by 3 u: 3 E S
+/// and E S. Together 10 E of the quotient, and 2 u |n.low / d|; 14 E and 40 u |n.low| are taken.
 ///
 /// For the errors: n / d is off by (n.error + |n / d| d.error) / (|d| - d.error), and d.error <= |d| / 16.
 template <class Float>
@@ -211,12 +210,12 @@ Enclosed<Float> operator/(const Enclosed<Float>& n, const Divisor<Float>& d) {
           Format::above(1.25) * carried * Format::magnitude(d.inverse) + Format::above(14 * cut<Float>) * size};
 }
 
-/// Of a settled number that is positive. high is of k digits: the root's head, r.
+/// For a settled positive number. high has k digits: the root's head, r.
 ///
-/// r^2 is exact, and so is its subtraction from high (Sterbenz). What is left with low, x - r^2, is at most 2 T x:
-/// rounding it costs 2 E x, E of the root. The root is r + (x - r^2) / (root + r). The sum of roots is off by 2 u, its
-/// inverse by another, the product by another: 4 E of the root, as what is added is at most T of it. Together 5 E; 8
-/// are taken. As error <= x / 16, the root is off by error / (1.96 r) for it.
+/// r^2 is exact, and so is its subtraction from high (Sterbenz). The remainder together with low, x - r^2, is at most 2
+/// T x: rounding it costs 2 E x, E of the root. The root is r + (x - r^2) / (root + r). The sum of roots is off by 2 u,
+/// its inverse by another, the product by another: 4 E of the root, as what is added is at most T of it. Together 5 E;
+/// 8 are taken. As error <= x / 16, the root is off by error / (1.96 r) for it.
 template <class Float>
 Enclosed<Float> square_root(const Enclosed<Float>& x) {
   using Format = filters::FloatFormat<Float>;
@@ -225,9 +224,10 @@ Enclosed<Float> square_root(const Enclosed<Float>& x) {
   return {r, rest * inverse, Format::above(1.25) * x.error * inverse + Format::above(8 * cut<Float>) * r};
 }
 
-/// The nearest Float to the enclosed number, if every number of the enclosure has the same. Zero is +0.
+/// The nearest Float to the enclosed number, if every number of the enclosure rounds to the same Float. Zero is +0.
 ///
-/// A tie is never answered: the ends lie to either side of it, so it does not matter where it would be rounded.
+/// A halfway case is never answered: the ends lie on either side of it, so the direction of its rounding does not
+/// matter.
 ///
 /// The ends are rounded twice: before they are added to high, low + margin and low - margin are off by u (|low| +
 /// margin), for which margin has 2 u |low| + error / 4 to spare.

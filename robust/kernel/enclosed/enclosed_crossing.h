@@ -6,7 +6,7 @@
 #include "robust/kernel/enclosed/window.h"
 #include "robust/kernel/filters/staged.h"
 
-/// Where lines cross the plane of a triangle, enclosed.
+/// Enclosed crossings of lines with the plane of a triangle.
 namespace touchstone::robust::kernel {
 
 struct PlaneCrossing {
@@ -14,7 +14,7 @@ struct PlaneCrossing {
   Point3d point;
 };
 
-/// from + t way, rounded; of numbers that are not `moderate`, or a way that may be along the plane, nothing.
+/// from + t way, rounded; nothing if numbers are not `moderate`, or if `way` may be parallel to the plane.
 inline Perhaps<PlaneCrossing> crossing(const Point3d& from, const filters::Triple<Loose>& way,
                                        const Triangle3d& plane) {
   if (!rounds_to_nearest()) return std::nullopt;

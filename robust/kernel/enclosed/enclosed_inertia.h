@@ -4,7 +4,7 @@
 #include "geometry/validation_of_bodies.h"
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 
-/// Two turning bodies side by side, one in each lane, enclosed; the window is asked of numbers by `Bounded`.
+/// Two rotating bodies, one per lane, enclosed; `Bounded` checks the window of their numbers.
 namespace touchstone::robust::kernel {
 
 using EnclosedPair = Enclosed<Two>;
@@ -12,14 +12,14 @@ using EnclosedVectors = Vector3<EnclosedPair>;
 
 inline EnclosedPair enclosed(Two exactly) { return {exactly, Two(), Two()}; }
 
-/// Sees that nothing underflows or overflows and that everything which is multiplied or divided by is settled; asked
-/// once, at the end, as what is computed after a defect does no harm.
+/// Checks that nothing underflows or overflows and that every factor and divisor is settled. Checked once, at the end,
+/// since the results computed after a defect do no harm.
 ///
 /// Numbers of the input are 0 or between 2^-30 and 2^30 in size, so multiples of 2^-82, and polynomials of degree 3 in
-/// them come out with all their tails, as multiples of 2^-246 (robust/kernel/enclosed/window.h says why). What is
-/// multiplied or divided by afterwards is 0, of which all terms are 0, or between 2^-200 and 2^200: a product or
-/// quotient is above 2^-400 and below 2^400, and its bound above 2^-480. What its tail, or that of a sum, may lose by
-/// underflow is below 2^-1022 each time, times at most 2^400 afterwards: every bound has that to spare.
+/// them come out with all their tails, as multiples of 2^-246 (robust/kernel/enclosed/window.h says why). Later factors
+/// and divisors are 0, with all terms 0, or between 2^-200 and 2^200: a product or quotient is above 2^-400 and below
+/// 2^400, and its bound above 2^-480. The underflow of its tail, or that of a sum, is below 2^-1022 each
+/// time, times at most 2^400 afterwards: every bound has that to spare.
 class Bounded {
  public:
   template <class... Numbers>
@@ -38,7 +38,7 @@ class Bounded {
 
  private:
   using Format = filters::FloatFormat<Two>;
-  /// A comparison may read a subnormal as zero, which is small too; whether it is zero is asked of its bits. NaN is not
+  /// A comparison may read a subnormal as zero, which is small too, so the bits decide whether it is zero. NaN is not
   /// at most 2^200.
   void look(Two x, double least, double most) {
     const Two::Lanes size = Format::magnitude(x).lanes;
@@ -66,7 +66,7 @@ inline bool symmetric(const Inertiad& i) {
   return validation::same(i.x.y, i.y.x) && validation::same(i.x.z, i.z.x) && validation::same(i.y.z, i.z.y);
 }
 
-/// A symmetric matrix for each of two bodies, and its adjugate, symmetric too.
+/// A symmetric matrix for each of two bodies, and its adjugate, also symmetric.
 class EnclosedInertia {
  public:
   EnclosedInertia(const Inertiad& a, const Inertiad& b, Bounded& bounded)
@@ -85,13 +85,13 @@ class EnclosedInertia {
     determinant_ = bounded(enclosed_dot(of_x_, {enclosed(xx_), enclosed(xy_), enclosed(xz_)}));
   }
 
-  /// By the leading minors; settled numbers have their sign.
+  /// Decides by the leading minors; settled numbers have their sign.
   bool positive_definite() const {
     const Two least(0x1p-300);
     return xx_ >= least && of_z_.z.high >= least && determinant_.high >= least;
   }
 
-  /// What the matrix maps to l.
+  /// The image of l under the matrix.
   EnclosedVectors turned_by(const EnclosedVectors& l) const {
     const Divisor d(determinant_);
     return {enclosed_dot(of_x_, l) / d, enclosed_dot(of_y_, l) / d, enclosed_dot(of_z_, l) / d};

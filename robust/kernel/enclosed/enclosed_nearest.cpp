@@ -10,8 +10,8 @@ namespace {
 using filters::Part;
 using filters::Parts;
 
-/// What is with_n_and_d(n, d) for the square n / d of the distance of two parts: of corners; of a corner and a line;
-/// of lines, or a corner and a plane, along their normal.
+/// Calls with_n_and_d(n, d) for the square n / d of the distance of two parts: of corners; of a corner and a line; of
+/// lines, or a corner and a plane, along their normal.
 template <class Between, class Number, class Use>
 auto with_square(const Parts& parts, const Between& between, const Number& one, const Use& with_n_and_d) {
   const auto& [a, b] = parts;
@@ -55,7 +55,7 @@ std::optional<Loose> quotient(const Loose& n, const Loose& d) {
 
 Point3d positive_zeros(const Point3d& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
 
-/// The point of a part of a that is nearest to one of b.
+/// The point of a part of a that is nearest to a part of b.
 std::optional<Point3d> nearest_on(const Part& a, const Part& b) {
   const Point3d &from = a.at[0], &to = a.at[1], &other = b.at[0];
   if (a.corners == 1) return positive_zeros(from);

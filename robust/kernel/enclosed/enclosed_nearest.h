@@ -6,13 +6,13 @@
 #include "robust/kernel/enclosed/nearest_parts.h"
 #include "robust/kernel/filters/staged.h"
 
-/// What nearest_parts.h finds, as an answer.
+/// Answers from the parts that nearest_parts.h finds.
 namespace touchstone::robust {
 
 namespace filters {
 
-/// Of two shapes, one of them or both taken with all that is no farther from it than a radius, as kernel::contact has
-/// it; empty where it is not certain. Radii are `moderate` and not negative.
+/// The contact of two shapes, one or both of them grown by a radius, as in kernel::contact; empty if it is not certain.
+/// Radii are `moderate` and not negative.
 Perhaps<Contact> contact(const Parts& parts, double radius_of_a, double radius_of_b, bool interiors);
 template <class A, class B>
 Perhaps<Contact> contact(const A& a, double radius_of_a, const B& b, double radius_of_b, bool interiors) {
@@ -24,7 +24,7 @@ Perhaps<Contact> contact(const A& a, double radius_of_a, const B& b, double radi
 
 namespace kernel {
 
-/// Empty where parts are unknown, or a number.
+/// Empty if a part or a number is unknown.
 Perhaps<ClosestPair3<double>> closest_pair(const filters::Parts& parts);
 Perhaps<ClosestPoint3<double>> closest_point(const filters::Parts& parts);
 

@@ -5,8 +5,8 @@
 #include "geometry/thin_shapes.h"
 #include "robust/kernel/enclosed/window.h"
 
-/// Scalar products and where lines meet, enclosed; robust/kernel/enclosed/window.h has been asked. What can be
-/// computed two at a time is.
+/// Scalar products and intersections of lines, enclosed; the caller has checked robust/kernel/enclosed/window.h.
+/// Computed two at a time if possible.
 namespace touchstone::robust::kernel {
 
 inline Factor<Two> swapped(const Factor<Two>& x) { return {x.whole.swapped(), x.head.swapped(), x.tail.swapped()}; }
@@ -49,7 +49,7 @@ inline Enclosed<Two> enclosed_crosses(const Factor<Two>& v, const Factor<Two>& w
   return (sum -= {seconds(p.head, q.head), seconds(p.tail, q.tail)}).value();
 }
 
-/// x^2 + y^2 + z^2 of settled numbers: as Sum has it, and twice each number times its error.
+/// x^2 + y^2 + z^2 of settled numbers: the error of Sum, and twice each number times its error.
 inline Enclosed<double> sum_of_squares(const Enclosed<Two>& xy, const Enclosed<double>& z) {
   using Format = filters::FloatFormat<Two>;
   const Factor<Two> v = factor(xy);
@@ -70,7 +70,7 @@ struct Crossing {
   Point2d point;
 };
 
-/// Where the lines of two segments certainly cross; empty where that, or a number, is not certain.
+/// The point where the lines of two segments certainly cross; empty if that, or a number, is not certain.
 [[gnu::always_inline]] inline std::optional<Crossing> crossing_of(const Segment2d& a, const Segment2d& b) {
   const Two start(a.a), other(b.a);
   const Factor<Two> r = vector_between(start, Two(a.b)), s = vector_between(other, Two(b.b)),

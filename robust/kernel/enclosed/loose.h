@@ -4,7 +4,8 @@
 #include "robust/kernel/enclosed/enclosed.h"
 #include "robust/kernel/filters/sized.h"
 
-/// Enclosed numbers that need not be settled: what cancels stays a number, with an error as great as itself.
+/// Enclosed numbers that need not be settled: a result of cancellation stays a number, with an error as great as
+/// itself.
 namespace touchstone::robust::kernel {
 
 struct Loose : Enclosed<double> {
@@ -19,8 +20,8 @@ inline Loose operator+(const Loose& x, const Loose& y) {
 inline Loose operator-(const Loose& x) { return -static_cast<const Enclosed<double>&>(x); }
 inline Loose operator-(const Loose& x, const Loose& y) { return x + -y; }
 
-/// two_sum makes high the number rounded, as `factor` wants it; then the bound is that of the product of settled
-/// numbers, and the product of both errors, which is not small here. Not proved by machine.
+/// two_sum makes high the rounded number, as `factor` requires; then the bound is that of the product of settled
+/// numbers, plus the product of both errors, which is not small here. Not proved by machine.
 inline Loose operator*(const Loose& x, const Loose& y) {
   using Format = filters::FloatFormat<double>;
   const Factor<double> left = factor(two_sum(x.high, x.low)), right = factor(two_sum(y.high, y.low));

@@ -4,7 +4,7 @@
 namespace touchstone::robust::filters {
 namespace {
 
-/// Where n / d, d > 0, lies of 0 and 1.
+/// The position of n / d, d > 0, relative to 0 and 1.
 enum class Within { unknown, start, end, between };
 
 template <class N, class D>
@@ -28,8 +28,8 @@ Parts nearest_parts(const Segment3d& a, const Point3d& p) {
   return {part_of(a, within(dot(q, v), dot(v, v))), Part::corner(p)};
 }
 
-/// Of each edge, e, with f to the third corner: whether p is nearest to the edge's start, to its interior, or on the
-/// inner side of it.
+/// Decides for each edge, e, with f to the third corner, whether p is nearest to the edge's start or to its interior,
+/// or is on the inner side of it.
 Parts nearest_parts(const Triangle3d& a, const Point3d& p) {
   const std::array corners{a.a, a.b, a.c, a.a, a.b};
   int inner = 0;
@@ -51,7 +51,7 @@ Parts nearest_parts(const Triangle3d& a, const Point3d& p) {
 Parts nearest_parts(const Segment3d& a, const Segment3d& b) {
   const auto v = sized_between(a.a, a.b), w = sized_between(b.a, b.b), r = sized_between(b.a, a.a);
   const auto vv = dot(v, v), ww = dot(w, w), vw = dot(v, w), vr = dot(v, r), wr = dot(w, r), rv = -vr;
-  // Of points of a at t on b, seen from a's start or end: half the slope along a, times ww where t is between.
+  // For points of a at t on b, seen from a's start or end: half the slope along a, times ww if t is between 0 and 1.
   const auto across = vr * ww - wr * vw, square = vv * ww - vw * vw;
   const Within at_start = within(wr, ww);
   if (at_start == Within::start ? vr.not_negative()

@@ -3,10 +3,11 @@
 
 #include "robust/kernel/enclosed/enclosed.h"
 
-/// v + t n, with one bound for t and for all that follows, the rounding test included; enclosed.h has its letters.
+/// v + t n, with one bound for t and for all later steps, including the rounding test; the letters are those of
+/// enclosed.h.
 namespace touchstone::robust::kernel {
 
-/// A number t is head + tail, off by error at most, less what `along` costs.
+/// A number t is head + tail, off by at most error minus the cost of `along`.
 ///
 /// Let g be a bound of the head, and the tail at most 2.4 T g. The product of t's and n's heads is exact. In units of E
 /// g |n|: n's factors are off by 1; the head times n's tail rounds by 1, the tail times n by 2.4, their sum by 3.4;
@@ -17,7 +18,7 @@ struct Share {
   Float head, tail, error;
 };
 
-/// A number that is exact.
+/// An exact number.
 template <class Float>
 [[gnu::always_inline]] inline Share<Float> share(const Float& t) {
   using Format = filters::FloatFormat<Float>;
@@ -25,7 +26,7 @@ template <class Float>
   return {x.head, x.tail, Format::above(16 * cut<Float>) * Format::magnitude(t)};
 }
 
-/// v + t n. Other than that of enclosed.h, the error holds for the ends of the enclosure as they are rounded, too.
+/// v + t n. Unlike in enclosed.h, the error also holds for the rounded ends of the enclosure.
 template <class Float>
 [[gnu::always_inline]] inline Enclosed<Float> along(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
   using Format = filters::FloatFormat<Float>;

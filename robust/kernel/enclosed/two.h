@@ -6,8 +6,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// Two doubles that are computed with together, in one instruction where there is one for two. A comparison asks
-/// whether it holds for both.
+/// Two doubles that are processed together, by one instruction for both if there is one. A comparison returns true if
+/// it holds for both.
 struct Two {
   __extension__ typedef double Lanes __attribute__((vector_size(16)));
   __extension__ typedef long long Bits __attribute__((vector_size(16)));
@@ -42,7 +42,7 @@ struct Two {
   }
 };
 
-/// The first numbers of two, and the second.
+/// The first numbers of a and b, and the second ones.
 inline Two firsts(Two a, Two b) { return Two(a.first(), b.first()); }
 inline Two seconds(Two a, Two b) { return Two(a.second(), b.second()); }
 

@@ -4,11 +4,11 @@
 #include "robust/kernel/enclosed/enclosed.h"
 #include "robust/kernel/enclosed/two.h"
 
-/// Where enclosed.h may be asked.
+/// The range of numbers for which enclosed.h is valid.
 namespace touchstone::robust::kernel {
 
-/// Whether the processor rounds to nearest, 1 for both: in any other mode the sum is above 1 or the difference below.
-/// The numbers are normal, so that neither FTZ nor DAZ has a say.
+/// Returns whether the processor rounds to nearest, i.e. to 1 for both: in any other mode the sum is above 1 or the
+/// difference below. The numbers are normal, so that FTZ and DAZ have no effect.
 inline bool rounds_to_nearest() {
   double tiny = 0x1p-60;
 #if defined(__SSE2__)
@@ -20,13 +20,13 @@ inline bool rounds_to_nearest() {
   return 1 + tiny <= 1 - tiny;
 }
 
-/// Whether numbers are 0, or of a magnitude in [2^-100, 2^100]: finite.
+/// Checks that numbers are 0, or of a magnitude in [2^-100, 2^100]: finite.
 ///
 /// Then all are multiples of 2^-152. Sums and products of multiples of such a unit are multiples of its power, also
 /// rounded, and a head is one where its number is. So polynomials of degree d in these numbers come out, with all their
 /// tails, as multiples of 2^(-152 d) below 2^(100 d + 12); up to d = 4 nothing underflows or overflows, and FTZ and DAZ
-/// have nothing to flush. A quotient of two of degree 2 is 0 or lies between 2^-517 and 2^517, its head is a multiple
-/// of 2^-543, and what is left, n - q d, is a multiple of 2^(-543 - 304). Only that times the inverse may underflow: by
+/// flush nothing. A quotient of two of degree 2 is 0 or lies between 2^-517 and 2^517, its head is a multiple of
+/// 2^-543, and what is left, n - q d, is a multiple of 2^(-543 - 304). Only that times the inverse may underflow: by
 /// less than 2^-1022, of which E 2^-517, that the bound has to spare, holds plenty. A root of degree 4 lies between
 /// 2^-304 and 2^206, and what is left of it is a multiple of 2^-660.
 class Window {
@@ -38,15 +38,15 @@ class Window {
     sizes_ = sizes_ + magnitude(x);
     return *this;
   }
-  /// Of a list 2^100 bounds the sum of magnitudes.
+  /// For a list, 2^100 bounds the sum of magnitudes.
   bool holds() const { return none_small() && sizes_ <= Two(0x1p100); }
-  /// Of the lower bound alone; of NaN, too.
+  /// The lower bound alone; also holds for NaN.
   bool none_small() const { return (small_[0] | small_[1]) == 0; }
 
  private:
   static Two magnitude(Two x) { return filters::FloatFormat<Two>::magnitude(x); }
-  /// Bits are set where a number is below 2^-100 and not 0. A comparison may read a subnormal as zero, which is small
-  /// too; whether it is zero is asked of its bits.
+  /// Sets the bits of numbers that are below 2^-100 and not 0. A comparison may read a subnormal as zero, which is
+  /// small too, so the bits decide whether it is zero.
   static Two::Bits small(Two x) {
     const Two::Lanes size = magnitude(x).lanes;
     return (size < Two(0x1p-100).lanes) & reinterpret_cast<Two::Bits>(size);
@@ -63,8 +63,8 @@ bool in_window(Two first, Numbers... others) {
   return window.holds();
 }
 
-/// The lower bound alone, where overflow is seen in the answer. Against underflow it is enough: it makes all numbers
-/// multiples of 2^-152.
+/// Checks the lower bound alone, if overflow shows in the answer. It excludes underflow: it makes all numbers multiples
+/// of 2^-152.
 template <class... Numbers>
 bool none_small(Two first, Numbers... others) {
   Window window(first);

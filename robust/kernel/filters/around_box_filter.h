@@ -8,9 +8,9 @@
 
 namespace touchstone::robust::filters {
 
-/// `disjoint` where a ball is certainly beyond the box around some points, and so beyond all that is between them:
-/// ball_and_box, which is proved. Else unknown. The ends of the box are chosen as bits, since subnormals may be read as
-/// zero; what is NaN or infinite is one of them, and then ball_and_box does not know.
+/// Returns `disjoint` if a ball is certainly outside of the box around some points, and so outside of their hull, by
+/// ball_and_box, which is proved; otherwise unknown. The ends of the box are selected by bits, since subnormals may be
+/// read as zero; a NaN or an infinity becomes one of them, and then ball_and_box does not decide.
 template <class... Points>
 Perhaps<Contact> beyond_box(const Point3d& center, double radius, const Points&... points) {
   const auto on_axis = [](double c, double first, auto... others) {

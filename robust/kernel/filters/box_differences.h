@@ -9,7 +9,7 @@
 
 namespace touchstone::robust::kernel {
 
-/// What differences of numbers say of two boxes in every environment. A computed x - y that is > 0 proves x > y:
+/// Conclusions from differences of numbers of two boxes, valid in every environment. A computed x - y > 0 proves x > y:
 /// rounding keeps the sign of a difference or makes it 0, and reading subnormals as zero makes numbers equal but never
 /// exchanges them. The same for < 0; 0 proves nothing.
 struct BoxDifferences {
@@ -17,16 +17,16 @@ struct BoxDifferences {
   double extent;  ///< the least max - min of a box on an axis
   double total;   ///< the sum of max - min over the axes of both boxes
 
-  /// extent > 0: each box has min < max on every axis. Then a sum that is not infinite means that no number is: no two
-  /// parts of it cancel, and the difference of an infinity and another number is infinite in every rounding mode. NaN
-  /// fails the comparison with the sum, in which every number has its part; so does a sum of finite numbers that
+  /// extent > 0: each box has min < max on every axis. Then a finite sum means that all numbers are finite: no two
+  /// terms of it cancel, and the difference of an infinity and another number is infinite in every rounding mode. NaN
+  /// fails the comparison with the sum, to which every number contributes; so does a sum of finite numbers that
   /// overflows, which only costs time.
   bool certain() const {
     return (static_cast<int>(total <= std::numeric_limits<double>::max()) & static_cast<int>(extent > 0) &
             static_cast<int>((depth > 0) | (depth < 0))) != 0;
   }
-  /// Where certain. depth > 0: on every axis the intervals have more than a point in common. depth < 0: on some axis
-  /// they have nothing in common.
+  /// Requires certain(). depth > 0: on every axis the intervals have more than a point in common. depth < 0: on some
+  /// axis they have nothing in common.
   Contact contact() const { return depth > 0 ? Contact::overlapping : Contact::disjoint; }
 };
 

@@ -8,7 +8,7 @@
 /// the absolute term of face_filter.h.
 namespace touchstone::robust::filters {
 
-/// The sign of n . (va + wa x (p - a) - vb - wb x (p - b)). Unknown where the normal may be zero.
+/// The sign of n . (va + wa x (p - a) - vb - wb x (p - b)). Unknown if the normal may be zero.
 ///
 /// With |x| for the sum of the magnitudes of a vector's coordinates, let P = |n| (|va| + |vb| + |wa| |p - a| + |wb|
 /// |p - b|), taken exactly: at least the sum of the magnitudes of all products. A product goes through a difference (in

@@ -11,9 +11,9 @@
 
 namespace touchstone::robust::kernel {
 
-/// IEEE arithmetic as CGAL expects it (round to nearest, gradual underflow, no traps) while in scope; then what the
-/// host had set, its exception flags included. One shared library linked with -Ofast is enough for a host that flushes
-/// to zero.
+/// Sets IEEE arithmetic as CGAL expects it (round to nearest, gradual underflow, no traps) while in scope, then
+/// restores the host's settings and exception flags. One shared library linked with -Ofast is enough to make a host
+/// flush to zero.
 class ControlWord {
  public:
 #if defined(__SSE2__)

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// A finite double as (negative ? -1 : 1) * magnitude * 2^exponent, read from its bits: no floating-point operation, so
-/// that rounding mode and denormals-are-zero cannot touch it.
+/// A finite double as (negative ? -1 : 1) * magnitude * 2^exponent, read from its bits without floating-point
+/// operations, so that rounding mode and denormals-are-zero cannot affect it.
 struct Decoded {
   std::uint64_t magnitude;
   int exponent;
@@ -24,8 +24,8 @@ inline Decoded decode(double value) {
   return {fraction | hidden, field + (field == 0) - 1075, bits >> 63 != 0};
 }
 
-/// Whether the sign bit is set, that of -0.0 too. A compiler told -fno-signed-zeros makes "less than 0" of
-/// std::signbit, and denormals-are-zero then takes a negative subnormal for 0.
+/// Returns the sign bit, which is set for -0.0, too. With -fno-signed-zeros a compiler turns std::signbit into "less
+/// than 0", and denormals-are-zero then takes a negative subnormal for 0.
 inline bool sign_bit(double value) { return std::bit_cast<std::int64_t>(value) < 0; }
 
 }  // namespace touchstone::robust::kernel

@@ -21,8 +21,8 @@ struct CubicBounds {
   static Float absolute() { return Format::above(power_of_two(9 + Format::min_exponent + 2 * high_exponent)); }
 };
 
-/// The side of the plane through three points on which others lie: what the three alone make is computed once, because
-/// every vertex of a mesh is asked about every face.
+/// The side of the plane through three points on which other points lie. The part that depends on the three alone is
+/// computed once, because every vertex of a mesh is tested against every face.
 ///
 /// E = ((b - a) x (c - a)) . (p - a) has six products of three differences; let P be the sum of their magnitudes, taken
 /// exactly. A product goes through three differences, two products, the difference in the normal and at most two sums:
@@ -55,7 +55,7 @@ class FacePlane {
     extent_ = sizes.x + sizes.y + sizes.z + others.x + others.y + others.z;
   }
 
-  /// The sign of E: positive where a, b, c are seen counter-clockwise.
+  /// The sign of E: positive if a, b, c are seen counter-clockwise.
   Sign side(const Point3<Float>& p) const {
     using B = CubicBounds<Float, Format>;
     const Vector3<Float> d = p - a_;

@@ -8,20 +8,20 @@
 /// The first stage: signs of polynomials, certain or unknown, from a few floating-point operations and a bound on their
 /// error.
 ///
-/// Every filter is a straight line: differences of the input, the polynomial, sums of magnitudes that bound its terms,
-/// one comparison with the bound and one guard on the sums. There is no maximum and no other choice in it: where a
-/// compiler makes a branch of a choice, half of the branches are mispredicted. It is a template on the number type, and
-/// all its constants follow from that type's FloatFormat, so that a toy format can be tried on all of its numbers.
+/// Every filter is branch-free: differences of the input, the polynomial, sums of magnitudes that bound its terms, one
+/// comparison with the bound and one guard on the sums. It contains no maximum and no other selection: if a compiler
+/// makes a branch of it, half of the branches are mispredicted. It is a template on the number type, and all its
+/// constants follow from that type's FloatFormat, so that a toy format can be tested on all of its numbers.
 ///
 /// Model. u = 2^(1 - precision), n = 2^min_exponent. The result of one operation on x and y is exact * (1 + e) + h with
 /// |e| <= u. That holds to nearest, upwards, downwards and towards zero (to nearest alone it would hold with u/2), and
-/// a compiler that contracts a * b + c to FMA only leaves roundings out. h is what underflow costs: a result flushed to
-/// zero (FTZ) is off by less than n, an operand read as zero (DAZ) by less than n before it is added, and by less than
-/// n times the other factor before it is multiplied. Gradual underflow costs less. The guards keep out overflow, and
-/// NaN and infinity: a comparison with NaN is false, and false is "unknown". A guard on a sum of magnitudes bounds
+/// a compiler that contracts a * b + c to FMA only leaves roundings out. h is the cost of underflow: a result flushed
+/// to zero (FTZ) is off by less than n, an operand read as zero (DAZ) by less than n before it is added, and by less
+/// than n times the other factor before it is multiplied. Gradual underflow costs less. The guards keep out overflow,
+/// and NaN and infinity: a comparison with NaN is false, and false is "unknown". A guard on a sum of magnitudes bounds
 /// every one of them, because rounding is monotone and H is a number of the format.
 ///
-/// What the derivations below share, for u <= 1/16:
+/// The rules that the derivations below share, for u <= 1/16:
 /// (1) A difference d of two numbers of the input comes out as D with |D - d| <= u |d| + 4 n, so that is at most
 ///     k |D| + 5 n with k = u / (1 - u).
 /// (2) v.x * w.y - v.y * w.x of computed differences, in units of |v.x w.y| + |v.y w.x|: each product is off by 2 k +
@@ -33,23 +33,23 @@
 /// (4) The last operation of all, a subtraction, cannot make a sign wrong. It makes a value greater by a factor 1 + u
 ///     at most, so it is enough to bound what it subtracts from what, where the sign of that is wrong.
 /// (5) A computed bound C e1 e2 + A loses a factor 1 - u for each of its m operations, those in the extents included.
-///     What is left is to choose C with (1 - u)^m C >= (1 + u) times the sum of the relative terms. Divided by its
+///     It remains to choose C with (1 - u)^m C >= (1 + u) times the sum of the relative terms. Divided by its
 ///     first term that quotient is a power series in u with positive coefficients, or below one, hence convex, so
-///     against a C = c u + d u^2 with the same first term it is enough to look at u = 1/16; every C below is a number
+///     against a C = c u + d u^2 with the same first term it is enough to check u = 1/16; every C below is a number
 ///     of the format for double.
 /// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
 ///
-/// Half of the bound of cross_sign or of circle would be too small: the families
-/// past_half_the_bound have the inputs. The other three are looser, and say why.
+/// Half of the bound of cross_sign or of circle would be too small: the families past_half_the_bound have the inputs.
+/// The other three are looser, and give the reasons.
 ///
-/// A filter NAME that says "Proved" has a theorem NAME_right in robust/proofs, about its text as it stands: where it
-/// answers a sign, that is the exact one. NAME_binary64 says so of all doubles, infinities and NaN among them: there it
-/// is a theorem that the guard keeps out overflow. docs/proofs.md says for which formats, and what is assumed.
+/// A filter NAME that says "Proved" has a theorem NAME_right in robust/proofs, about its text as it stands: if it
+/// returns a sign, that is the exact one. NAME_binary64 states the same for all doubles, including infinities and NaN:
+/// there the theorem includes that the guard excludes overflow. docs/proofs.md lists the formats and the assumptions.
 namespace touchstone::robust::filters {
 
 enum class Sign { negative, unknown, positive };
 
-/// The answer that belongs to a sign.
+/// The answer that corresponds to a sign.
 template <class Answer>
 Perhaps<Answer> by_sign(Sign sign, Answer positive, Answer negative) {
   if (sign == Sign::unknown) return {};
@@ -74,7 +74,7 @@ struct Bounds {
   static Float absolute() { return Format::above(power_of_two(6 + Format::min_exponent + high_exponent)); }
   /// 512 n H
   static Float absolute_of_several() { return Format::above(power_of_two(9 + Format::min_exponent + high_exponent)); }
-  /// c u + d u^2, which does not round: no rounding mode has a say.
+  /// c u + d u^2, which is exact and so independent of the rounding mode.
   template <int twice_c, int d>
   static Float relative() {
     constexpr double c = twice_c * (u / 2) + d * u * u;
@@ -93,7 +93,7 @@ Float extent(const Float& a, const Float& b, const Float& c) {
   return extent<Float, Format>(a, b) + Format::magnitude(c);
 }
 
-/// The sign of a computed value that is off by less than error, where the guard holds.
+/// The sign of a computed value that is off by less than error, if the guard holds.
 template <class Float, class Format = FloatFormat<Float>>
 Sign certain(const Float& value, const Float& error, const Float& size, const Float& high) {
   const int known = Format::magnitude(value) > error, guarded = size <= high;
@@ -128,7 +128,7 @@ Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<
 /// The sign of radius^2 - v.x^2 - v.y^2, v a computed difference of two points: positive inside the circle.
 ///
 /// The sum of the squares is itself the extent. Let r2 be the exact square of the radius. If the computed inside I is
-/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; the other way round, I >= r2 (1
+/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; conversely, I >= r2 (1
 /// - u) and O <= r2 (1 + u)^4. (I - O) / (I + O) rises with I / O, so the first is at most ((1 + u) - (1 - u)^4) / ((1
 /// + u) + (1 - u)^4), and below 5/2 u (1 + u / 2); where FMA leaves I unrounded in the sum alone, below 5/2 u (1 + u);
 /// the other below 5/2 u. m = 3. C = 5/2 u + 16 u^2: at u = 1/16, 1.371 < 1.4 in units of 5/2 u. The guard bounds |v.x|
@@ -165,14 +165,13 @@ Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& 
   return certain<Float, Format>(value, B::template relative<2, 10>() * terms + B::absolute(), size, B::high());
 }
 
-/// Whether two segments meet: negative: they cross; positive: the line of one has the other on one side.
+/// Decides whether two segments meet. Negative: they cross; positive: the line of one has the other on one side.
 ///
 /// With r and s the segments as vectors and f from b.a to a.a, ta = (s x f) / (r x s) and tb = (r x f) / (r x s). Both
 /// lie strictly between 0 and 1 where |2 (s x f) - r x s| and |2 (r x f) - r x s| are less than |r x s|; one lies
 /// outside, or the lines are parallel and not the same, where one of these is greater. The larger of |p + q| and |p -
-/// q| is
-/// |p| + |q|, so the larger of these two is |s x f + r x f - r x s| + |s x f - r x f|, and its difference from |r x s|
-/// decides without a choice.
+/// q| is |p| + |q|, so the larger of these two is |s x f + r x f - r x s| + |s x f - r x f|, and its difference from
+/// |r x s| decides without a selection.
 ///
 /// With a, b, c the units of (2) for r x s, r x f, s x f: a + b + c <= ex ey. Let D, R, S be these three as computed
 /// and N = |S + R - D| + |S - R|, exactly. N is the larger of |2 S - D| and |2 R - D|, so N - |D| is off by at most 2 T
@@ -197,20 +196,20 @@ Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
                                 B::high());
 }
 
-/// Whether a line parallel to an axis lies strictly between two segments. Comparisons do not round; denormals-are-zero
-/// can make them equal but never turn them round.
+/// True if a line parallel to an axis lies strictly between two segments. Comparisons do not round; denormals-are-zero
+/// can make numbers equal but never reverses a comparison.
 template <class Float>
 bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
   const auto larger = [](const Float& p, const Float& q) { return p < q ? q : p; };
   const auto below = [&](const Float& p, const Float& q, const Float& r, const Float& s) {
     return static_cast<int>(larger(p, q) < (r < s ? r : s));
   };
-  // One branch in all: nobody can predict on which side.
+  // A single branch for all axes: the side is unpredictable.
   return (below(a.a.x, a.b.x, b.a.x, b.b.x) | below(b.a.x, b.b.x, a.a.x, a.b.x) | below(a.a.y, a.b.y, b.a.y, b.b.y) |
           below(b.a.y, b.b.y, a.a.y, a.b.y)) != 0;
 }
 
-/// Whether a ray and a segment meet: negative: they cross; positive: they do not.
+/// Decides whether a ray and a segment meet. Negative: they cross; positive: they do not meet.
 ///
 /// With v the ray's direction, s the segment as a vector and f from the origin to segment.a, the lines meet at
 /// -(v x f) / (v x s) on the segment and at t = (f x s) / (v x s) on the ray. The first lies strictly between 0 and 1
@@ -219,7 +218,7 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 /// two|.
 ///
 /// With a, b, c the units of (2) for v x s, v x f, f x s, a + b + c <= ex ey, and E, F, G the three as computed. If the
-/// sign of the whole is wrong, then that of one or of two is, and the value is at most twice that one, and the
+/// sign of the total is wrong, then that of one or of two is, and the value is at most twice that one, and the
 /// roundings of one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself
 /// or positive.
 /// - one: as for segments, at most 2 T' (a + b) before it is rounded. F + F is taken for rounded, by 2 u (1 + u)^2 b,

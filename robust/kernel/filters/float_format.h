@@ -12,8 +12,8 @@ constexpr double power_of_two(int exponent) {
   return __builtin_bit_cast(double, static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// What a filter has to know of a binary floating-point format. A toy format specialises this for its own Float, which
-/// needs the operators - + * < > >= <= and no conversion; at least 5 bits of precision, and an exponent range as
+/// The properties of a binary floating-point format that filters need. A toy format specialises this for its own Float,
+/// which needs the operators - + * < > >= <= and no conversion; at least 5 bits of precision, and an exponent range as
 /// filters.h asserts.
 ///
 ///   precision     significant bits, the hidden one included
@@ -22,7 +22,7 @@ constexpr double power_of_two(int exponent) {
 ///   above(c)      the least Float that is not below the real number c > 0, whatever the rounding mode
 ///   magnitude(x)  |x|, exact
 ///
-/// robust/kernel/enclosed/enclosed.h asks no exponents, and besides:
+/// robust/kernel/enclosed/enclosed.h needs no exponents, but also:
 ///
 ///   head(x)         x cut to precision / 2 digits
 ///   square_root(x)  rounded
@@ -34,7 +34,8 @@ struct FloatFormat<double> {
   static constexpr int precision = 53, min_exponent = -1022, max_exponent = 1023;
   static constexpr double above(double c) { return c; }
   static double magnitude(double x) { return __builtin_fabs(x); }
-  /// In the register where x is: g++ would send an integer through another, which takes longer than a product.
+  /// Stays in the floating-point register: g++ would move an integer through another one, which takes longer than a
+  /// product.
   static double head(double x) {
     __extension__ typedef double Lanes __attribute__((vector_size(16)));
     __extension__ typedef long long Bits __attribute__((vector_size(16)));

@@ -8,10 +8,10 @@
 /// The first stage for a moving ball and a plane: the model of filters.h, the constants of binary64.
 namespace touchstone::robust::filters {
 
-/// When a ball meets a plane first, as far as signs tell.
+/// The time at which a ball first meets a plane, as far as signs decide it.
 enum class Meeting { unknown, at_start, later, never };
 
-/// What a few operations on doubles say, with u = 2^-52, which bounds a rounding in every mode.
+/// Conclusions from a few operations on doubles, with u = 2^-52, which bounds a rounding in every mode.
 ///
 /// E0 is the height of the center at the start, S what it gains, and R = r sqrt(N . N). Let n, p, v be the sums of the
 /// magnitudes of the coordinates of N, of the center and of the velocity. E0 is off by less than 4 u (n p + |d|) (1 + 2
@@ -56,7 +56,7 @@ class Heights {
     return last < -error_at_end ? Meeting::later : Meeting::unknown;
   }
 
-  /// Where the meeting is certain and not at the start.
+  /// True if the meeting is certain and not at the start.
   bool behind() const { return height_ < Float(); }
 
  private:

@@ -8,10 +8,10 @@
 
 namespace touchstone::robust::kernel {
 
-/// Numbers that are too large for a filter, times 2^-700: the greatest is then below the guards of filters.h, 2^341. A
-/// power of two changes no digit, unless the product is subnormal: then, and where operands or results are flushed to
-/// zero, it does not come back as it was, and `exact` says so. (As bits: a subnormal that is read as zero would equal
-/// zero.) Infinities and NaN stay what they are.
+/// Scales numbers that are too large for a filter by 2^-700: the greatest is then below the guards of filters.h, 2^341.
+/// A power of two changes no digit unless the product is subnormal. In that case, and if operands or results are
+/// flushed to zero, scaling back does not restore the number, and `exact` is false. (Compared as bits: a subnormal that
+/// is read as zero would equal zero.) Infinities and NaN do not change.
 class Lessened {
  public:
   double operator()(double x) {

@@ -5,11 +5,11 @@
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/strict_math.h"
 
-/// Rays, segments, boxes and balls in space, or those of the plane, in its z = 0: nothing of what they have in common
-/// changes, and no field has another name.
+/// Rays, segments, boxes and balls in space; those of the plane are embedded at z = 0: their intersections stay the
+/// same, and so do the names of fields.
 namespace touchstone::robust::kernel {
 
-/// The segment from + t (to - from), 0 <= t <= 1; or, where it does not end, the ray from + t to, t >= 0.
+/// The segment from + t (to - from), 0 <= t <= 1; or, if it does not end, the ray from + t to, t >= 0.
 struct Line {
   Point3d from, to;
   bool ends;
@@ -33,7 +33,7 @@ struct Ball : Sphere3d {
   Ball(const Circle2d& disc) : Sphere3d{{disc.center.x, disc.center.y, 0}, disc.radius} {}
 };
 
-/// Of a line that has no point in common with a box or a ball.
+/// The passage of a line that misses a box or a ball.
 inline const Passage<double> no_passage{PassageRelation::none, std::nullopt, std::nullopt};
 
 }  // namespace touchstone::robust::kernel

@@ -43,16 +43,16 @@ Float size_of(const Vector3<Float>& v) {
 template <class Float, class Format = FloatFormat<Float>>
 struct AxisBounds {
   static Float high() { return CubicBounds<Float, Format>::high(); }
-  /// Of |n . d| - sum |n . e| for n = v x w.
+  /// The error bound of |n . d| - sum |n . e| for n = v x w.
   static Float error(const Float& size_of_v, const Float& size_of_w, const Float& sum_of_sizes) {
     return Bounds<Float, Format>::template relative<16, 384>() * (size_of_v * size_of_w * sum_of_sizes) +
            CubicBounds<Float, Format>::absolute();
   }
 };
 
-/// Where a point lies of a parallelepiped, unless it is too near to a face's plane. Unknown where the half axes may be
-/// dependent: n . u is the same for every half axis u and the normal n of the other two, and bounded as the values are.
-/// Proved.
+/// Locates a point relative to a parallelepiped, unless it is too near to a face's plane. Unknown if the half axes may
+/// be dependent: n . u is the same for every half axis u and the normal n of the other two, and bounded like the
+/// values. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Perhaps<Location> point_in_obb(const Obb3<Float>& box, const Point3<Float>& point) {
   using B = AxisBounds<Float, Format>;
@@ -79,8 +79,8 @@ Perhaps<Location> point_in_obb(const Obb3<Float>& box, const Point3<Float>& poin
   return std::nullopt;
 }
 
-/// Whether axes keep two parallelepipeds apart. edges: the half axes of one and then of the other; way: the computed
-/// difference of the centers.
+/// Decides whether axes separate two parallelepipeds. edges: the half axes of one and then of the other; way: the
+/// computed difference of the centers.
 template <class Float, class Format = FloatFormat<Float>>
 class ObbAxes {
   using B = AxisBounds<Float, Format>;
@@ -91,13 +91,13 @@ class ObbAxes {
     sum_ = size_of<Float, Format>(way) + ((sizes_[0] + sizes_[1] + sizes_[2]) + (sizes_[3] + sizes_[4] + sizes_[5]));
   }
 
-  /// Whether the half axes of either are certain to be independent, where the guard holds; it is asked with every axis.
-  /// Proved: obb_volume, where an axis is certain.
+  /// True if the half axes of either are certainly independent, given the guard; checked with every axis. Proved:
+  /// obb_volume, if an axis is certain.
   bool independent() const { return volume_is_certain(0) && volume_is_certain(3); }
 
-  /// Of the axis n = v x w for edges number v and w, to which these two add nothing: positive where it separates,
-  /// negative where the boxes have a common interval of positive length along it. Proved for any four different others:
-  /// obb_axis, of what obb_axes computed.
+  /// The sign for the axis n = v x w of edges number v and w, to which these two contribute nothing: positive if it
+  /// separates, negative if the boxes have a common interval of positive length along it. Proved for any four different
+  /// others: obb_axis, about the values of obb_axes.
   Sign on_axis(std::size_t v, std::size_t w, const std::array<std::size_t, 4>& others) const {
     const Vector3<Float> n = cross(edges_[v], edges_[w]);
     const auto along = [&n](const Vector3<Float>& x) { return Format::magnitude(dot(n, x)); };

@@ -8,10 +8,11 @@
 #include "robust/kernel/filters/staged.h"
 #include "robust/kernel/filters/sweep_filter.h"
 
-/// Whether a line meets a box or a ball, certain or unknown. Numbers need not be valid.
+/// Decides whether a line meets a box or a ball, or returns unknown. Numbers need not be valid.
 namespace touchstone::robust::filters {
 
-/// Of an axis: the way of the line along it, twice its start as seen from the box's center, and the box's width.
+/// The numbers of an axis: the line's displacement along it, twice its start relative to the box's center, and the
+/// box's width.
 struct OfAxis {
   Sized<1> way;
   Sized<2> twice_start;
@@ -25,9 +26,9 @@ struct OfAxis {
         beyond(((from < min) & (ends ? to < min : to <= 0)) | ((from > max) & (ends ? to > max : to >= 0))) {}
 };
 
-/// Separating axes: those of the box, where comparisons decide, and those across the line and one of them, where |v_i
-/// c_j - v_j c_i| is compared with the box's half extent, |v_i| h_j + |v_j| h_i. A line that is apart from a box is so
-/// along one of these six. Touching is a hit.
+/// Separating axes: those of the box, which comparisons decide, and those perpendicular to the line and one of them,
+/// where |v_i c_j - v_j c_i| is compared with the box's half extent, |v_i| h_j + |v_j| h_i. One of these six separates
+/// every line that misses a box. Touching is a hit.
 inline Perhaps<PassageRelation> box_relation(const kernel::Line& line, const kernel::Box& box) {
   const auto& [from, to, ends] = line;
   if (!(moderate(from) & moderate(to) & moderate(box.min) & moderate(box.max))) return std::nullopt;
@@ -45,9 +46,9 @@ inline Perhaps<PassageRelation> box_relation(const kernel::Line& line, const ker
   return std::nullopt;
 }
 
-/// By the signs that sweep_filter.h proves, of a point that moves along the line.
+/// Decides by the signs that sweep_filter.h proves, for a point that moves along the line.
 inline Perhaps<PassageRelation> ball_relation(const kernel::Line& line, const kernel::Ball& ball) {
-  if (kernel::sign_bit(ball.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (kernel::sign_bit(ball.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
   const auto& [from, to, ends] = line;
   const Point3d base = ends ? from : Point3d{0, 0, 0};
   const Sweep<double> sweep({from, 0}, ball, {to.x, to.y, to.z}, {base.x, base.y, base.z});
@@ -55,7 +56,7 @@ inline Perhaps<PassageRelation> ball_relation(const kernel::Line& line, const ke
   if (start == Sign::unknown) return std::nullopt;
   const Sign slope = sweep.slope_at_start();
   if (start == Sign::negative) {
-    if (slope == Sign::unknown) return std::nullopt;  // perhaps no way, to be refused
+    if (slope == Sign::unknown) return std::nullopt;  // perhaps a zero direction, to be refused
     return PassageRelation::hit;
   }
   if (slope == Sign::positive) return PassageRelation::none;

@@ -7,8 +7,8 @@
 /// The first stage for planes in space: the model, the guards and the rules (4) and (5) of filters.h.
 namespace touchstone::robust::filters {
 
-/// The sign of n.x * p.x + n.y * p.y + n.z * p.z + offset: positive in front of the plane. Unknown where the normal may
-/// be zero.
+/// The sign of n.x * p.x + n.y * p.y + n.z * p.z + offset: positive in front of the plane. Unknown if the normal may be
+/// zero.
 ///
 /// Let s be the sum of the magnitudes of the three exact products and the offset. A product goes through its own
 /// rounding and at most two sums before the last one, so what that adds is off by at most ((1 + u)^3 - 1) s (FMA only
@@ -28,7 +28,7 @@ Sign plane(const Plane<Float>& plane, const Point3<Float>& p) {
   const Float value = n.x * p.x + n.y * p.y + n.z * p.z + plane.offset;
   const Float of_normal = extent<Float, Format>(n.x, n.y, n.z), of_point = extent<Float, Format>(p.x, p.y, p.z);
   const Float terms = of_normal * of_point + Format::magnitude(plane.offset);
-  // Every one of these branches can be predicted, but for the sign, which is no branch.
+  // Every branch here is predictable, except for the sign, which is no branch.
   if (!(Format::magnitude(value) > B::template relative<6, 48>() * terms + B::absolute())) [[unlikely]]
     return Sign::unknown;
   if (!(of_normal + of_point <= B::high())) [[unlikely]]

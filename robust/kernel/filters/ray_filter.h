@@ -7,12 +7,12 @@
 /// The first stage for rays and triangles in space.
 namespace touchstone::robust::filters {
 
-/// The sign of ((b - a) x (c - a)) . d for a displacement d: positive where d leads to the side from which a, b, c are
+/// The sign of ((b - a) x (c - a)) . d for a displacement d: positive if d leads to the side from which a, b, c are
 /// seen counter-clockwise.
 ///
-/// This is E of FacePlane with d in the place of p - a, which there is a rounded difference, and here is exact. So each
-/// product has one rounding less, an absolute term less of what a flushed difference costs, and the same factors and
-/// guards. Bound and guard of FacePlane hold with room to spare. Not proved by machine.
+/// This is E of FacePlane with d instead of p - a, which is rounded there and exact here. So each product has one
+/// rounding less and one absolute term less, that of a flushed difference, and the same factors and guards. Bound and
+/// guard of FacePlane hold with room to spare. Not proved by machine.
 template <class Float, class Format = FloatFormat<Float>>
 Sign rise(const Point3<Float>& a, const Point3<Float>& b, const Point3<Float>& c, const Vector3<Float>& d) {
   using B = CubicBounds<Float, Format>;

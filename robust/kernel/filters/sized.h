@@ -10,11 +10,11 @@
 /// the roundings.
 namespace touchstone::robust::filters {
 
-/// Whether a number is 0, or of a magnitude in [2^-30, 2^30]: finite, and a multiple of 2^-82.
+/// True if a number is 0, or of a magnitude in [2^-30, 2^30]: finite, and a multiple of 2^-82.
 ///
-/// Polynomials of degree d <= 6 in such numbers, with every part of them that is computed, are multiples of
-/// 2^(-82 d) >= 2^-492 below 2^(31 d + 12): nothing underflows or overflows, so that FTZ and DAZ have nothing to flush.
-/// Zero is asked of the bits, since a subnormal number may be read as zero.
+/// Polynomials of degree d <= 6 in such numbers, and all their computed parts, are multiples of 2^(-82 d) >= 2^-492
+/// below 2^(31 d + 12): nothing underflows or overflows, so that FTZ and DAZ flush nothing. The bits decide whether a
+/// number is zero, since a subnormal may be read as zero.
 inline bool moderate(double x) {
   const double size = FloatFormat<double>::magnitude(x);
   return ((size >= 0x1p-30) & (size <= 0x1p30)) | validation::zero(x);
@@ -24,7 +24,7 @@ inline bool moderate(const Point3d& p) { return moderate(p.x) & moderate(p.y) & 
 inline bool moderate(const Segment3d& s) { return moderate(s.a) & moderate(s.b); }
 inline bool moderate(const Triangle3d& t) { return moderate(t.a) & moderate(t.b) & moderate(t.c); }
 
-/// A sum of terms, and the sum of their magnitudes, through at most `roundings` operations each.
+/// A sum of terms, and the sum of their magnitudes, each computed with at most `roundings` operations per term.
 ///
 /// Model: that of filters.h, u = 2^-52, without underflow (`moderate`). Let S be the sum of the magnitudes of the exact
 /// terms. Every term goes through at most k operations, so value is off by ((1 + u)^k - 1) S at most, and size is at
@@ -37,7 +37,7 @@ struct Sized {
   double error() const { return roundings * 0x1p-51 * size; }
   bool positive() const { return value > error(); }
   bool negative() const { return value < -error(); }
-  /// Of no terms but zeros it is certain that it is 0.
+  /// If all terms are zero, the sum is certainly 0.
   bool not_negative() const { return positive() || size == 0; }
   bool not_positive() const { return negative() || size == 0; }
 };
@@ -67,7 +67,7 @@ Sized<k> magnitude(const Sized<k>& x) {
   return {FloatFormat<double>::magnitude(x.value), x.size};
 }
 
-/// Of numbers of the input.
+/// The difference of two numbers of the input.
 inline Sized<1> sized_difference(double a, double b) {
   const double d = a - b;
   return {d, FloatFormat<double>::magnitude(d)};
@@ -81,7 +81,7 @@ struct Triple {
 template <class Number>
 Triple(Number, Number, Number) -> Triple<Number>;
 
-/// Vectors of numbers whose type an operation changes: Sized, or kernel::Loose.
+/// Vectors of numbers whose type depends on the operations: Sized, or kernel::Loose.
 template <class X, class Y>
 auto cross(const Triple<X>& v, const Triple<Y>& w) {
   return Triple{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};

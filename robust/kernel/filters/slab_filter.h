@@ -7,22 +7,22 @@
 /// The first stage for slabs: the model, the guards and the rules (4) and (5) of filters.h.
 namespace touchstone::robust::filters {
 
-/// How deep a point lies in slabs: of n . p - min and max - n . p the least for all of them, which decides alone.
+/// The depth of a point in slabs: the least n . p - min and max - n . p over all of them, which decides alone.
 ///
 /// Each of these is what robust/kernel/filters/plane_filter.h computes of a plane. A wrong sign of one is at most (1 +
 /// u) ((1 + u)^3 - 1) times the sum of its products' magnitudes, and that is at most the greatest sum of a normal's
 /// magnitudes times that of the point's. That product is computed with one operation less than there, no offset being
 /// added, so C = 3 u + 48 u^2 is enough, and A pays for underflow as there. Greatest and least do not round.
 ///
-/// No slab is looked at on its own, so that nothing but the loop is a branch. What no slab may be shows in the least
-/// of the normals' sums (0: perhaps a zero normal), in the least width (0: perhaps flat, below: min > max), and in a
-/// sum over all slabs that NaN and infinities never leave; where finite numbers overflow, that only costs time.
+/// No slab is tested individually, so that the loop is the only branch. Invalid slabs show in the least of the normals'
+/// sums (0: perhaps a zero normal), in the least width (0: perhaps flat, below: min > max), and in a sum over all
+/// slabs, which NaN and infinities never leave; overflow of finite numbers only costs time.
 ///
-/// Where DAZ makes comparisons see zeros, the least may be another than the true one, or be kept as zero (x86's minimum
-/// does that), but then both are below n, and A pays for that too. That every slab is valid, though, needs all
-/// operations of a call to see alike: if one comparison saw zeros for the sums 0 and n / 2 of two normals, and the last
-/// one did not, n / 2 could hide the 0. One control word for all of a call gives that. Proved, for any number of slabs,
-/// by slab_right.
+/// If DAZ makes comparisons read zeros, the least may differ from the true one, or be kept as zero (x86's minimum does
+/// that), but then both are below n, and A covers that too. That every slab is valid, though, requires all operations
+/// of a call to treat subnormals alike: if one comparison read the sums 0 and n / 2 of two normals as zeros, and the
+/// last one did not, n / 2 could hide the 0. One control word for the entire call guarantees that. Proved, for any
+/// number of slabs, by slab_right.
 template <class Float, class Format = FloatFormat<Float>>
 class SlabDepths {
  public:
@@ -63,7 +63,7 @@ class SlabDepths {
   Float depth_, width_, least_, greatest_, sum_;
 };
 
-/// Of one slab.
+/// The values of one slab.
 template <class Float, class Format = FloatFormat<Float>>
 Sign slab(const Vector3<Float>& n, const Slab<Float>& slab, const Point3<Float>& p) {
   return SlabDepths<Float, Format>(p, n, slab).sign();

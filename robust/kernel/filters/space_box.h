@@ -10,7 +10,7 @@
 
 namespace touchstone::robust::kernel {
 
-/// A closed box along the axes, compared by the bits of its doubles.
+/// A closed axis-aligned box, compared by the bits of its doubles.
 struct SpaceBox {
   std::array<std::int64_t, 3> low, high;
 
@@ -21,7 +21,7 @@ struct SpaceBox {
   static SpaceBox around(const Meshd& mesh, const Face& f) {
     return around(mesh.vertices[f.a]).with(around(mesh.vertices[f.b])).with(around(mesh.vertices[f.c]));
   }
-  /// Around the vertices that faces name, of which there is one.
+  /// The box around the vertices that faces use; there is at least one.
   static SpaceBox around(const Meshd& mesh) {
     SpaceBox box = around(mesh, mesh.faces[0]);
     for (const Face& face : mesh.faces) box = box.with(around(mesh, face));
@@ -39,7 +39,7 @@ struct SpaceBox {
       if (high[i] < other.low[i] || other.high[i] < low[i]) return false;
     return true;
   }
-  /// Not all of it is below the other along an axis.
+  /// True unless all of it is below the other along an axis.
   bool reaches(const SpaceBox& other) const {
     return high[0] >= other.low[0] && high[1] >= other.low[1] && high[2] >= other.low[2];
   }

@@ -8,11 +8,11 @@
 /// The first stage for a ball and a box: the model, the guards and the rules (1), (4), (5) and (6) of filters.h.
 namespace touchstone::robust::filters {
 
-/// On one axis: how far the center is beyond the box, 0 where it is not, as computed; and max - min.
+/// On one axis: the computed distance of the center beyond the box, 0 if it is not beyond; and max - min.
 ///
-/// Of min <= max at most one of min - c and c - max is positive, rounded too: rounding keeps the sign of a difference
-/// or makes it 0. So the greatest of these and 0 is off by no more than one difference, and by 2 n more where numbers
-/// are read as zero when they are compared and chosen. It is NaN where c is.
+/// For min <= max at most one of min - c and c - max is positive, even rounded: rounding keeps the sign of a difference
+/// or makes it 0. So the greatest of these and 0 is off by no more than one difference, and by 2 n more if numbers are
+/// read as zero when they are compared and selected. It is NaN if c is.
 template <class Float>
 struct BeyondInterval {
   Float beyond, extent;
@@ -23,9 +23,9 @@ BeyondInterval<Float> beyond_interval(const Float& c, const Float& min, const Fl
   return {more < Float() ? Float() : more, max - min};
 }
 
-/// The sign of r^2 minus the squared distance of a ball's center from a box that has an interior: positive where the
-/// ball overlaps it, negative where they are disjoint. r >= 0. Unknown where a box is flat, or may be, or is the wrong
-/// way round, and where a number is NaN or infinite.
+/// The sign of r^2 minus the squared distance of a ball's center from a box that has an interior: positive if the ball
+/// overlaps it, negative if they are disjoint. r >= 0. Unknown if a box is flat, or may be, or has min > max, and if a
+/// number is NaN or infinite.
 ///
 /// i, o, I, O: the exact squares of the radius and of the distance, and the computed ones; I may also be i itself,
 /// where FMA leaves its rounding out, in the difference and in the sum of both on its own. i (1 - u) <= I <= i (1 + u),

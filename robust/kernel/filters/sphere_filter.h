@@ -7,8 +7,8 @@
 /// The first stage for balls in space: the model, the guards and the rules (1), (4), (5) and (6) of filters.h.
 namespace touchstone::robust::filters {
 
-/// The sign of (a.radius + b.radius)^2 - |b.center - a.center|^2: positive where the balls overlap, negative where they
-/// are disjoint. The radii are not negative.
+/// The sign of (a.radius + b.radius)^2 - |b.center - a.center|^2: positive if the balls overlap, negative if they are
+/// disjoint. The radii are not negative.
 ///
 /// Let r2 be the square of the computed sum of the radii, i and o the exact squares of the sum and of the distance, O
 /// the computed square of the distance, and I the square of the sum, as it is computed or, where FMA leaves its

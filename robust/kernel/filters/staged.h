@@ -8,7 +8,7 @@
 /// The stages of an operation, and the dispatch between them.
 namespace touchstone::robust {
 
-/// Which stage decided, in the order in which they are asked.
+/// The stage that decided, in the order in which stages are tried.
 ///
 /// filter:   a few floating-point operations and a proved bound (robust/kernel/filters/filters.h); may not know.
 /// enclosed: numbers to one and a half times the precision with a proved bound, and a rounding test
@@ -17,7 +17,7 @@ namespace touchstone::robust {
 /// exact:    the input as integers of any size; CGAL over GMP integers. Always knows.
 ///
 /// stages::X, declared with the operation X and defined in its .cpp in the order in which stages are asked, is for
-/// tests and other operations, and no promise to users:
+/// tests and other operations, and not part of the API:
 ///   X::filter, X::enclosed, X::lattice, X::exact
 ///                                     the stages that X has, of valid arguments. `exact` returns the answer, the
 ///                                     others Perhaps<Answer>, empty for "ask the next".
@@ -25,15 +25,16 @@ namespace touchstone::robust {
 ///                                     Of several decisions the latest stage counts.
 ///   X::decision                       the same of the decision alone, where X also returns numbers.
 ///
-/// A new stage stands here, in the list and in `asked`, and that is all: every operation says which it has.
+/// A new stage is added here, in the list and in `asked`, and nowhere else: every operation declares the stages that it
+/// has.
 enum class Stage { filter, enclosed, lattice, exact };
 inline constexpr Stage all_stages[] = {Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact};
 
 struct InPlace {};
 inline constexpr InPlace in_place{};
 
-/// What a stage says: an answer, or nothing. Not std::optional, which g++ puts together in memory: that costs as much
-/// as a determinant. And an int says whether there is one: g++ joins the ways to a bool, and then tests it.
+/// The result of a stage: an answer, or nothing. Not std::optional, which g++ assembles in memory: that costs as much
+/// as a determinant. An int tells whether there is an answer: g++ merges the paths to a bool, and then tests it.
 template <class Answer>
 class Perhaps {
  public:
@@ -42,8 +43,8 @@ class Perhaps {
   template <class Nothing>
   requires(std::is_empty_v<Nothing>) Perhaps(const Nothing&) {}
   Perhaps(const Answer& answer) : known_(1), answer_(answer) {}
-  /// An answer of several parts, made where it stays. g++ makes it elsewhere otherwise, part by part, and copies it by
-  /// 16 bytes, for which the processor has to wait until the parts are in memory.
+  /// An answer of several parts, constructed in place. Otherwise g++ constructs it in a temporary, part by part, and
+  /// copies it by 16 bytes, for which the processor has to wait until the parts are in memory.
   template <class... Parts>
   Perhaps(InPlace, const Parts&... parts) : known_(1), answer_{parts...} {}
   explicit operator bool() const { return known_ != 0; }
@@ -59,7 +60,7 @@ struct Decided {
   Answer answer;
   Stage stage;
 
-  /// For operations of many decisions: `latest` becomes this stage, if that is later.
+  /// For operations of many decisions: sets `latest` to this stage if it is later.
   const Answer& noting(Stage& latest) const {
     if (latest < stage) latest = stage;
     return answer;
@@ -71,12 +72,12 @@ template <class Function>
 struct Signatures;
 template <class Answer, class... Q>
 struct Signatures<Answer(Q...)> {
-  using Partial = Perhaps<Answer>(Q...);  ///< a stage that may not know
-  using Total = Answer(Q...);             ///< the stage that always knows
-  using Staged = Decided<Answer>(Q...);   ///< the stages in turn: ask
+  using Partial = Perhaps<Answer>(Q...);  ///< a stage that may not decide
+  using Total = Answer(Q...);             ///< the stage that always decides
+  using Staged = Decided<Answer>(Q...);   ///< all stages in turn: ask
 };
 
-/// A stage as the function of that name.
+/// A stage as the function of its name.
 template <Stage stage>
 using At = std::integral_constant<Stage, stage>;
 template <class Stages>
@@ -108,9 +109,9 @@ auto in_turn_telling(const Tell& tell, const Q&... q) {
   if constexpr (sizeof...(rest) > 0) return in_turn_telling<Stages, rest...>(tell, q...);
 }
 
-/// in_turn<Stages, Stage::filter, validate, Stage::lattice, Stage::exact>(arguments...): the first stage that knows
-/// decides, and the last one always knows. What is no stage is a function that refuses arguments that are not valid: it
-/// stands before the first stage that could answer in spite of that.
+/// in_turn<Stages, Stage::filter, validate, Stage::lattice, Stage::exact>(arguments...): the first stage that can
+/// decide does; the last one always can. An entry that is not a stage is a function that refuses invalid arguments: it
+/// precedes the first stage that could answer them.
 template <class Stages, auto... steps, class... Q>
 auto in_turn(const Q&... q) {
   return in_turn_telling<Stages, steps...>(
@@ -120,13 +121,13 @@ auto in_turn(const Q&... q) {
       q...);
 }
 
-/// The same without the stage: an answer of several numbers is copied once less, which can be measured.
+/// The same without the stage: saves one copy of an answer of several numbers, which is measurable.
 template <class Stages, auto... steps, class... Q>
 auto answer_in_turn(const Q&... q) {
   return in_turn_telling<Stages, steps...>([](const auto& answer, Stage) { return answer; }, q...);
 }
 
-/// Base of stages::X whose filter is inlined where X is called; past_filter, out of line, asks the other stages.
+/// Base of stages::X whose filter is inlined where X is called; past_filter, out of line, runs the other stages.
 template <class X, class... Functions>
 struct Filtered : Signatures<Functions>... {
   template <class... Q>

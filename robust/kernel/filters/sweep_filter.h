@@ -22,7 +22,7 @@
 /// Proved: sweep_start, sweep_slope_at_start and so on. For the two slopes one u less than here would be enough.
 namespace touchstone::robust::filters {
 
-/// What is known of a sweep. Each sign is certain or unknown.
+/// The signs known about a sweep, each certain or unknown.
 template <class Float, class Format = FloatFormat<Float>>
 class Sweep {
   using B = Bounds<Float, Format>;
@@ -43,7 +43,7 @@ class Sweep {
   /// The sum of the squares is itself the extent, as for `circle` in filters.h. The computed squared distance lies
   /// between (1 - u)^5 and (1 + u)^5 of the exact one, the squared radius between (1 - u)^3 and (1 + u)^3. If the first
   /// comes out greater and should not be, the difference is at most ((1 + u)^5 - (1 - u)^3) / ((1 + u)^5 + (1 - u)^3)
-  /// of the computed sum; the other way round at most ((1 + u)^3 - (1 - u)^5) / ((1 + u)^3 + (1 - u)^5). Both are below
+  /// of the computed sum; conversely at most ((1 + u)^3 - (1 - u)^5) / ((1 + u)^3 + (1 - u)^5). Both are below
   /// 4 u. m = 3. C = 4 u + 20 u^2: at u = 1/16, 1.290 < 1.312 in units of 4 u.
   Sign start() const {
     const Float distance = dot(c_, c_), radius = r_ * r_;
@@ -71,8 +71,8 @@ class Sweep {
 
   /// w . w - r^2: positive: apart at the end; negative: they overlap there.
   ///
-  /// (1 + u)^7 - 1 in units of the sum of g^2 <= (ec + ev)^2, and less in units of r^2; 1 + u for the subtraction. Of
-  /// the units (1 - u)^10 is computed. m = 12. C = 7 u + 256 u^2: at u = 1/16, 2.786 < 3.285 in units of 7 u.
+  /// (1 + u)^7 - 1 in units of the sum of g^2 <= (ec + ev)^2, and less in units of r^2; 1 + u for the subtraction. At
+  /// least (1 - u)^10 of the units is computed. m = 12. C = 7 u + 256 u^2: at u = 1/16, 2.786 < 3.285 in units of 7 u.
   Sign end() const {
     const Float radius = r_ * r_, e = ec_ + ev_;
     return certain<Float, Format>(dot(w_, w_) - radius, B::template relative<14, 256>() * (e * e + radius) + absolute(),
@@ -83,9 +83,9 @@ class Sweep {
   ///
   /// A coordinate of c x v is off by (1 + u)^4 - 1 in units of its two products, the sum of the three squares by
   /// (1 + u)^11 - 1 in units of (ec ev)^2, and r^2 v . v by (1 + u)^9 - 1 in units of (r ev)^2; 1 + u for the
-  /// subtraction. Of ev^2 (ec^2 + r^2), (1 - u)^16 is computed. m = 18. C = 11 u + 1024 u^2: at u = 1/16, 4.683 < 6.818
-  /// in units of 11 u. (Looser than it could be: where c and v are along each other, the products of c x v cancel all
-  /// the same.)
+  /// subtraction. At least (1 - u)^16 of ev^2 (ec^2 + r^2) is computed. m = 18. C = 11 u + 1024 u^2: at u = 1/16, 4.683
+  /// < 6.818 in units of 11 u. (Looser than it could be: where c and v are along each other, the products of c x v
+  /// cancel all the same.)
   ///
   /// The guard is G = 2^g, g a sixth of the range. A coordinate of c x v is off by less than 40 n G for underflow (3)
   /// and at most G^2, so its square is off by 100 n G^3; r^2 and v . v are off by 60 n G and at most G^2, their product

@@ -19,14 +19,14 @@ using Bits = unsigned long;
 
 long size(const mpz_class& n) { return sgn(n) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
-/// n / 2^shift cut towards zero: a double of at most 60 binary digits before the point.
+/// n / 2^shift truncated towards zero: a double with at most 60 binary digits before the point.
 double shortened(const mpz_class& n, long shift) {
   mpz_class cut;
   mpz_tdiv_q_2exp(cut.get_mpz_t(), n.get_mpz_t(), static_cast<Bits>(std::max(shift, 0L)));
   return cut.get_d();
 }
 
-/// About the angle, in (-pi, pi]; exactly 0 where the vector is within 2^-50 of +x.
+/// An approximation of the angle, in (-pi, pi]; exactly 0 if the vector is within 2^-50 of +x.
 double guess(const mpz_class& x, const mpz_class& y) {
   const ControlWord ieee;
   const long shift = std::max(size(x), size(y)) - 60;
@@ -80,15 +80,16 @@ mpz_class fixed(double start, Bits bits) {
 
 double angle_rounded(const mpz_class& x, const mpz_class& y) {
   const double guessed = guess(x, y);
-  // An angle that small has leading zeros, which are no precision; below 2^-1075 there is nothing else.
+  // The binary expansion of so small an angle has leading zeros, which give no precision; below 2^-1075 there is
+  // nothing else.
   const long zeros = guessed == 0 ? std::clamp(size(x) - size(y), 0L, 1100L) : 0;
   for (Bits bits = 192 + static_cast<Bits>(zeros);; bits *= 2) {
     double start = guessed;
     std::optional<Turned> rest = beyond(start, x, y, bits);
-    // Never needed where the library has an arc tangent: the multiples of 1/2 are near every direction.
+    // Never needed if the library has an arc tangent: the multiples of 1/2 are near every direction.
     for (start = rest ? start : -3; !rest; start += rest ? 0 : 0.5) rest = beyond(start, x, y, bits);
     mpz_class angle = rest->angle + fixed(start, bits);
-    // Found up to whole turns, less than 3.6 from 0.
+    // Found up to full turns, less than 3.6 from 0.
     const mpz_class one = mpz_class(1) << bits, least = sgn(y) < 0 ? one : mpz_class(-one);
     if (angle < least) angle += pi(bits + 1);
     const mpz_class error = rest->error + 2;  // `start` and 2 pi cut

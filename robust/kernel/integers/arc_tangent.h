@@ -8,7 +8,7 @@
 namespace touchstone::robust::kernel {
 
 /// The angle of the vector (x, y) from the +x axis, counter-clockwise, in (0, 2 pi), as the nearest double. The vector
-/// is neither 0 nor along +x. By integers alone but for a first guess, whose quality cannot matter.
+/// is neither 0 nor along +x. Uses only integers except for a first guess, whose accuracy does not affect the result.
 double angle_rounded(const mpz_class& x, const mpz_class& y);
 
 }  // namespace touchstone::robust::kernel

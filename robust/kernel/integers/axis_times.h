@@ -13,8 +13,8 @@ struct AxisMotion {
   Number a_min, a_max, b_min, b_max, velocity;
 };
 
-/// When the intervals of all axes overlap first, on integers: on a lattice differences are below 2^62, and products of
-/// two below 2^124.
+/// The time at which the intervals of all axes first overlap, on integers: on a lattice differences are below 2^62, and
+/// products of two below 2^124.
 template <class Integer>
 class AxisTimes {
  public:

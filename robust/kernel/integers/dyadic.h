@@ -5,8 +5,8 @@
 
 #include "robust/kernel/integers/term_sum.h"
 
-/// Doubles and what sums, differences and products make of them, exactly and whatever their exponents: closed formulas
-/// are written as they stand, with what geometry/space.h has of vectors.
+/// Doubles and their sums, differences and products, exact for all exponents: closed formulas are written as they
+/// stand, with the vector operations of geometry/space.h.
 namespace touchstone::robust::kernel {
 
 using Dyadic = Scaled<mpz_class>;

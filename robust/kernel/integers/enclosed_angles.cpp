@@ -11,29 +11,29 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-constexpr int steps = 256;              // in a radian
+constexpr int steps = 256;              // per radian
 constexpr int last = 202;               // steps in an eighth of a turn, rounded up
-constexpr double half_step = 0x1.1p-9;  // and a sixteenth more, for j and k come from rounded numbers
+constexpr double half_step = 0x1.1p-9;  // and a sixteenth more, because j and k come from rounded numbers
 constexpr double u53 = 0x1p-53;
 using Bits = unsigned long;
 constexpr Bits digits = 192;
 
 /// n / 2^digits, rounded.
 double number(const mpz_class& n) { return round_scaled(n, -static_cast<long>(digits)); }
-/// The same number as an integer: what is below 2^-digits is cut.
+/// The same number as an integer, truncated below 2^-digits.
 mpz_class integer(double x) {
   const Decoded part = decode(x);
   const mpz_class n = scaled(Decoded{part.magnitude, 0, part.negative}, 0);
   const long shift = part.exponent + static_cast<long>(digits);
   return shift >= 0 ? mpz_class(n << static_cast<Bits>(shift)) : mpz_class(n >> static_cast<Bits>(-shift));
 }
-/// Off by u^2 of it, and by what n is.
+/// Off by u^2 of it, plus the error of n.
 Pair<double> pair(const mpz_class& n) {
   const double high = number(n);
   return {high, number(n - integer(high))};
 }
 
-/// What is computed once. sine_cosine and pi are off by less than 2^12 units of 2^-192.
+/// Tables that are computed once. sine_cosine and pi are off by less than 2^12 units of 2^-192.
 struct Tables {
   std::array<Pair<double>, last + 1> sine, cosine;  ///< of j / 256
   std::array<Pair<double>, 5> quarters;             ///< multiples of pi / 2
@@ -62,10 +62,10 @@ const Tables& tables() {
   return made;
 }
 
-/// The nearest whole number, |x| < 2^51: adding 3 2^51 leaves no place for more digits.
+/// The nearest integer, |x| < 2^51: adding 3 2^51 leaves no room for further digits.
 double nearest(double x) { return (x + 0x1.8p52) - 0x1.8p52; }
 
-/// u less the nearest multiple of pi / 2, which is q times it: within an eighth of a turn and a little.
+/// u minus the nearest multiple of pi / 2, which is q times it: within an eighth of a turn and a little.
 ///
 /// q has at most 21 digits, so its products with the first two parts are exact. The third is off by u of it, and pi / 2
 /// by less than 2^-110.9, which is less than u of the third part, above 2^-57.3.
@@ -85,15 +85,15 @@ Reduced reduced(double u, const Tables& t) {
 
 }  // namespace
 
-/// With a the angle of the table, and s what is left, |s| <= half_step:
+/// With a the angle of the table, and s the rest, |s| <= half_step:
 ///
 ///     cos(a + s) = cos a - sin a s + (cos a (cos s - 1) - sin a (sin s - s))
 ///     sin(a + s) = sin a + cos a s + (sin a (cos s - 1) + cos a (sin s - s))
 ///
 /// The last part is computed in double, from s rounded. Its polynomials leave out s^8 / 8! and s^9 / 9!, less than u /
 /// 8 of them. s^2 is off by 3 u, cos s - 1 by 3 u more and sin s - s by 5 u more, both for their coefficients and the
-/// last steps; what they are multiplied with by u; these products and their sum by 2 u. Of 11 u, 14 are taken. The
-/// pairs of the table are off by u^2, which the 7 E of a product hold.
+/// last steps; what they are multiplied with by u; these products and their sum by 2 u. Together 11 u; 14 are taken.
+/// The pairs of the table are off by u^2, which the 7 E of a product hold.
 std::optional<Enclosed<Two>> enclosed_cosine_sine(double u) {
   if (!(std::fabs(u) <= 0x1p20)) return std::nullopt;
   const Tables& t = tables();
@@ -104,7 +104,7 @@ std::optional<Enclosed<Two>> enclosed_cosine_sine(double u) {
   const Enclosed<double> left = r.angle + Enclosed<double>{-j / steps, 0, 0};
   if (!left.settled() || !(std::fabs(left.high) <= half_step)) return std::nullopt;
 
-  // The unit vector of the table's angle, turned by quarters.
+  // The unit vector of the table's angle, rotated by quarter turns.
   const double sign = j < 0 ? -1 : 1;
   Two high(t.cosine[place].high, sign * t.sine[place].high), low(t.cosine[place].low, sign * t.sine[place].low);
   const auto turned = [](Two v) { return Two(-v.second(), v.first()); };
@@ -128,19 +128,19 @@ std::optional<Enclosed<Two>> enclosed_cosine_sine(double u) {
   return result;
 }
 
-/// The vector is turned by quarters until it is within an eighth of a turn of +x, then back by the multiple of 1/256
-/// that is near its direction: that needs no quality, what is left tells. With w the slope that is left, |w| <=
+/// The vector is rotated by quarter turns until it is within an eighth of a turn of +x, then back by the nearby
+/// multiple of 1/256. That choice needs no accuracy, since the rest corrects it. With w the remaining slope, |w| <=
 /// half_step:
 ///
 ///     atan w = w + (-w^3 / 3 + w^5 / 5 - w^7 / 7)
 ///
-/// What the series leaves out is u / 2 of its part in parentheses, which is computed in double from w rounded: w^2 is
+/// The remainder of the series is u / 2 of its part in parentheses, which is computed in double from w rounded: w^2 is
 /// off by 3 u, w^3 by 5 u, the polynomial by 3 u, their product by u: of 10 u, with that half, 14 are taken.
 std::optional<Enclosed<double>> enclosed_angle(const Enclosed<double>& x, const Enclosed<double>& y) {
   if (!x.settled() || !y.settled() || x.high == 0 || y.high == 0) return std::nullopt;
   const Tables& t = tables();
   const bool steep = std::fabs(y.high) > std::fabs(x.high);
-  // Turned by so many quarters clockwise: (x, y), (y, -x), (-x, -y), (-y, x).
+  // Rotated by this many quarter turns clockwise: (x, y), (y, -x), (-x, -y), (-y, x).
   std::size_t quarters = steep ? (y.high > 0 ? 1 : 3) : (x.high > 0 ? 0 : 2);
   const Enclosed<double> along_axis = quarters == 0 ? x : quarters == 1 ? y : quarters == 2 ? -x : -y;
   const Enclosed<double> across_axis = quarters == 0 ? y : quarters == 1 ? -x : quarters == 2 ? -y : x;

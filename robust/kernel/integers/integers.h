@@ -11,7 +11,7 @@
 
 namespace touchstone::robust::kernel {
 
-/// Several doubles as GMP integers on one power of two: number i is at[i] * 2^exponent exactly.
+/// Several doubles as GMP integers over one power of two: number i is at[i] * 2^exponent exactly.
 template <std::size_t N>
 struct Integers {
   std::array<mpz_class, N> at;

@@ -14,9 +14,8 @@ namespace touchstone::robust::kernel {
 __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
-/// Several doubles as integers on one power of two: number i is at[i] * 2^exponent exactly, |at[i]| < 2^61.
-/// So a difference is below 2^62, a product of differences below 2^124, and four such products fit a signed 128-bit
-/// integer.
+/// Several doubles as integers over one power of two: number i is at[i] * 2^exponent exactly, |at[i]| < 2^61. So a
+/// difference is below 2^62, a product of differences below 2^124, and four such products fit a signed 128-bit integer.
 template <std::size_t N>
 struct Lattice {
   std::array<std::int64_t, N> at;
@@ -28,7 +27,7 @@ inline constexpr int lattice_spare = 61 - 53;
 /// One double in units of 2^(top - 1075 - spare), top the largest exponent field of all; `lost` collects the bits below
 /// the unit.
 inline std::int64_t placed_on_lattice(std::uint64_t bits, int top, std::uint64_t& lost) {
-  // Sums instead of conditions: zeros come as they please, and a branch would be mispredicted.
+  // Sums instead of conditions: zeros occur unpredictably, and a branch would be mispredicted.
   const int field = static_cast<int>(bits >> 52 & 0x7ff), normal = (field + 0x7ff) >> 11;
   const std::uint64_t hidden = static_cast<std::uint64_t>(normal) << 52;
   const std::uint64_t magnitude = ((bits & 0xfffffffffffffu) | hidden) << lattice_spare;

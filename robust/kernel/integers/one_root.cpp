@@ -10,7 +10,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// That of the number that has a root.
+/// The square of whichever number has a root.
 const mpq_class& square_of(const OneRoot& a, const OneRoot& b) { return a.rational() ? b.d : a.d; }
 
 /// number * 2^exponent
@@ -21,8 +21,8 @@ mpq_class times_power(const mpq_class& number, long exponent) {
   return result;
 }
 
-/// a * 2^exponent, rounded. Over b f h, where p = a / b, q = e / f and d = g / h, stand a f h and the root of b^2 e^2 g
-/// h.
+/// a * 2^exponent, rounded. With p = a / b, q = e / f and d = g / h, the number is a f h plus the root of b^2 e^2 g h,
+/// over b f h.
 double rounded(const OneRoot& a, long exponent) {
   if (a.rational()) return round_quotient(a.p.get_num(), a.p.get_den(), exponent);
   const mpz_class &f = a.q.get_den(), &h = a.d.get_den(), &b = a.p.get_den();
@@ -58,11 +58,11 @@ int sign(const OneRoot& a) {
 
 mpq_class of_53_digits(const OneRoot& a) {
   if (sign(a) == 0) return 0;
-  // Multiplied so that it is where doubles have 53 digits. The steps are shorter than the range that will do.
+  // Scaled into the range in which doubles have 53 digits. The steps are shorter than that range.
   for (long exponent = 0;;) {
     const double number = rounded(a, exponent);
     const int field = static_cast<int>(std::bit_cast<std::uint64_t>(number) >> 52 & 0x7ff);
-    if (field > 1 && field < 0x7ff) {  // at 1 it may have been a subnormal number that was rounded up
+    if (field > 1 && field < 0x7ff) {  // with a field of 1 it may have been a subnormal number that was rounded up
       const Dyadic digits = dyadic(number);
       return times_power(mpq_class(digits.n), digits.exponent - exponent);
     }

@@ -6,11 +6,12 @@
 #include "geometry/space.h"
 #include "robust/kernel/filters/strict_math.h"
 
-/// Numbers p + q sqrt(d) over one rational d, with which a formula is written as it stands: sums, products, quotients
+/// Numbers p + q sqrt(d) over one rational d, in which formulas can be written as they stand: sums, products, quotients
 /// and signs are exact.
 namespace touchstone::robust::kernel {
 
-/// d >= 0, and no square of a rational unless q = 0: `with_root` sees to that. Numbers of two such d do not meet.
+/// d >= 0, and no square of a rational unless q = 0: `with_root` ensures that. Numbers of two such d are never
+/// combined.
 struct OneRoot {
   mpq_class p = 0, q = 0, d = 0;
 
@@ -31,10 +32,10 @@ OneRoot operator*(const OneRoot& a, const OneRoot& b);
 OneRoot operator/(const OneRoot& a, const OneRoot& b);
 int sign(const OneRoot& a);
 
-/// The nearest number of 53 binary digits, ties to the even one; the exponent has no bounds.
+/// The nearest number of 53 binary digits, ties to even; the exponent is unbounded.
 mpq_class of_53_digits(const OneRoot& a);
 
-/// The nearest double, as rounding.h has it.
+/// The nearest double, as defined in rounding.h.
 double nearest(const OneRoot& a);
 
 inline Vector3<OneRoot> with_root(const Vector3<mpq_class>& v) { return {v.x, v.y, v.z}; }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr long precision = 53, least_exponent = -1074;
 
-/// The digits of a magnitude without the last `dropped` ones, and whether one of those is set.
+/// The digits of a magnitude without the last `dropped` ones, and a flag that tells whether one of those is set.
 struct Shortened {
   Int128 digits;
   bool lost;
@@ -34,7 +34,7 @@ Shortened shortened(const mpz_class& n, long dropped) {
   return {static_cast<Int128>(mpz_get_ui(digits.get_mpz_t())), lost};
 }
 
-/// `up`: towards +infinity, else towards -infinity.
+/// `up`: towards +infinity, otherwise towards -infinity.
 template <class Integer>
 double rounded(const Integer& n, long exponent, bool up) {
   const int sign = sign_of(n);
@@ -43,7 +43,7 @@ double rounded(const Integer& n, long exponent, bool up) {
   const bool away = up == (sign > 0);
   if (lost && away) digits += 1;
   const double result = round_scaled(sign < 0 ? -digits : digits, exponent + dropped);
-  // Exact, or beyond the range.
+  // Exact, or out of range.
   constexpr double greatest = std::numeric_limits<double>::max();
   if (std::bit_cast<std::uint64_t>(result) << 1 != std::uint64_t{0x7ff} << 53 || away) return result;
   return sign < 0 ? -greatest : greatest;

@@ -3,11 +3,11 @@
 
 #include "robust/kernel/integers/integers.h"
 
-/// Directed rounding, put together from integers: the same in every floating-point environment.
+/// Directed rounding, computed from integers: the same in every floating-point environment.
 namespace touchstone::robust::kernel {
 
-/// The greatest double that is not above n * 2^exponent. Above the range that is the greatest double, below it the
-/// infinity; 0 is 0.0.
+/// The greatest double that is not above n * 2^exponent: above the range the greatest finite double, below it
+/// -infinity; 0 is 0.0.
 double round_down(Int128 n, long exponent);
 double round_down(const mpz_class& n, long exponent);
 

@@ -4,7 +4,7 @@
 #include "geometry/space.h"
 #include "robust/kernel/integers/term_sum.h"
 
-/// What is asked of a plane and a point, as sums of terms.
+/// Functions of a plane and a point, as sums of terms.
 namespace touchstone::robust::kernel {
 
 /// N . p + d

@@ -26,8 +26,8 @@ long order_below(const mpz_class& n, int sign, const mpz_class& square) {
   const long root_digits = (digits_of(square) + 1) / 2;  // 2^(digits - 1) <= root < 2^digits, if it is not 0
   if (sign > 0 && sgn(n) >= 0) return sgn(n) > 0 ? digits_of(n) - 1 : root_digits - 1;
   if (sgn(square) == 0) return digits_of(n) - 1;
-  // One is taken from the other: the difference is that of the squares, divided by the sum, which is below 2^(both +
-  // 1).
+  // If the terms have opposite signs: the difference is that of the squares, divided by the sum, which is below 2^(both
+  // + 1).
   const mpz_class squares = n * n - square;
   return digits_of(squares) - 1 - (std::max(digits_of(n), root_digits) + 1);
 }
@@ -50,8 +50,8 @@ int sign_with_root(const mpz_class& n, int sign, const mpz_class& square) {
 double round_quadratic_root(const mpz_class& n, int sign, const mpz_class& square, const mpz_class& d, long exponent) {
   const int sign_above = sign_with_root(n, sign, square);
   if (sign_above == 0) return round_scaled(mpz_class(0), 0);
-  // Of the magnitude the whole part in units of 2^-shift, of at least 65 digits, and whether anything is left. A whole
-  // part of a whole part is the whole part: taking off what is below a unit before the division changes nothing.
+  // The integer part of the magnitude in units of 2^-shift, with at least 65 digits, and whether there is a remainder.
+  // Nested floors collapse: dropping the part below a unit before the division changes nothing.
   mpz_class above = sign_above > 0 ? n : mpz_class(-n), below = abs(d), root = square, rest;
   const int root_sign = sign_above > 0 ? sign : -sign;
   const long shift = std::max(66 + digits_of(below) - order_below(above, root_sign, square), 0L);
@@ -63,7 +63,7 @@ double round_quadratic_root(const mpz_class& n, int sign, const mpz_class& squar
   else above -= root + (tail ? 1 : 0);
   mpz_tdiv_qr(above.get_mpz_t(), rest.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
   tail = tail || sgn(rest) != 0;
-  // One digit more stands for all that is left: it is below everything that rounding compares.
+  // One extra digit represents the entire remainder: it is below everything that rounding compares.
   mpz_class digits = 2 * above + (tail ? 1 : 0);
   if (sign_above * sgn(d) < 0) digits = -digits;
   return round_scaled(digits, exponent - shift - 1);

@@ -60,8 +60,8 @@ double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d
   const bool tail = q.remainder || lost;
   const long scale = exponent - n_shift + d_shift;
   if (zeros == 0) return round_leading(negative, q.digits, tail, scale);
-  // At most one leading zero. The digit shifted in is written as 0, and the tail may reach it, unseen by rounding:
-  // it looks at 54 digits, and whether anything follows.
+  // At most one leading zero. The digit shifted in is 0, and the tail may reach it without effect on the rounding,
+  // which examines 54 digits and whether anything follows.
   return round_leading(negative, q.digits << 1, tail, scale - 1);
 }
 
@@ -96,7 +96,7 @@ double round_leading(bool negative, std::uint64_t leading, bool tail, long expon
   const std::uint64_t dropped = drop == 64 ? leading : leading & ((std::uint64_t{1} << drop) - 1);
   const std::uint64_t half = std::uint64_t{1} << (drop - 1);
   const bool up = dropped > half || (dropped == half && (tail || (kept & 1)));
-  // A carry out of the fraction goes into the exponent field, where it belongs; at the top it makes infinity.
+  // A carry out of the fraction goes into the exponent field, as required; at the top it makes infinity.
   const std::uint64_t field = top >= min_exponent ? static_cast<std::uint64_t>(top - min_exponent) << 52 : 0;
   return assemble(negative, field + kept + up);
 }
@@ -159,7 +159,7 @@ double round_square_root(const mpz_class& n, const mpz_class& d, long exponent) 
   if (shift >= 0) above <<= static_cast<unsigned long>(shift);
   else below <<= static_cast<unsigned long>(-shift);
   mpz_tdiv_qr(above.get_mpz_t(), division_rest.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
-  // The whole part of a root is the root of the whole part.
+  // The integer part of a root is the root of the integer part.
   mpz_sqrtrem(above.get_mpz_t(), root_rest.get_mpz_t(), above.get_mpz_t());
   const Leading top = leading_of(above);
   const bool tail = top.tail || sgn(division_rest) != 0 || sgn(root_rest) != 0;

@@ -8,7 +8,7 @@
 /// Rounding to the nearest double, ties to even, by integers alone: the same in every floating-point environment.
 ///
 /// Subnormals are rounded once, to the digits that they have. From 2^1024 - 2^970 on the result is infinite. Zero is
-/// +0.0; a number that is not zero keeps its sign even where it rounds to zero.
+/// +0.0; a nonzero number keeps its sign even if it rounds to zero.
 namespace touchstone::robust::kernel {
 
 /// (negative ? -1 : 1) * (leading + tail) * 2^exponent, where leading >= 2^63 and the tail is 0, or somewhere inside
@@ -27,7 +27,7 @@ double round_quotient(const mpz_class& n, const mpz_class& d, long exponent = 0)
 /// sqrt((n / d) * 2^exponent), n / d >= 0
 double round_square_root(const mpz_class& n, const mpz_class& d, long exponent = 0);
 
-/// The size of a number that is not negative, with that sign; 0 keeps it +0.0.
+/// A nonnegative size with the given sign; 0 stays +0.0.
 double with_sign(double size, int sign);
 
 }  // namespace touchstone::robust::kernel

@@ -10,7 +10,7 @@ namespace {
 
 using Bits = unsigned long;
 
-/// atan(1 / q) * 2^bits by its alternating series. Every power and every term is cut off once, so the sum is off by
+/// atan(1 / q) * 2^bits by its alternating series. Every power and every term is truncated once, so the sum is off by
 /// less than two units a term, and by the first term left out, which is 0.
 mpz_class inverse_tangent(unsigned long q, Bits bits) {
   mpz_class power = (mpz_class(1) << bits) / q, sum = 0, term;
@@ -25,15 +25,15 @@ mpz_class inverse_tangent(unsigned long q, Bits bits) {
 
 /// pi * 2^bits by Machin's formula, pi / 4 = 4 atan(1/5) - atan(1/239), off by less than 2.
 mpz_class machin(Bits bits) {
-  // With b = bits + guard the series have at most b / 4.6 + 1 and b / 15.8 + 1 terms, so they are off by less than
-  // 16 * 2 * (b / 4.6 + 1) + 4 * 2 * (b / 15.8 + 1) < 8 b + 40 units, far below 2^guard; the last cut costs less than 1
-  // more.
+  // With b = bits + guard the series have at most b / 4.6 + 1 and b / 15.8 + 1 terms, so they are off by less than 16 *
+  // 2 * (b / 4.6 + 1) + 4 * 2 * (b / 15.8 + 1) < 8 b + 40 units, far below 2^guard; the last truncation costs less than
+  // 1 more.
   const Bits guard = 48;
   mpz_class sum = 16 * inverse_tangent(5, bits + guard) - 4 * inverse_tangent(239, bits + guard);
   return sum >> guard;
 }
 
-/// u * 2^bits, cut towards zero below the last bit.
+/// u * 2^bits, truncated towards zero.
 mpz_class fixed_point(const Decoded& u, Bits bits) {
   const long shift = u.exponent + static_cast<long>(bits);
   if (shift >= 0) return scaled(u, static_cast<int>(shift));
@@ -43,7 +43,7 @@ mpz_class fixed_point(const Decoded& u, Bits bits) {
   return cut;
 }
 
-/// (a * b) / 2^bits, cut towards minus infinity: off by less than 1.
+/// (a * b) / 2^bits, rounded down: off by less than 1.
 mpz_class product(const mpz_class& a, const mpz_class& b, Bits bits) {
   mpz_class p = a * b;
   p >>= bits;
@@ -81,8 +81,8 @@ SineCosine sine_cosine(double u, Bits bits) {
 
   // Term k + 1 of either series is term k times square / ((n + 1)(n + 2)). With |square| < 0.64 * 2^bits, off by less
   // than 0.8 * 2 * 4 + 1 < 8 units, and |term| < 2^bits, a term off by e gives a next term off by less than (0.64 e + 8
-  // + 1) / 2 + 1, which stays below 16 from e <= 16 on. So n terms are off by less than 16 n units. What is left out
-  // after a zero term (below one unit) shrinks by a third each: 16 units cover it.
+  // + 1) / 2 + 1, which stays below 16 from e <= 16 on. So n terms are off by less than 16 n units. The terms left out
+  // after a zero term (below one unit) shrink by a third each: 16 units cover it.
   const mpz_class square = product(angle, angle, bits);
   mpz_class cosine = mpz_class(1) << bits, sine = angle, term = cosine;
   unsigned long terms = 2;

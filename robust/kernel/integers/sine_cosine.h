@@ -14,11 +14,11 @@ struct SineCosine {
   unsigned long bits;
 };
 
-/// For a finite u of any size, by integers alone. The error is below 16 units for each term of the series, of which
-/// there are fewer than bits; so more bits make it as small as one likes. bits >= 32.
+/// Accepts every finite u and uses only integers. The error is below 16 units for each term of the series, of which
+/// there are fewer than bits; so it becomes arbitrarily small with more bits. bits >= 32.
 SineCosine sine_cosine(double u, unsigned long bits);
 
-/// pi * 2^bits, off by less than 1; kept for each thread at the most digits asked for so far.
+/// pi * 2^bits, off by less than 1; cached for each thread with the most digits requested so far.
 mpz_class pi(unsigned long bits);
 
 }  // namespace touchstone::robust::kernel

@@ -38,7 +38,7 @@ inline int bit_width(UInt128 n) {
   return high != 0 ? 128 - std::countl_zero(high) : 64 - std::countl_zero(static_cast<std::uint64_t>(n));
 }
 
-/// Where the lowest set bit of any term lies (0 if all are zero), and one past the highest.
+/// The position of the lowest set bit of any term (0 if all are zero), and one past the highest.
 template <std::size_t N>
 Scaled<int> span_of(const std::array<Term, N>& terms) {
   int low = INT_MAX, high = INT_MIN;

@@ -9,7 +9,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-// A ring is enough for these predicates, and spares the common divisors of rationals.
+// A ring is enough for these predicates, and avoids the common divisors of rationals.
 using Kernel = CGAL::Simple_cartesian<CGAL::Gmpz>;
 
 CGAL::Gmpz number(const mpz_class& n) { return CGAL::Gmpz(n.get_mpz_t()); }

@@ -6,8 +6,8 @@
 #include "geometry/thin_shapes.h"
 #include "robust/kernel/filters/strict_math.h"
 
-/// The last stage: CGAL's predicates over GMP integers, behind a guard of the control word. CGAL is compiled in the one
-/// file behind this header. Its arguments have been looked at for degeneracies first.
+/// The last stage: CGAL's predicates over GMP integers, behind a guard of the control word. CGAL is compiled only in
+/// the file behind this header. The caller has handled degenerate arguments.
 namespace touchstone::robust::kernel {
 
 /// 1, 0, -1: p, q, r turn left, lie on one line, turn right.

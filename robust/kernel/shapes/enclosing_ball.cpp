@@ -23,7 +23,7 @@ double squared_distance(const Point3d& p, const Point3d& q) {
   return dot(v, v);
 }
 
-/// The least exponent of a set bit.
+/// The least exponent of any set bit.
 int unit_of(const std::vector<Point3d>& points) {
   int low = 0;
   for (const Point3d& p : points)
@@ -34,7 +34,7 @@ int unit_of(const std::vector<Point3d>& points) {
   return low;
 }
 
-/// In units of 2^unit, which all of them are multiples of.
+/// x in units of 2^unit, of which it is a multiple.
 mpz_class whole(double x, int unit) {
   const Decoded part = decode(x);
   if (part.magnitude == 0) return 0;
@@ -81,14 +81,14 @@ struct BallThrough {
   }
 };
 
-/// Welzl's algorithm with points moved to the front: what is outside of a ball lies on the boundary of the next one.
-/// Recursion is as deep as there are points on the boundary: four at most.
+/// Welzl's algorithm with points moved to the front: a point outside of a ball lies on the boundary of the next one.
+/// The recursion is as deep as there are points on the boundary: at most four.
 class SmallestBall {
  public:
   explicit SmallestBall(const std::vector<Point3d>& points)
       : points_(points), order_(points.size()), unit_(unit_of(points)) {
-    // Some order that has nothing to do with that of the points: points sorted along a line would cost the square of
-    // their number. Always the same one, so that the answer's cost is.
+    // A pseudorandom order, unrelated to that of the points: points sorted along a line would take quadratic time. The
+    // order is fixed, so that the cost of an answer is, too.
     for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
     std::uint64_t state = 1;
     for (std::size_t i = order_.size(); i > 1; --i) {
@@ -122,9 +122,9 @@ class SmallestBall {
     ball_ = std::move(ball);
     center_ = ball_->center(unit_);
     // The rounded center is off by at most 2^-53 of a coordinate, or 2^-1075, on each axis: together by less than twice
-    // that of the greatest. The rounded radius is off by the same of itself. Four times as much is taken off the
-    // radius, and 2^-50 of its square: what is left after a few roundings is a square of a ball about the rounded
-    // center, within the exact one.
+    // that of the greatest. The rounded radius has the same relative error. Four times as much is subtracted from the
+    // radius, and 2^-50 from its square: the result, after a few roundings, is the square of the radius of a ball about
+    // the rounded center within the exact one.
     const double radius = round_square_root(dot(ball_->n, ball_->n), mpz_class(ball_->d * ball_->d), 2 * unit_);
     const double least = radius - (0x1p-50 * (radius + greatest_coordinate({center_})) + 0x1p-1070);
     within_ = least > 0 ? least * least * (1 - 0x1p-50) : 0;
@@ -141,7 +141,7 @@ class SmallestBall {
   std::vector<Whole> on_;
   std::optional<BallThrough> ball_;
   Point3d center_{};
-  double within_ = 0;  ///< what is nearer to the center, squared, is in the ball
+  double within_ = 0;  ///< a point at less than this squared distance from the center is in the ball
 };
 
 }  // namespace
@@ -156,7 +156,7 @@ double greatest_coordinate(const std::vector<Point3d>& points) {
 double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
   double greatest = 0;
   for (const Point3d& p : points) greatest = std::max(greatest, squared_distance(center, p));
-  // Whoever may be farthest: exact distances are off by 2^-50 of the computed ones.
+  // The points that may be farthest: exact distances are off by 2^-50 of the computed ones.
   const double nearly = std::min(greatest, greatest_double) * (1 - 0x1p-48) - 0x1p-1060;
   std::vector<Point3d> far{center};
   for (const Point3d& p : points)
@@ -170,7 +170,7 @@ double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
   }
   const double radius = round_square_root(square, mpz_class(1), 2 * unit);
   if (!(radius <= greatest_double)) return radius;
-  const Decoded root = decode(radius);  // a multiple of 2^root.exponent; the greatest, too, is finite
+  const Decoded root = decode(radius);  // a multiple of 2^root.exponent; the greatest is finite, too
   mpz_class rounded = scaled(Decoded{root.magnitude, 0, false}, 0), exact = square;
   rounded *= rounded;
   const int more = 2 * (root.exponent - unit);

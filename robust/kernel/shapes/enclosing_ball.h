@@ -7,14 +7,14 @@
 #include "geometry/volumes.h"
 #include "robust/kernel/shapes/points_in_space.h"
 
-/// Balls around points of space, exactly. Finite points, at least one. The caller has set IEEE arithmetic
-/// (control_word.h): filters here count on rounding to nearest and on gradual underflow.
+/// Exact balls around points of space. Requires at least one point, all finite. The caller has set IEEE arithmetic
+/// (control_word.h): filters here rely on rounding to nearest and on gradual underflow.
 namespace touchstone::robust::kernel {
 
 /// The greatest magnitude of a coordinate.
 double greatest_coordinate(const std::vector<Point3d>& points);
 
-/// The least double whose closed ball about the center, a finite one, contains every point; infinite where none does.
+/// The least double whose closed ball about the finite center contains every point; infinite if there is none.
 double least_radius(const Point3d& center, const std::vector<Point3d>& points);
 
 /// The center of the smallest ball that contains every point, each coordinate correctly rounded.

@@ -7,9 +7,9 @@
 
 namespace touchstone::robust::kernel {
 
-/// The sign of ((b - a) x (c - a)) . (p - a): 1 where p lies on the side of the plane from which a, b, c are seen
-/// counter-clockwise, 0 on the plane (or where a, b, c are on one line). Right for all finite doubles in every
-/// floating-point environment. The stages as staged.h says.
+/// The sign of ((b - a) x (c - a)) . (p - a): 1 if p lies on the side of the plane from which a, b, c are seen
+/// counter-clockwise, 0 on the plane (or if a, b, c are collinear). Right for all finite doubles in every
+/// floating-point environment. staged.h describes the stages.
 struct SideOfFace {
   static Perhaps<int> lattice(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& p);
   static int exact(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& p);

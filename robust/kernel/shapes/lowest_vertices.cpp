@@ -24,13 +24,13 @@ Vector3d in_doubles(const Vector3<mpz_class>& direction) {
 
 double size(const Vector3d& v) { return std::max({__builtin_fabs(v.x), __builtin_fabs(v.y), __builtin_fabs(v.z)}); }
 
-/// The heights of points over the first, as doubles, and what they may be off by.
+/// The heights of points above the first, as doubles, and their error bound.
 ///
 /// u = 2^-52 bounds a rounding in every mode. Let D be the greatest coordinate of p - first, as computed. The direction
 /// is off by u of each coordinate, the difference by u, a product by u: three of at most D each are off by 9.1 u D, two
-/// sums by 6.1 u D more: 16 u D = 2^-48 D, and twice that is taken. What underflows, or is read as zero, costs at most
-/// 2^-1019 (1 + D). Guard: D in [2^-900, 2^1000], so that this is below 2^-100 of the bound, and nothing overflows. Not
-/// proved by machine.
+/// sums by 6.1 u D more: 16 u D = 2^-48 D, and twice that is taken. Numbers that underflow, or are read as zero, cost
+/// at most 2^-1019 (1 + D). Guard: D in [2^-900, 2^1000], so that this is below 2^-100 of the bound, and nothing
+/// overflows. Not proved by machine.
 struct Heights {
   const Point3d& first;
   Vector3d direction;

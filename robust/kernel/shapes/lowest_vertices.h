@@ -10,8 +10,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// `level`: at least one vertex, and all as low as one another along the direction. If none is lower, these and all
-/// others that are as low; else one that is lower.
+/// `level`: at least one vertex, all of the same height along the direction. If no vertex is lower, returns these and
+/// all others of that height; otherwise one that is lower.
 std::vector<Index> lowest_vertices(const std::vector<Point3d>& vertices, std::vector<Index> level,
                                    const Vector3<mpz_class>& direction);
 

@@ -25,7 +25,7 @@ QuotientPoint along(const WholePoint& from, const mpz_class& n, const mpz_class&
 
 bool less(const Quotient& p, const Quotient& q) { return p.n * q.d < q.n * p.d; }
 
-/// The first of the points, or pairs, with the least distance.
+/// Keeps the first of the points, or pairs, with the least distance.
 struct Nearest {
   QuotientPair pair;
   Quotient square;
@@ -39,7 +39,7 @@ struct Nearest {
   }
 };
 
-/// Whether x is not beyond the edge, seen along the normal of a triangle to whose left it is.
+/// True if x is not beyond the edge, seen along the normal of a triangle to its left.
 bool on_inner_side(const Vector& normal, const WholePoint& from, const WholePoint& to, const WholePoint& x) {
   return sgn(dot(cross(normal, to - from), x - from)) >= 0;
 }
@@ -69,7 +69,7 @@ QuotientPoint nearest_on_segment(const WholePoint& p, const Segment& segment) {
   return along(a, foot, length, v);
 }
 
-/// The foot of the perpendicular where it is in the triangle; else the nearest point is on an edge. Without area all
+/// The foot of the perpendicular if it is in the triangle; otherwise the nearest point on an edge. Without area all
 /// points are on edges.
 QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
@@ -84,9 +84,9 @@ QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle& triangle)
   return nearest.pair.on_a;
 }
 
-/// The feet of the common perpendicular where both are on the segments; else, and if they are parallel, one of the
-/// points is an end. Of parallel segments those pairs are in order of the parameter on a: at 0; where b begins or ends;
-/// at 1. The nearer end of b comes first.
+/// The feet of the common perpendicular if both are on the segments; otherwise, and if the segments are parallel, one
+/// of the points is an end. For parallel segments the candidates are in order of the parameter on a: at 0; where b
+/// begins or ends; at 1. The nearer end of b comes first.
 QuotientPair nearest_pair(const Segment& a, const Segment& b) {
   const Vector v = a.b - a.a, w = b.b - b.a, between = b.a - a.a, normal = cross(v, w);
   const mpz_class length = square(normal);

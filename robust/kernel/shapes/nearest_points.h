@@ -9,8 +9,8 @@
 #include "robust/kernel/filters/staged.h"
 #include "robust/kernel/shapes/points_in_space.h"
 
-/// The nearest points of points, segments and triangles of space, by cases, in integers. What has no length or no area
-/// is a case like others. The plane is z = 0.
+/// The nearest points of points, segments and triangles of space, by cases, in integers. Shapes without length or area
+/// are cases like others. The plane is z = 0.
 namespace touchstone::robust::kernel {
 
 using WholePoint = Point3<mpz_class>;
@@ -29,26 +29,26 @@ struct Quotient {
 };
 QuotientPoint nearest_on_segment(const WholePoint& p, const Segment3<mpz_class>& segment);
 QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle3<mpz_class>& triangle);
-/// Of many such pairs the one with the least parameter on a.
+/// Among several nearest pairs the one with the least parameter on a.
 QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class>& b);
 
 Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q);
 
-/// Of two shapes at that distance, one of them or both taken with all that is no farther from it than a radius; `reach`
-/// is the sum of these. `interiors`: no radius is 0.
+/// The contact of two shapes at that distance, one or both of them grown by a radius; `reach` is the sum of the radii.
+/// `interiors`: no radius is 0.
 Contact contact(const Quotient& square, const mpz_class& reach, bool interiors);
 
 inline Point3d in_space(const Point2d& p) { return {p.x, p.y, 0}; }
 inline const Point3d& in_space(const Point3d& p) { return p; }
 inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(s.b)}; }
 
-/// Of points of the plane or of space, on one power of two.
+/// Points of the plane or of space over one power of two.
 template <class... Points>
 ScaledPoints<mpz_class> whole_points(const Points&... p) {
   return integers_of(Polygon3d{{in_space(p)...}});
 }
 
-/// Of the input times 2^exponent, each number rounded once.
+/// A point in units of the input times 2^exponent, each number rounded once.
 Point3d rounded(const QuotientPoint& p, int exponent);
 ClosestPoint3<double> closest_point(const WholePoint& from, const QuotientPoint& nearest, int exponent);
 ClosestPair3<double> closest_pair(const QuotientPair& pair, int exponent);

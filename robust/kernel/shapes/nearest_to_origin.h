@@ -19,7 +19,7 @@ struct NearestToOrigin {
   Vector3<Number> normal;
 };
 
-/// Some of at most four points, in order.
+/// A subset of at most four points, in order.
 class Chosen {
  public:
   Chosen(unsigned mask, std::size_t count) {
@@ -34,8 +34,8 @@ class Chosen {
   std::size_t size_ = 0;
 };
 
-/// The foot of the perpendicular on the point, line or plane of those that `chosen` names, all other weights being 0;
-/// of four, the origin. Where these points are dependent, `whole` is 0.
+/// The foot of the perpendicular on the point, line or plane of the `chosen` points, with all other weights 0; for
+/// four, the origin. If these points are dependent, `whole` is 0.
 template <class Number>
 NearestToOrigin<Number> foot_of_perpendicular(const std::vector<Vector3<Number>>& points, const Chosen& chosen) {
   const Vector3<Number>& p = points[chosen[0]];

@@ -37,7 +37,7 @@ Second<Integer> determinant(const Vector2<Integer>& v, const Vector2<Integer>& w
   return multiply(v.x, w.y) - multiply(v.y, w.x);
 }
 
-/// 1, 0, -1: p, q, r turn left, lie on one line, turn right. (For GMP integers: CGAL, in cgal_predicates.h.)
+/// 1, 0, -1: p, q, r turn left, are collinear, turn right. (For GMP integers: CGAL, in cgal_predicates.h.)
 inline int turn(const Point2<std::int64_t>& p, const Point2<std::int64_t>& q, const Point2<std::int64_t>& r) {
   return sign_of(determinant<std::int64_t>(q - p, r - p));
 }

@@ -22,7 +22,7 @@ LinePlaneRelation CrossingLine::relation(bool ends) const {
   return leaves || falls_short ? LinePlaneRelation::none : LinePlaneRelation::point;
 }
 
-/// t is -height / climb, and a place (climb from - height way) / climb.
+/// t is -height / climb, and the point is (climb from - height way) / climb.
 LinePlane<double> CrossingLine::answer(bool ends) const {
   const LinePlaneRelation found = relation(ends);
   if (found != LinePlaneRelation::point) return {found, std::nullopt, std::nullopt};

@@ -7,23 +7,23 @@
 #include "robust/kernel/filters/staged.h"
 #include "robust/kernel/integers/plane_terms.h"
 
-/// Where a line from + t way crosses a plane. Its height over the plane, times |N|, is height + t climb.
+/// The point where a line from + t way crosses a plane. Its height over the plane, times |N|, is height + t climb.
 namespace touchstone::robust::kernel {
 
-/// The same in integers: heights on one power of two, places on another.
+/// The same in integers: heights over one power of two, positions over another.
 struct CrossingLine {
   Scaled<mpz_class> height, climb;
   Integers<6> line;  // x, y, z of from, then of way
 
-  /// What of it with t >= 0, and t <= 1 where it ends, lies in the plane.
+  /// Classifies the part with t >= 0, and t <= 1 if the line ends, that lies in the plane.
   LinePlaneRelation relation(bool ends) const;
   LinePlane<double> answer(bool ends) const;
 };
 
-/// a and b become multiples of one power of two.
+/// Makes a and b multiples of one power of two.
 void to_one_unit(Scaled<mpz_class>& a, Scaled<mpz_class>& b);
 
-/// The answer where height and descent = -climb are known to have the same sign, and to give the only t that counts.
+/// The answer if height and descent = -climb are known to have the same sign, and to give the only t in range.
 inline Perhaps<LinePlane<double>> enclosed_crossing(const Enclosed<double>& height, const Enclosed<double>& descent,
                                                     const Point3d& from, const Factor<Two>& xy,
                                                     const Factor<double>& z) {

@@ -7,7 +7,7 @@
 #include "geometry/space.h"
 #include "robust/kernel/integers/integers.h"
 
-/// Lists of points of space on one power of two, as lattice.h and integers.h have single numbers.
+/// Lists of points of space over one power of two, like the single numbers of lattice.h and integers.h.
 namespace touchstone::robust::kernel {
 
 /// Point i is at[i] * 2^exponent exactly.

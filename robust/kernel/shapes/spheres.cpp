@@ -6,7 +6,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// Of the numbers of two spheres: center and radius of one, then of the other.
+/// The sign for two spheres, each given by center and radius.
 template <class Product, class Integer>
 int sign_of_reach(const std::array<Integer, 8>& n) {
   const auto squared = [](const Integer& x) { return Product(Product(x) * Product(x)); };

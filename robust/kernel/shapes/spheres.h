@@ -4,7 +4,7 @@
 #include "robust/kernel/filters/sphere_filter.h"
 #include "robust/kernel/filters/staged.h"
 
-/// Whether two balls meet: exactly, in every floating-point environment. Finite numbers, radii not negative.
+/// Decides whether two balls meet: exactly, in every floating-point environment. Finite numbers, radii not negative.
 namespace touchstone::robust::kernel {
 
 /// The sign of the radii's sum minus the distance of the centers. -1: the balls have no common point. 0: they have one,

@@ -10,7 +10,7 @@ namespace {
 using Point = Point3<mpz_class>;
 using Vector = Vector3<mpz_class>;
 
-/// segment / w, w > 0, as seen from a point: times w.
+/// segment / w, w > 0, relative to a point: times w.
 struct Seen {
   const Segment3<mpz_class>& segment;
   const mpz_class& w;
@@ -26,7 +26,7 @@ void keep_above(Clipped& part, const Seen& s, const Vector& normal, const Point&
   part.keep(dot(normal, s.a(at)), dot(normal, s.b(at)));
 }
 
-/// Within the plane: on the inner side of all edges. cross(normal, to - from) points inwards.
+/// Clips within the plane: keeps the inner side of all edges. cross(normal, to - from) points inwards.
 void keep_triangle(Clipped& part, const Seen& s, const Triangle3<mpz_class>& t, const Vector& normal) {
   part.keep_zero(dot(normal, s.a(t.a)), dot(normal, s.b(t.a)));
   keep_above(part, s, cross(normal, t.b - t.a), t.a);
@@ -34,8 +34,8 @@ void keep_triangle(Clipped& part, const Seen& s, const Triangle3<mpz_class>& t, 
   keep_above(part, s, cross(normal, t.a - t.c), t.c);
 }
 
-/// Corners on one line: the points of that line in the box around the corners. If the corners are one point, the box
-/// is that point, and there is no line to ask.
+/// For collinear corners: keeps the points of that line in the box around the corners. If the corners are one point,
+/// the box is that point, and there is no line to test.
 void keep_without_area(Clipped& part, const Seen& s, const Triangle3<mpz_class>& t) {
   const Vector along = t.b == t.a ? t.c - t.a : t.b - t.a;
   const Vector from_a = cross(along, s.a(t.a)), from_b = cross(along, s.b(t.a));
@@ -48,7 +48,7 @@ void keep_without_area(Clipped& part, const Seen& s, const Triangle3<mpz_class>&
   }
 }
 
-/// Those of the edges of t in the other triangle.
+/// Adds the ends of the parts of t's edges in the other triangle.
 void add_ends(std::vector<HomogeneousPoint>& ends, const Triangle3<mpz_class>& t, const Triangle3<mpz_class>& other) {
   for (const Segment3<mpz_class>& edge : {Segment3<mpz_class>{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
     const Clipped part = clipped(edge, other);

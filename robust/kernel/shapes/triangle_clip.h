@@ -10,9 +10,9 @@
 
 namespace touchstone::robust::kernel {
 
-/// The part of a segment p + t (q - p), 0 <= t <= 1, or of a ray, 0 <= t, where linear functions are not negative,
-/// exactly. first and last are t as numerator / denominator > 0; last of a ray that nothing ends is 1 / 0, greater than
-/// all others. p == q is one point for every t; first and last stay 0 and 1.
+/// The part of a segment p + t (q - p), 0 <= t <= 1, or of a ray, 0 <= t, on which linear functions are not negative,
+/// exactly. first and last are t as numerator / denominator > 0; last of an unbounded ray is 1 / 0, greater than all
+/// others. p == q is one point for every t; first and last stay 0 and 1.
 struct Clipped {
   struct Parameter {
     mpz_class numerator, denominator;
@@ -26,7 +26,7 @@ struct Clipped {
 
   static Clipped ray() { return {{0, 1}, {1, 0}, false, true}; }
 
-  /// Where a function with these values at p and q is >= 0.
+  /// Keeps the part on which a function with these values at p and q is >= 0.
   void keep(const mpz_class& at_p, const mpz_class& at_q);
   void keep_zero(const mpz_class& at_p, const mpz_class& at_q) { keep(at_p, at_q), keep(-at_p, -at_q); }
 };
@@ -47,8 +47,8 @@ Vector3<mpz_class> way(const HomogeneousPoint& p, const HomogeneousPoint& q);
 inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
 
 /// The ends of the parts that the edges of each triangle have in the other. Every extreme point of the common part lies
-/// on an edge of one of the two: what is inside both, in one plane or not, lies between others. So the common part is
-/// the smallest convex set around these ends.
+/// on an edge of one of the two: a point inside both, coplanar or not, lies between others. So the common part is the
+/// convex hull of these ends.
 std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a, const Triangle3<mpz_class>& b);
 
 }  // namespace touchstone::robust::kernel

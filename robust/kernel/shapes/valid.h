@@ -6,8 +6,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// Whether no number is NaN or infinite. Validation itself builds the names of fields, which costs more than the
-/// geometry, so it is asked only where this says no; the rules are those of geometry/validation.h.
+/// True if no number is NaN or infinite. The full validation builds the names of fields, which costs more than the
+/// geometry, so it runs only if this returns false; the rules are those of geometry/validation.h.
 template <class... Doubles>
 bool all_finite(Doubles... numbers) {
   return (static_cast<int>(!validation::finite(numbers)) + ...) == 0;  // one branch

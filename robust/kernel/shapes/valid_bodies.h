@@ -7,7 +7,7 @@
 #include "geometry/validation_of_bodies.h"
 #include "robust/kernel/shapes/valid_space.h"
 
-/// Whether bodies are valid; the rules are those of geometry/validation_of_bodies.h (see valid.h).
+/// Checks whether bodies are valid; the rules are those of geometry/validation_of_bodies.h (see valid.h).
 namespace touchstone::robust::kernel {
 
 inline bool valid(const Massesd& m) {

@@ -4,7 +4,7 @@
 #include "geometry/validation_of_capsules.h"
 #include "robust/kernel/shapes/valid_space.h"
 
-/// Whether segments, triangles and capsules of space are valid (see valid.h).
+/// Checks whether segments, triangles and capsules of space are valid (see valid.h).
 namespace touchstone::robust::kernel {
 
 inline bool valid(const Segment3d& s) { return valid(s.a) && valid(s.b); }

@@ -4,7 +4,7 @@
 #include "robust/kernel/filters/ordered_bits.h"
 #include "robust/kernel/shapes/valid.h"
 
-/// Whether shapes of space, and boxes of the plane, are valid; the rules are those of geometry/validation.h (see
+/// Checks whether shapes of space, and boxes of the plane, are valid; the rules are those of geometry/validation.h (see
 /// valid.h).
 namespace touchstone::robust::kernel {
 
@@ -29,7 +29,7 @@ inline bool valid(const Aabb3d& box) {
          in_order(box.min.z, box.max.z);
 }
 
-/// But for the half axes' independence, which takes a determinant.
+/// Does not check that the half axes are independent, which takes a determinant.
 inline bool valid(const Obb3d& box) {
   return valid(box.center) && valid(box.half_axes.u) && valid(box.half_axes.v) && valid(box.half_axes.w);
 }

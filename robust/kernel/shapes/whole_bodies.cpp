@@ -4,7 +4,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// The least exponent among numbers that are not 0, and integers on it.
+/// The least exponent among nonzero numbers, and integers over it.
 class CommonUnit {
  public:
   void add(double number) {

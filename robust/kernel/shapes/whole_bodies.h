@@ -17,10 +17,10 @@ struct WholeBodies {
 };
 WholeBodies whole_bodies(const std::vector<Bodyd>& bodies);
 
-/// Sums of robust/kernel/enclosed/enclosed.h hold this many terms.
+/// Sums of robust/kernel/enclosed/enclosed.h hold at most this many terms.
 inline constexpr std::size_t most_enclosed_bodies = std::size_t{1} << 12;
 
-/// Two bodies side by side; the one beside the last of an odd number has the mass 1 and rests.
+/// Two bodies, one per lane; the partner of the last body of an odd number has the mass 1 and is at rest.
 struct TwoBodies {
   Two mass, x, y, z;
 };
@@ -31,7 +31,7 @@ inline TwoBodies two_bodies(const std::vector<Bodyd>& bodies, std::size_t i) {
   return {Two(a.mass, b.mass), Two(v.x, w.x), Two(v.y, w.y), Two(v.z, w.z)};
 }
 
-/// Whether both masses are positive; within the window.
+/// True if both masses are positive; within the window.
 inline bool positive(Two masses) { return masses >= Two(0x1p-100); }
 
 }  // namespace touchstone::robust::kernel

@@ -10,7 +10,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// What is taken from `to` to make the way.
+/// The point that is subtracted from `to` to get the direction.
 Point3d base_of(const Line& line) { return line.ends ? line.from : Point3d{0, 0, 0}; }
 
 Vector3d vector_of(const Point3d& p) { return {p.x, p.y, p.z}; }
@@ -19,7 +19,7 @@ Vector3d vector_of(const Point3d& p) { return {p.x, p.y, p.z}; }
 
 Perhaps<Passage<double>> BallPassage::filter(const Line& line, const Ball& ball) {
   using filters::Sign;
-  if (sign_bit(ball.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (sign_bit(ball.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
   const filters::Sweep<double> sweep({line.from, 0}, ball, vector_of(line.to), vector_of(base_of(line)));
   if (sweep.start() != Sign::positive) return std::nullopt;
   if (sweep.slope_at_start() == Sign::positive || sweep.passage() == Sign::positive) return no_passage;
@@ -27,12 +27,12 @@ Perhaps<Passage<double>> BallPassage::filter(const Line& line, const Ball& ball)
   return std::nullopt;
 }
 
-/// Each root is taken to where it adds: with s the root of the discriminant and h half the slope of f at the start, the
-/// smaller zero is f(0) / (s - h) and the greater (s - h) / v . v where h < 0; where h > 0 the greater is -f(0) / (s +
-/// h).
+/// Each root is computed where its terms have the same sign: with s the root of the discriminant and h half the slope
+/// of f at the start, the smaller zero is f(0) / (s - h) and the greater (s - h) / v . v if h < 0; if h > 0 the greater
+/// is -f(0) / (s + h).
 Perhaps<Passage<double>> BallPassage::enclosed(const Line& line, const Ball& ball) {
   const Point3d &p = line.from, &c = ball.center, &to = line.to, base = base_of(line);
-  // Place and way beside each other.
+  // Position and direction, one per lane.
   const Vector3<Two> of_line{Two(p.x, to.x), Two(p.y, to.y), Two(p.z, to.z)},
       of_ball{Two(c.x, base.x), Two(c.y, base.y), Two(c.z, base.z)};
   if (sign_bit(ball.radius) || !rounds_to_nearest()) return std::nullopt;

@@ -7,12 +7,12 @@
 namespace touchstone::robust::kernel {
 
 /// The first and the last t at which a line is in a ball: where f(t) = |p + t v|^2 - r^2 is at most 0, with p and v the
-/// place and the way of the line as the ball's center sees them.
+/// position and the direction of the line relative to the ball's center.
 struct BallPassage {
-  /// `none` by the signs that sweep_filter.h proves, for a point that moves along the line; empty where it is not
-  /// valid.
+  /// Returns `none` by the signs that sweep_filter.h proves, for a point that moves along the line; empty if the input
+  /// is not valid.
   static Perhaps<Passage<double>> filter(const Line& line, const Ball& ball);
-  /// Empty where it is not valid.
+  /// Empty if the input is not valid.
   static Perhaps<Passage<double>> enclosed(const Line& line, const Ball& ball);
   static Passage<double> exact(const Line& line, const Ball& ball);
 };

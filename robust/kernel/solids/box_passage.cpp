@@ -12,14 +12,14 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-/// What one axis sees: `to` is the end of a segment, or the direction of a ray.
+/// The numbers of one axis: `to` is the end of a segment, or the direction of a ray.
 struct Axis {
   double from, to, min, max;
 
   bool zero_way(bool ends) const { return ends ? validation::same(from, to) : validation::zero(to); }
 };
 
-/// On the lattice: distance / speed, or 1 / 0, which is later than all others. Of differences, so both are below 2^62.
+/// On the lattice: distance / speed, or 1 / 0, which is later than all others. Both are differences, so below 2^62.
 struct Time {
   std::int64_t distance, speed;
   friend bool operator<(const Time& s, const Time& t) {
@@ -71,7 +71,7 @@ Perhaps<Passage<double>> BoxPassage::enclosed(const Line& line, const Box& box) 
   return Passage<double>{PassageRelation::hit, first, last};
 }
 
-/// The differences of each axis in a unit of its own: t has none.
+/// The differences of each axis in a unit of its own: t is dimensionless.
 Passage<double> BoxPassage::exact(const Line& line, const Box& box) {
   Clipped part = line.ends ? Clipped{} : Clipped::ray();
   bool moves = false;

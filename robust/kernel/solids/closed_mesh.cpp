@@ -16,7 +16,8 @@ std::uint64_t edge(Index from, Index to) { return std::uint64_t{std::min(from, t
 
 std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
 
-/// In ascending order, each once. Edges go to their lesser vertices, few to each, so that few are sorted at once.
+/// In ascending order without duplicates. Edges are grouped by their lesser vertices, few to each, so that few are
+/// sorted at once.
 std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
   std::vector<std::size_t> end(mesh.vertices.size() + 1);
   const auto for_each_edge = [&mesh](const auto& take) {

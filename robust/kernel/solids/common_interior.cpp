@@ -21,7 +21,7 @@ using Segment = Segment3<mpz_class>;
 
 Point times(const Point& p, const mpz_class& k) { return {mpz_class(k * p.x), mpz_class(k * p.y), mpz_class(k * p.z)}; }
 
-/// Of which solids something is: 1 of a, 2 of b.
+/// A set of solids: 1 for a, 2 for b.
 using Solids = unsigned;
 constexpr Solids of_both = 3;
 
@@ -39,7 +39,7 @@ struct Wall {
     const auto named = [&other](Index i) { return std::count(other.names.begin(), other.names.end(), i) > 0; };
     return solid == other.solid && std::count_if(names.begin(), names.end(), named) > 1;
   }
-  /// All corners are in front of the other's plane, or behind it, or in it.
+  /// True if all corners are in front of the other's plane, or behind it, or in it.
   bool on_one_side_of(const Wall& other) const {
     const auto side = [&other](const Point& p) { return sgn(dot(other.normal, p - other.corners.a)); };
     const int first = side(corners.a);
@@ -47,7 +47,7 @@ struct Wall {
   }
 };
 
-/// segment / w, w > 0, in a box; along its line.
+/// segment / w, w > 0, and the box around it; a part of a line.
 struct Line {
   Segment segment;
   mpz_class w;
@@ -57,7 +57,7 @@ struct Line {
 
 /// The common part of two walls in different planes, if it is a segment.
 std::optional<Line> common_line(const Wall& v, const Wall& w) {
-  // Otherwise there are only common points of edges, or a line of its own, or several.
+  // Otherwise the common part is only points of edges, or has a line of its own, or several.
   if (v.has_edge_of(w) || v.on_one_side_of(w) || w.on_one_side_of(v)) return std::nullopt;
   const std::vector<HomogeneousPoint> ends = ends_of_common_part(v.corners, w.corners);
   for (const HomogeneousPoint& end : ends) {
@@ -71,7 +71,7 @@ std::optional<Line> common_line(const Wall& v, const Wall& w) {
   return std::nullopt;
 }
 
-/// A wall, and its corners as a point sees them, times a positive number.
+/// A wall, and its corners relative to a point, times a positive number.
 struct Seen {
   Seen(const Wall& seen, const HomogeneousPoint& from)
       : wall(&seen),
@@ -80,13 +80,13 @@ struct Seen {
   std::array<Vector, 3> corners;
 };
 
-/// A half-plane at a line, along which a wall goes away from it.
+/// A half-plane bounded by a line, along which a wall leaves it.
 struct Step {
   Vector away;
   Solids solid;
 };
 
-/// One for a wall that has the line as an edge, two for one through which it passes.
+/// Adds one for a wall that has the line as an edge, two for one that the line crosses.
 void add_steps(std::vector<Step>& steps, const Seen& seen, const Vector& along) {
   const auto& corners = seen.corners;
   const auto turned = [&along](const Vector& corner) { return cross(along, corner); };
@@ -97,8 +97,8 @@ void add_steps(std::vector<Step>& steps, const Seen& seen, const Vector& along) 
   if (beyond != corners.end()) steps.push_back({*beyond, seen.wall->solid});
 }
 
-/// Whether a ray crosses a wall that the point is not on; empty where its line may meet an edge or lie in the plane.
-/// An edge and the point span what a corner and the edge span.
+/// True if a ray crosses a wall that does not contain the point; empty if its line may meet an edge or lie in the
+/// plane. An edge and the point span the same plane as a corner and the edge.
 std::optional<bool> crosses(const Vector& ray, const Seen& seen) {
   const Wall& wall = *seen.wall;
   const int height = sgn(dot(wall.normal, seen.corners[0]));
@@ -114,7 +114,7 @@ std::optional<bool> crosses(const Vector& ray, const Seen& seen) {
   return sides[0] == sides[1] && sides[1] == sides[2] && sides[0] == height;
 }
 
-/// A number strictly between two, of few bits.
+/// A number strictly between two, with few bits.
 Clipped::Parameter between(const Clipped::Parameter& from, const Clipped::Parameter& to) {
   for (mp_bitcnt_t bits = 1;; bits *= 2) {
     const mpz_class n = (from.numerator << bits) / from.denominator + 1, d = mpz_class(1) << bits;
@@ -122,14 +122,14 @@ Clipped::Parameter between(const Clipped::Parameter& from, const Clipped::Parame
   }
 }
 
-/// What there is around a point in general position on a line: half-planes, and other walls.
+/// The surroundings of a point in general position on a line: half-planes, and other walls.
 struct Around {
   Vector along;
   std::vector<Step> steps;
   std::vector<Seen> others;
 
-  /// Whether some sector between half-planes is inside of both, of which the ray's is known; empty where the ray is not
-  /// in general position.
+  /// True if some sector between half-planes is inside of both, given the sector of the ray; empty if the ray is not in
+  /// general position.
   std::optional<bool> any_of_both(const Vector& ray) {
     Solids inside = 0;
     for (const Seen& seen : others) {
@@ -164,7 +164,7 @@ class Walls {
   }
 
   bool any_sector_of_both() const {
-    for (const bool across : {true, false}) {  // where a and b cross, some sector is inside of both, as a rule
+    for (const bool across : {true, false}) {  // usually some sector is inside of both where a and b cross
       for (std::size_t i = 0; i < walls_.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           const Wall &v = walls_[i], &w = walls_[j];
@@ -196,7 +196,7 @@ class Walls {
     }
   }
 
-  /// Somewhere in each piece between the ends of walls along the line.
+  /// Tests one point in each piece of the line between the ends of walls.
   bool any_of_both(const Line& line) const {
     std::vector<Clipped> parts(walls_.size());
     std::vector<Clipped::Parameter> cuts{{0, 1}, {1, 1}};

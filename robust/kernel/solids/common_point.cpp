@@ -42,14 +42,14 @@ std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_cla
   return found;
 }
 
-/// Where inward . (p - from) >= 0.
+/// The points with inward . (p - from) >= 0.
 struct HalfSpace {
   Point from;
   Vector inward;
   mpq_class height(const Point& p) const { return dot(inward, p - from); }
 };
 
-/// At each edge; of a segment, at its ends too.
+/// Half spaces at each edge, and for a segment also at its ends.
 std::vector<HalfSpace> half_spaces(const std::vector<Point>& ring, const Vector& normal) {
   std::vector<HalfSpace> all;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -88,7 +88,7 @@ QuotientPoint over_one_denominator(const Point& p) {
 
 }  // namespace
 
-/// The foot of the perpendicular, if both sets hold it; else the point is on an edge of what they have in common.
+/// The foot of the perpendicular, if both sets contain it; otherwise the point is on an edge of their intersection.
 QuotientPoint nearest_common_point(std::vector<WholePoint> a, std::vector<WholePoint> b,
                                    const Vector3<mpz_class>& normal, const WholePoint& to) {
   const Vector n = quotients(normal);

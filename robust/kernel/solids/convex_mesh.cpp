@@ -72,8 +72,8 @@ int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) 
       if (outside == 0) outside = -side;
       if (side == outside) validate_areas(field, mesh), validation::refuse_beyond(field, mesh, i, v);
     }
-    // Without area no vertex is off, and if face 0 has one, so is a vertex, and with it one for every face that has an
-    // area.
+    // If the mesh has no area no vertex is off the plane; if face 0 has one, a vertex is off, and with it one for every
+    // face that has an area.
     if (!off) validate_areas(field, mesh), validation::refuse_flat_mesh(field);
   }
   return outside;

@@ -12,14 +12,14 @@
 /// Triangulation of one polygon in a plane, over any exact numbers.
 namespace touchstone::robust::kernel {
 
-/// Three corners of a polygon by their numbers, as the polygon turns.
+/// Three corners of a polygon by number, in the polygon's orientation.
 using CornerTriple = std::array<std::size_t, 3>;
 
-/// Whether the triangle a, i, b, where i follows a and b follows i, can be cut off the corners that are left: it turns
-/// to the left, no other corner lies in it but in the positions of its own, and where another corner stands in the
-/// position of i, no edge there leads into it.
+/// True if the triangle a, i, b, where i follows a and b follows i, is an ear of the remaining corners: it turns to the
+/// left, it contains no other corner except at the positions of its own, and if another corner coincides with i, no
+/// edge there leads into it.
 ///
-/// Ring: `turn(i, j, k)` is the sign of the turn at j, positive to the left; `same(i, j)` tells equal positions.
+/// Ring: `turn(i, j, k)` is the sign of the turn at j, positive to the left; `same(i, j)` compares positions.
 template <class Ring>
 bool is_ear(const Ring& ring, const std::vector<std::size_t>& left, std::size_t at) {
   const std::size_t count = left.size(), a = left[(at + count - 1) % count], i = left[at], b = left[(at + 1) % count];
@@ -37,9 +37,9 @@ bool is_ear(const Ring& ring, const std::vector<std::size_t>& left, std::size_t 
   return true;
 }
 
-/// Cuts off ears until a triangle is left (Meisters 1975); empty where none can be cut off. Of a polygon that encloses
-/// an area on its left and does not cross itself the triangles are a valid cut (geometry/polyhedra.h); whether the
-/// polygon is one is not asked. Takes count^2 steps and more where few corners are ears.
+/// Cuts off ears until a triangle is left (Meisters 1975); returns nullopt if there is no ear. For a polygon that
+/// encloses an area on its left and does not cross itself the triangles are a valid triangulation
+/// (geometry/polyhedra.h); this is not checked. Takes count^2 steps and more if few corners are ears.
 template <class Ring>
 std::optional<std::vector<CornerTriple>> clipped_ears(const Ring& ring, std::size_t count) {
   std::vector<std::size_t> left(count);

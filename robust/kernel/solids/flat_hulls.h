@@ -10,8 +10,8 @@
 #include "geometry/thin_shapes.h"
 #include "robust/kernel/solids/parallelepiped.h"
 
-/// Hulls of up to three points, and what two of them in one plane have in common: written once for both exact stages,
-/// as kernel/plane.h is. Dimensions are 0, 1, 2; -1 of nothing.
+/// Hulls of up to three points, and the intersection of two of them in one plane: written once for both exact stages,
+/// like kernel/plane.h. Dimensions are 0, 1, 2; -1 for empty.
 namespace touchstone::robust::kernel {
 
 /// v x w, and the signs of its products with vectors.
@@ -22,8 +22,8 @@ struct Normal : Vector3<Second<Integer>> {
   int along(const Vector3<Integer>& d) const { return sign_of(product_with_axis<Integer>(*this, d)); }
 };
 
-/// The corners of the hull, each once; three are not on one line, and in the plane counter-clockwise. The places behind
-/// the last are filled with it.
+/// The distinct corners of the hull; three are not collinear, and counter-clockwise in the plane. The entries after the
+/// last repeat it.
 template <class Point>
 struct SmallHull {
   std::array<Point, 3> at;
@@ -36,8 +36,8 @@ using HullInSpace = SmallHull<Point3<Integer>>;
 template <class Integer>
 using HullInPlane = SmallHull<Point2<Integer>>;
 
-/// Of x, y, z by number: an axis that is not in the plane of the ways from one point of it to others; or, where all are
-/// on one line, one in which that does not lead.
+/// The number of an axis x, y, z that is not in the plane spanned by the displacements from one point to others; or, if
+/// all are collinear, one along which that line does not lead.
 template <class Integer>
 std::size_t axis_to_look_along(std::span<const Vector3<Integer>> ways) {
   const Vector3<Integer>* along = &ways[0];
@@ -82,7 +82,7 @@ struct PartOfLine {
     return before(from, to) ? 1 : from == to ? 0 : -1;
   }
 
-  /// With a ray on the line.
+  /// The intersection with a ray on the line.
   int common_dimension(const Ray2<Integer>& ray) const {
     if (empty) return -1;
     const bool up = before(ray.origin, ray.origin + ray.direction);
@@ -93,9 +93,10 @@ struct PartOfLine {
   }
 };
 
-/// Of two hulls in one plane. Where the line of an edge has its own hull on the left and nothing of the other, they
-/// have in common what both have of that line. Where none has, their insides meet: each edge of the hull of all
-/// differences of a point of one and a point of the other is parallel to an edge of one of the two.
+/// The intersection of two coplanar hulls. If the line of an edge has its own hull on the left and nothing of the
+/// other, they intersect in the common part of both on that line. If there is no such edge, their insides meet: each
+/// edge of the hull of all differences of a point of one and a point of the other is parallel to an edge of one of the
+/// two.
 template <class Integer>
 int common_dimension(const HullInPlane<Integer>& a, const HullInPlane<Integer>& b) {
   for (const auto& [hull, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -116,7 +117,7 @@ int common_dimension(const HullInPlane<Integer>& a, const HullInPlane<Integer>& 
   return static_cast<int>(a.count + b.count) - 4;
 }
 
-/// The same of a ray.
+/// The same for a ray.
 template <class Integer>
 int common_dimension(const Ray2<Integer>& ray, const HullInPlane<Integer>& hull) {
   const auto& [origin, way] = ray;

@@ -6,7 +6,7 @@
 #include "geometry/volumes.h"
 #include "robust/kernel/shapes/plane.h"
 
-/// Parallelepipeds on integers: Integer is std::int64_t (a lattice) or mpz_class, as plane.h has it.
+/// Parallelepipeds on integers: Integer is std::int64_t (a lattice) or mpz_class, as in plane.h.
 namespace touchstone::robust::kernel {
 
 /// Refuses a box whose numbers are not finite or whose half axes are linearly dependent.
@@ -32,7 +32,7 @@ Third<Integer> along_axis(const Vector3<Second<Integer>>& axis, const Vector3<In
   return sign_of(sum) < 0 ? Third<Integer>(-sum) : sum;
 }
 
-/// Three of some numbers, from number i on.
+/// Three consecutive numbers, from number i on.
 template <class Numbers>
 auto vector_at(const Numbers& n, std::size_t i) {
   return Vector3<typename Numbers::value_type>{n[i], n[i + 1], n[i + 2]};

@@ -52,7 +52,7 @@ std::optional<SeenPolygon<Real>> SeenPolygon<Real>::of(const std::vector<Point3<
       return planar ? std::optional(seen) : std::nullopt;
     }
   }
-  return along[0];  // all on one line
+  return along[0];  // all collinear
 }
 
 namespace {
@@ -61,8 +61,8 @@ using Triangles = std::span<const Face>;
 
 std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
 
-/// Along every edge the triangles and the polygon run equally often forth, less back: what the triangles bound is what
-/// the polygon bounds.
+/// True if the triangles and the polygon traverse every edge equally often, forward minus backward: then the triangles
+/// bound the same area as the polygon.
 bool bounded_alike(const std::vector<Index>& corners, Triangles triangles) {
   std::vector<std::tuple<Index, Index, int>> runs;
   const auto add = [&runs](Index from, Index to, int times) {
@@ -84,14 +84,14 @@ bool bounded_alike(const std::vector<Index>& corners, Triangles triangles) {
   return true;
 }
 
-/// All turns of triangles are positive with this sign.
+/// True if all turns of triangles are positive with this sign.
 template <class Real>
 struct Cut {
   const SeenPolygon<Real>& seen;
   int sign;
 
   int turn(Index p, Index q, Index r) const { return sign * seen.turn_of(p, q, r); }
-  /// An edge of one has all of the other on its right.
+  /// True if an edge of one has all of the other on its right.
   bool held_apart(const Face& one, const Face& other) const {
     const auto ring = ring_of(one);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -12,27 +12,27 @@
 #include "robust/kernel/filters/strict_math.h"
 #include "robust/kernel/solids/ear_clipping.h"
 
-/// Faces of more than three corners. Which polygons and which cuts are valid stands in geometry/polyhedra.h.
+/// Faces of more than three corners. geometry/polyhedra.h defines which polygons and which triangulations are valid.
 namespace touchstone::robust::kernel {
 
-/// 1, 0, -1: p, q, r turn left, lie on one line, turn right. Of doubles: right for all finite ones.
+/// 1, 0, -1: p, q, r turn left, are collinear, turn right. Right for all finite doubles.
 int sign_of_turn(const Point2d& p, const Point2d& q, const Point2d& r);
 int sign_of_turn(const Point2<mpq_class>& p, const Point2<mpq_class>& q, const Point2<mpq_class>& r);
 
-/// Whether four points lie in one plane.
+/// True if four points are coplanar.
 bool in_one_plane(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& d);
 bool in_one_plane(const Point3<mpq_class>& a, const Point3<mpq_class>& b, const Point3<mpq_class>& c,
                   const Point3<mpq_class>& d);
 
-/// A polygon whose corners lie in one plane, seen along an axis of coordinates that leads out of it. Vertices are named
-/// by their places in the mesh. The mesh's vertices and the corners must outlive it.
+/// A polygon with coplanar corners, seen along a coordinate axis that leads out of its plane. Vertices are named by
+/// their indices in the mesh. The mesh's vertices and the corners must outlive it.
 template <class Real>
 class SeenPolygon {
  public:
-  /// Empty where the corners do not lie in one plane.
+  /// Returns nullopt if the corners are not coplanar.
   static std::optional<SeenPolygon> of(const std::vector<Point3<Real>>& vertices, const std::vector<Index>& corners);
 
-  /// To the left is positive, whichever way the polygon turns.
+  /// Positive to the left, whatever the polygon's orientation.
   int turn_of(Index p, Index q, Index r) const { return sign_of_turn(seen(p), seen(q), seen(r)); }
   bool in_one_position(Index p, Index q) const { return vertices_[p] == vertices_[q]; }
 
@@ -46,17 +46,17 @@ class SeenPolygon {
 };
 
 enum class PolygonDefect {
-  askew,    ///< its corners do not lie in one plane
-  no_ring,  ///< it encloses no area, crosses itself, touches one of its edges, or falls into parts
+  askew,    ///< its corners are not coplanar
+  no_ring,  ///< it encloses no area, crosses itself, touches one of its edges, or has several parts
 };
 
-/// A valid cut of a polygon with at least three corners, all of them vertices, by clipping ears.
+/// A valid triangulation of a polygon with at least three corners, all of them vertices, by ear clipping.
 template <class Real>
 std::variant<std::vector<Face>, PolygonDefect> cut_polygon(const std::vector<Point3<Real>>& vertices,
                                                            const std::vector<Index>& corners);
 
-/// Refuses a mesh whose polygons are not planar or whose triangles are no valid cut of them. Its numbers are finite and
-/// its indices those of vertices.
+/// Refuses a mesh with polygons that are not planar or triangles that do not triangulate them. Its numbers are finite
+/// and its indices valid.
 void validate_polygons(const std::string& field, const Meshd& mesh);
 
 }  // namespace touchstone::robust::kernel

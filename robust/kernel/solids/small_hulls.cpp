@@ -18,7 +18,7 @@ template <class Integer>
 HullInSpace<Integer> hull_of(const Segment3<Integer>& s) {
   return {{s.a, s.b, s.b}, s.a == s.b ? std::size_t{1} : std::size_t{2}};
 }
-/// Corners on one line span what is between the least and the greatest of them in lexicographic order.
+/// Collinear corners span the segment between the least and the greatest of them in lexicographic order.
 template <class Integer>
 HullInSpace<Integer> hull_of(const Triangle3<Integer>& t) {
   if (!Normal<Integer>(t.b - t.a, t.c - t.a).zero()) return {{t.a, t.b, t.c}, 3};
@@ -30,7 +30,7 @@ HullInSpace<Integer> hull_of(const Triangle3<Integer>& t) {
   return hull_of(Segment3<Integer>{least, greatest});
 }
 
-/// Of hulls in one plane.
+/// The dimension of the intersection of coplanar hulls.
 template <class Integer>
 int in_plane(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
   const std::array ways{a.at[1] - a[0], a.at[2] - a[0], b[0] - a[0], b.at[1] - a[0], b.at[2] - a[0]};
@@ -38,8 +38,8 @@ int in_plane(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
   return common_dimension(seen_along(axis, a), seen_along(axis, b));
 }
 
-/// Whether the line from p along d, which crosses the plane of the triangle and certainly has its crossing, meets the
-/// triangle; touching an edge or a corner is meeting.
+/// Decides whether the line from p along d, which crosses the plane of the triangle within its extent, meets the
+/// triangle; touching an edge or a corner counts.
 template <class Integer>
 bool crosses(const Point3<Integer>& p, const Vector3<Integer>& d, const HullInSpace<Integer>& t) {
   const Vector3<Integer> a = t[0] - p, b = t[1] - p, c = t[2] - p;
@@ -49,8 +49,8 @@ bool crosses(const Point3<Integer>& p, const Vector3<Integer>& d, const HullInSp
   return !(left && right);
 }
 
-/// The corner of a triangle that is alone on its side of a plane, or on it. What the triangle has of the plane is
-/// between the places where the edges from `corner` to the others meet it.
+/// The corner of a triangle that is alone on its side of a plane, or on it. The triangle meets the plane between the
+/// points where the edges from `corner` to the others meet it.
 template <class Integer>
 struct Tip {
   const Point3<Integer>* corner;
@@ -66,10 +66,10 @@ struct Tip {
   }
 };
 
-/// Of two with areas. Where their planes cross in a line, edges from both tips, to p and to q, meet it in P and Q. The
-/// sign of the volume (p - tip, other tip - tip, q - tip) is that of Q - P along the line, times one that is the same
-/// for all four pairs of edges: the volume stays what it is when the ends of an edge move along its line, and on which
-/// side of the first plane the second edge ends does not depend on the edge.
+/// For two triangles with areas whose planes cross in a line: edges from both tips, to p and to q, meet it in P and Q.
+/// The sign of the volume (p - tip, other tip - tip, q - tip) is that of Q - P along the line, times one that is the
+/// same for all four pairs of edges: the volume does not change when the ends of an edge move along its line, and the
+/// side of the first plane on which the second edge ends does not depend on the edge.
 template <class Integer>
 int of_two_with_areas(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
   const auto sides = [](const HullInSpace<Integer>& t, const HullInSpace<Integer>& other) {
@@ -119,8 +119,8 @@ int common_dimension(const Ray3<Integer>& ray, const HullInSpace<Integer>& t) {
   return rise != 0 && at_origin != rise && crosses(p, way, t) ? 0 : -1;
 }
 
-/// Points by their coordinates, each axis on its own power of two: what is common of hulls stays so when space is
-/// stretched along an axis.
+/// Points by their coordinates, each axis over its own power of two: scaling space along an axis keeps the dimension of
+/// an intersection of hulls.
 template <class Integer, std::size_t n>
 struct Stretched {
   std::array<Integer, n> x, y, z;
@@ -143,7 +143,7 @@ int top_field(std::initializer_list<double> numbers) {
   return top;
 }
 
-/// The direction times 2^by, by the bits; as it is where a number would not be normal.
+/// The direction times 2^by, by its bits; unchanged if a number would not be normal.
 Vector3d shifted(const Vector3d& direction, int by) {
   Vector3d way = direction;
   for (double* const x : {&way.x, &way.y, &way.z}) {
@@ -176,7 +176,7 @@ std::optional<int> common_dimension_on_lattice(const Triangle3d& a, const Triang
 std::optional<int> common_dimension_on_lattice(const Segment3d& s, const Triangle3d& t) {
   return on_lattice(of_segment, s.a, s.b, t.a, t.b, t.c);
 }
-/// A ray is the same in any length of its direction: that of the points needs the least room.
+/// A ray does not depend on the length of its direction: scaling it like the points needs the fewest bits.
 std::optional<int> common_dimension_on_lattice(const Ray3d& r, const Triangle3d& t) {
   const auto& [o, v] = r;
   const auto& [a, b, c] = t;

@@ -15,13 +15,13 @@ namespace {
 
 using Whole = Vector3<mpz_class>;
 
-/// A vertex of a and one of b: the way from the second to the first is a point of their Minkowski difference.
+/// A vertex of a and one of b: the displacement from the second to the first is a point of their Minkowski difference.
 struct Corners {
   Index of_a, of_b;
   friend bool operator==(const Corners&, const Corners&) = default;
 };
 
-/// Near enough to 1 for products of five.
+/// Scaled near enough to 1 for products of five.
 std::vector<Point3d> near_one(const Meshd& mesh, int places) {
   std::vector<Point3d> points = mesh.vertices;
   if (std::abs(places) < 60) return points;
@@ -39,8 +39,8 @@ Index lowest(const std::vector<Point3d>& points, const Vector3d& direction) {
   return found;
 }
 
-/// Corners whose ways hold the point of the difference that is nearest to 0, probably: the distance of Gilbert, Johnson
-/// and Keerthi in doubles. Whatever rounding makes of it is checked.
+/// Corners whose displacements probably span the point of the difference that is nearest to 0: the distance of Gilbert,
+/// Johnson and Keerthi in doubles. Rounding may spoil it; the result is checked.
 std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
   double greatest = 0;
   for (const Meshd* mesh : {&a, &b}) {
@@ -69,7 +69,7 @@ std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
   return corners;
 }
 
-/// Corners of which all weights are positive, in integers times 2^exponent.
+/// Corners with positive weights only, in integers times 2^exponent.
 struct Nearest {
   std::vector<Corners> corners;
   std::vector<mpz_class> weights;
@@ -95,7 +95,7 @@ Nearest nearest_of(const Meshd& a, const Meshd& b, const std::vector<Corners>& c
   return nearest;
 }
 
-/// The indices of the points that are lowest along the direction, each once.
+/// The distinct indices of the points that are lowest along the direction.
 std::vector<Index> level(const std::vector<WholePoint>& points, const std::vector<Index>& indices,
                          const Whole& direction) {
   std::vector<Index> found{indices[0]};
@@ -124,7 +124,7 @@ bool is_unique(const Meshd& a, const std::vector<Index>& of_a, const Meshd& b, c
   return sgn(across.x) != 0 || sgn(across.y) != 0 || sgn(across.z) != 0;
 }
 
-/// The way between the points found, in units of 1 / whole: what b moves by until it meets a in all nearest points.
+/// The displacement between the points found, in units of 1 / whole: it moves b until it meets a in all nearest points.
 QuotientPoint first_of_many(const Meshd& a, const std::vector<Index>& of_a, const Meshd& b,
                             const std::vector<Index>& of_b, const Nearest& nearest, const Whole& way, int& exponent) {
   Polygon3d all{{a.vertices[0]}};
@@ -159,7 +159,7 @@ ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a,
   }
   int exponent = 0;
   const QuotientPoint first = first_of_many(a, of_a, b, of_b, nearest, way, exponent);
-  // first.d is a multiple of the whole, of which the way is one part.
+  // first.d is a multiple of `whole`, in units of which the displacement is given.
   const mpz_class parts = (first.d / nearest.whole) << static_cast<unsigned long>(nearest.exponent - exponent);
   answer.on_a = rounded(first, exponent);
   answer.on_b = rounded({first.n + mpz_class(-parts) * way, first.d}, exponent);
@@ -168,7 +168,7 @@ ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a,
 
 }  // namespace
 
-/// The way gets shorter with each vertex that is found beyond it, and there are finitely many choices of corners.
+/// The displacement gets shorter with each vertex found beyond it, and there are finitely many sets of corners.
 ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
   std::vector<Corners> corners = guessed(a, b);
   for (;;) {

@@ -7,8 +7,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// The distance of the convex hulls of two lists of vertices, with nearest points as convex_distance answers them. The
-/// numbers are finite; no face is read.
+/// The distance of the convex hulls of two lists of vertices, with the nearest points that convex_distance returns. The
+/// numbers are finite; faces are not read.
 ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b);
 
 }  // namespace touchstone::robust::kernel
