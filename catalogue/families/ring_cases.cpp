@@ -186,24 +186,24 @@ Polygon2d computed(DrawStream& c) {
 
 }  // namespace
 
-std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases() {
-  return {{"convex", turned_ring<convex_ring>},
-          {"star", turned_ring<star_ring>},
-          {"comb", turned_ring<comb_ring>},
-          {"flat_vertices", turned_ring<flat_vertices>},
-          {"lattice_boundary", turned_ring<lattice_boundary>},
-          {"strip", turned_ring<strip>},
-          {"spiral", turned_ring<spiral>},
-          {"slit_frame", turned_ring<slit_frame>},
-          {"typed_ring", turned_ring<typed_ring>},
-          {"long", turned_ring<long_ring>},
-          {"untangled", turned_ring<untangled>},
-          {"late_neighbours", late_neighbours},
-          {"growing_chains", growing_chains},
-          {"split_chain", split_chain},
-          {"defective", turned_ring<defective>},
-          {"computed", turned_ring<computed>},
-          {"closed_ring", closed_ring}};
+void simple_ring_cases(HardCases<std::tuple<Polygon2d>>& add) {
+  add("convex", turned_ring<convex_ring>);
+  add("star", turned_ring<star_ring>);
+  add("comb", turned_ring<comb_ring>);
+  add("flat_vertices", turned_ring<flat_vertices>);
+  add("lattice_boundary", turned_ring<lattice_boundary>);
+  add("strip", turned_ring<strip>);
+  add("spiral", turned_ring<spiral>);
+  add("slit_frame", turned_ring<slit_frame>);
+  add("typed_ring", turned_ring<typed_ring>);
+  add("long", turned_ring<long_ring>);
+  add("untangled", turned_ring<untangled>);
+  add("late_neighbours", late_neighbours);
+  add("growing_chains", growing_chains);
+  add("split_chain", split_chain);
+  add("defective", turned_ring<defective>);
+  add("computed", turned_ring<computed>);
+  add("closed_ring", closed_ring);
 }
 
 }  // namespace touchstone::catalogue

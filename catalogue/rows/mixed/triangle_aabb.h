@@ -37,222 +37,192 @@ struct triangle_aabb {
         [](const auto&... q) { return ::touchstone::reference::standard::triangle_aabb(q...); });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"corner_on_boundary",
-         [](DrawStream& c) -> Question {
-           const Touch touch = Touch::of(c);
-           const Point3d b = touch.above(c);
-           return touch.question(c, touch.at, b, touch.above(c));
-         }},
-        {"edge_on_boundary",
-         [](DrawStream& c) -> Question {
-           const Touch touch = Touch::of(c);
-           const Vector3d way = lattice_across(c, touch.normal);
-           const double before = -static_cast<double>(c.below(3)), after = 1 + static_cast<double>(c.below(3));
-           return touch.question(c, along(touch.at, before, way), along(touch.at, after, way), touch.above(c));
-         }},
-        {"triangle_on_boundary",
-         [](DrawStream& c) -> Question {
-           const Touch touch = Touch::of(c);
-           const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
-           return touch.question(c, touch.at + u, touch.at + v, along(along(touch.at, -1, u), -1, v));
-         }},
-        {"in_plane_through_corner",
-         [](DrawStream& c) -> Question {
-           const Touch touch = Touch::of(c);
-           const Vector3d u = lattice_across(c, touch.normal);
-           const Triangle3d t = LatticePlane{touch.at, u, lattice_across(c, touch.normal)}.triangle(c);
-           return touch.question(c, t.a, t.b, t.c);
-         }},
-        {"past_corner",
-         [](DrawStream& c) -> Question {
-           // So large that nothing but its plane keeps them apart.
-           const Touch touch = Touch::of(c);
-           const Point3d over = touch.at + touch.normal;
-           const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
-           const double far = std::ldexp(1, 10 + static_cast<int>(c.below(4)));
-           return in_some_order(
-               c, {{along(over, far, u), along(over, far, v), along(along(over, -far, u), -far, v)}, touch.box});
-         }},
-        {"edge_across_edge",
-         [](DrawStream& c) -> Question {
-           // Over an edge of the box that is parallel to an axis, past or across its line; and the triangle beyond it.
-           const Aabb3d box = lattice_box(c, 12);
-           const Vector3d way = lattice_normal(c, 4);
-           const double out = 1 + static_cast<double>(c.below(4)), side = 1 + static_cast<double>(c.below(4)),
-                        up = small_integer(c), off = small_integer(c, 1), near = small_integer(c, 3);
-           const Point3d x{box.max.x + off, box.max.y, box.min.z + up};
-           const Vector3d edge{side * way.x, -out * std::fabs(way.x), way.z};
-           const Triangle3d t{along(x, near, edge), along(x, small_integer(c, 3), edge), x + Vector3d{out, side, up}};
-           return in_some_order(c, {t, box});
-         }},
-        {"on_small_grid",
-         [](DrawStream& c) -> Question {
-           const Point3d a = small_lattice_point(c), b = small_lattice_point(c), d = small_lattice_point(c);
-           const double x = 1 + static_cast<double>(c.below(2)), y = 1 + static_cast<double>(c.below(2));
-           return {{a, b, d}, {{1, 1, 1}, {x, y, 2}}};
-         }},
-        {"parallel_to_axes",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c, 12);
-           const Point3d p = nearby(c, box), q = nearby(c, box), r = nearby(c, box);
-           const Triangle3d t{p, {p.x, q.y, c.below(2) == 1 ? p.z : q.z}, {c.below(2) == 1 ? r.x : p.x, r.y, p.z}};
-           return in_some_order(c, {t, box});
-         }},
-        {"no_area",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c, 12);
-           const Vector3d way = lattice_normal(c, 3);
-           const Point3d p = nearby(c, box);
-           const double i = small_integer(c), j = small_integer(c), k = c.below(3) == 2 ? i : small_integer(c);
-           return {{along(p, i, way), along(p, j, way), along(p, k, way)}, box};
-         }},
-        {"triangle_is_point",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c);
-           const Point3d p = nearby(c, box);
-           return {{p, p, p}, box};
-         }},
-        {"flat",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = flat_box(c, 12);
-           const Point3d a = nearby(c, box), b = nearby(c, box);
-           return {{a, b, nearby(c, box)}, box};
-         }},
-        {"flat_without_area",
-         [](DrawStream& c) -> Question {
-           // A rectangle, a segment or a point, and a segment through, along or beside it.
-           const Aabb3d box = flat_box(c, 6);
-           const Point3d p = within(box, c).max;
-           const Vector3d way = lattice_normal(c, 3), off = lattice_normal(c, 2);
-           const Point3d beside = along(p, small_integer(c, 1), off);
-           const double i = small_integer(c, 3), j = small_integer(c, 3);
-           return {{along(beside, i, way), along(beside, j, way), along(beside, small_integer(c, 3), way)}, box};
-         }},
-        {"flat_in_one_plane",
-         [](DrawStream& c) -> Question {
-           // A segment parallel to an axis, and a triangle in a plane with it, or beside such a plane.
-           Aabb3d box = lattice_box(c, 6);
-           box.max.y = box.min.y, box.max.z = box.min.z;
-           const LatticePlane plane{box.min, {1, 0, 0}, lattice_normal(c, 4)};
-           const Triangle3d t = plane.triangle(c);
-           const Vector3d off = c.below(3) == 2 ? lattice_normal(c, 2) : Vector3d{0, 0, 0};
-           return in_some_order(c, {{t.a + off, t.b + off, t.c + off}, box});
-         }},
-        {"nearly_flat",
-         [](DrawStream& c) -> Question {
-           const Touch touch = Touch::of(c);
-           const Vector3d u = lattice_across(c, touch.normal);
-           Aabb3d box = touch.box;
-           box.min.x = moved_by_ulps(box.max.x, -static_cast<int>(c.below(3)));
-           const double back = small_integer(c, 1);
-           const Point3d a = along(touch.at, back, touch.normal);
-           return {{a + u, along(a, -1, u), touch.above(c)}, box};
-         }},
-        {"needle",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c, 4);
-           const double length = std::ldexp(1, 10 + static_cast<int>(c.below(32)));
-           const double y = small_integer(c), z = small_integer(c), dy = small_integer(c, 3), dz = small_integer(c, 3);
-           const Triangle3d t{
-               {-length, y, z}, {length, y + dy, z + dz}, {length, y + small_integer(c, 2), z + small_integer(c, 2)}};
-           return in_some_order(c, {t, box});
-         }},
-        {"sizes",
-         [](DrawStream& c) -> Question {
-           // One of the two is 2^16 to 2^24 times larger than the other.
-           const Touch touch = Touch::of(c, 4);
-           const double factor = std::ldexp(1, 16 + static_cast<int>(c.below(9)));
-           const bool large = c.below(2) == 1;
-           const auto from = [&](const Point3d& p) { return along(touch.at, large ? factor : 1, p - touch.at); };
-           const auto out = [&](double x, double at) { return large ? x : at + factor * (x - at); };
-           const auto& [min, max] = touch.box;
-           const auto& [x, y, z] = touch.at;
-           const Aabb3d box{{out(min.x, x), out(min.y, y), out(min.z, z)},
-                            {out(max.x, x), out(max.y, y), out(max.z, z)}};
-           const Vector3d u = lattice_across(c, touch.normal);
-           const Point3d b = touch.above(c);
-           return Touch{box, touch.normal, touch.at}.question(c, from(touch.at + u), from(b), from(touch.above(c)));
-         }},
-        {"rounded_onto_corner",
-         [](DrawStream& c) -> Question {
-           // The middle of an edge is rounded onto the corner max, or an ulp beside it.
-           const Point3d max = ordinary_point_in_space(c), p = ordinary_point_in_space(c);
-           const Aabb3d box{{max.x - 0.25, max.y - 0.5, max.z - 1}, max};
-           const Point3d q{2 * max.x - p.x, 2 * max.y - p.y, moved_by_ulps(2 * max.z - p.z, small(c))};
-           const Vector3d away{std::fabs(ordinary(c)), std::fabs(ordinary(c)), std::fabs(ordinary(c))};
-           return {{p, q, max + 4.0 * away}, box};
-         }},
-        {"rounded_onto_plane",
-         [](DrawStream& c) -> Question {
-           // The corner max, as rounded, in the plane of the triangle; its normal has no sign but +.
-           const Point3d a = ordinary_point_in_space(c);
-           const double u = 1 + std::fabs(ordinary(c)), v = 1 + std::fabs(ordinary(c)), s = std::fabs(ordinary(c)) / 4,
-                        t = std::fabs(ordinary(c)) / 4;
-           const Point3d b{a.x + u, a.y, a.z - u * v}, d{a.x, a.y + v, a.z - v};
-           const Point3d max{a.x + s * u, a.y + t * v, moved_by_ulps(a.z - s * u * v - t * v, small(c))};
-           return {{a, b, d}, {{max.x - 1, max.y - 0.5, max.z - 0.25}, max}};
-         }},
-        {"past_the_lattice",
-         [](DrawStream& c) -> Question {
-           // Points of one plane through the origin, of 53 digits at exponents far apart, and a corner on that plane.
-           const LongPlane plane = LongPlane::of(c);
-           const auto point = [&] {
-             const double size = std::ldexp(1, -16 * static_cast<int>(c.below(4)));
-             const Point3d p = plane.point(c);
-             return Point3d{size * p.x, size * p.y, size * p.z};
-           };
-           const Point3d a = point(), b = point(), d = point(), x = point();
-           const double size = scaled_down(c, 4, 10);
-           return {{a, b, d}, {x, {x.x + size, x.y + size, x.z + size}}};
-         }},
-        {"off_by_a_hair",
-         [](DrawStream& c) -> Question {
-           // A triangle on a face but for a hair, or rising from there.
-           const double r = scaled_up(c, 4, 1000), most = scaled_up(c, 4, 1000), y = hair(c);
-           const Aabb3d box = c.below(2) == 1 ? Aabb3d{{-r, -r, -r}, {r, 0, r}} : Aabb3d{{-r, 0, -r}, {r, r, r}};
-           return {{{-most, y, -most}, {most, c.below(2) == 1 ? y : -y, 0}, {0, y, most}}, box};
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           auto [t, box] = Touch::of(c, 4).beside(c);
-           stretch(c, t.a, t.b, t.c, box.min, box.max);
-           return {t, box};
-         }},
-        {"typed",
-         [](DrawStream& c) -> Question {
-           const Point3d a = typed_point(c), b = typed_point(c), p = typed_point(c);
-           return {{a, b, {p.x + 0.1, p.y + 0.2, p.z + 0.3}}, {p, {p.x + 0.1, p.y + 0.2, p.z + 0.3}}};
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           const Point3d a = subnormal_point(c), b = subnormal_point(c), p = subnormal_point(c), q = subnormal_point(c);
-           return ordered({{a, b, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}, {p, q}});
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           const Point3d a = point_of_whole_range(c), b = point_of_whole_range(c), d = point_of_whole_range(c),
-                         p = point_of_whole_range(c);
-           return ordered({{a, b, d}, {p, point_of_whole_range(c)}});
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const Point3d a = zero_point(c), b = zero_point(c), d = zero_point(c), p = zero_point(c), q = zero_point(c);
-           return {{a, c.below(2) == 1 ? b : Point3d{1, 1, 1}, c.below(2) == 1 ? d : Point3d{d.x, -1, d.z}},
-                   {p, c.below(2) == 1 ? q : Point3d{1, 1, c.below(2) == 1 ? q.z : 1}}};
-         }},
-        {"edge_over_edge",
-         [](DrawStream& c) -> Question {
-           const auto steep = static_cast<int>(c.below(3));
-           return edge_over_edge(c, steep);
-         }},
-        {"nearly_parallel_edges",
-         [](DrawStream& c) -> Question {
-           const auto steep = 4 + static_cast<int>(c.below(25));
-           return edge_over_edge(c, steep);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("corner_on_boundary", [](DrawStream& c) -> Question {
+      const Touch touch = Touch::of(c);
+      const Point3d b = touch.above(c);
+      return touch.question(c, touch.at, b, touch.above(c));
+    });
+    add("edge_on_boundary", [](DrawStream& c) -> Question {
+      const Touch touch = Touch::of(c);
+      const Vector3d way = lattice_across(c, touch.normal);
+      const double before = -static_cast<double>(c.below(3)), after = 1 + static_cast<double>(c.below(3));
+      return touch.question(c, along(touch.at, before, way), along(touch.at, after, way), touch.above(c));
+    });
+    add("triangle_on_boundary", [](DrawStream& c) -> Question {
+      const Touch touch = Touch::of(c);
+      const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
+      return touch.question(c, touch.at + u, touch.at + v, along(along(touch.at, -1, u), -1, v));
+    });
+    add("in_plane_through_corner", [](DrawStream& c) -> Question {
+      const Touch touch = Touch::of(c);
+      const Vector3d u = lattice_across(c, touch.normal);
+      const Triangle3d t = LatticePlane{touch.at, u, lattice_across(c, touch.normal)}.triangle(c);
+      return touch.question(c, t.a, t.b, t.c);
+    });
+    add("past_corner", [](DrawStream& c) -> Question {
+      // So large that nothing but its plane keeps them apart.
+      const Touch touch = Touch::of(c);
+      const Point3d over = touch.at + touch.normal;
+      const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
+      const double far = std::ldexp(1, 10 + static_cast<int>(c.below(4)));
+      return in_some_order(
+          c, {{along(over, far, u), along(over, far, v), along(along(over, -far, u), -far, v)}, touch.box});
+    });
+    add("edge_across_edge", [](DrawStream& c) -> Question {
+      // Over an edge of the box that is parallel to an axis, past or across its line; and the triangle beyond it.
+      const Aabb3d box = lattice_box(c, 12);
+      const Vector3d way = lattice_normal(c, 4);
+      const double out = 1 + static_cast<double>(c.below(4)), side = 1 + static_cast<double>(c.below(4)),
+                   up = small_integer(c), off = small_integer(c, 1), near = small_integer(c, 3);
+      const Point3d x{box.max.x + off, box.max.y, box.min.z + up};
+      const Vector3d edge{side * way.x, -out * std::fabs(way.x), way.z};
+      const Triangle3d t{along(x, near, edge), along(x, small_integer(c, 3), edge), x + Vector3d{out, side, up}};
+      return in_some_order(c, {t, box});
+    });
+    add("on_small_grid", [](DrawStream& c) -> Question {
+      const Point3d a = small_lattice_point(c), b = small_lattice_point(c), d = small_lattice_point(c);
+      const double x = 1 + static_cast<double>(c.below(2)), y = 1 + static_cast<double>(c.below(2));
+      return {{a, b, d}, {{1, 1, 1}, {x, y, 2}}};
+    });
+    add("parallel_to_axes", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c, 12);
+      const Point3d p = nearby(c, box), q = nearby(c, box), r = nearby(c, box);
+      const Triangle3d t{p, {p.x, q.y, c.below(2) == 1 ? p.z : q.z}, {c.below(2) == 1 ? r.x : p.x, r.y, p.z}};
+      return in_some_order(c, {t, box});
+    });
+    add("no_area", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c, 12);
+      const Vector3d way = lattice_normal(c, 3);
+      const Point3d p = nearby(c, box);
+      const double i = small_integer(c), j = small_integer(c), k = c.below(3) == 2 ? i : small_integer(c);
+      return {{along(p, i, way), along(p, j, way), along(p, k, way)}, box};
+    });
+    add("triangle_is_point", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c);
+      const Point3d p = nearby(c, box);
+      return {{p, p, p}, box};
+    });
+    add("flat", [](DrawStream& c) -> Question {
+      const Aabb3d box = flat_box(c, 12);
+      const Point3d a = nearby(c, box), b = nearby(c, box);
+      return {{a, b, nearby(c, box)}, box};
+    });
+    add("flat_without_area", [](DrawStream& c) -> Question {
+      // A rectangle, a segment or a point, and a segment through, along or beside it.
+      const Aabb3d box = flat_box(c, 6);
+      const Point3d p = within(box, c).max;
+      const Vector3d way = lattice_normal(c, 3), off = lattice_normal(c, 2);
+      const Point3d beside = along(p, small_integer(c, 1), off);
+      const double i = small_integer(c, 3), j = small_integer(c, 3);
+      return {{along(beside, i, way), along(beside, j, way), along(beside, small_integer(c, 3), way)}, box};
+    });
+    add("flat_in_one_plane", [](DrawStream& c) -> Question {
+      // A segment parallel to an axis, and a triangle in a plane with it, or beside such a plane.
+      Aabb3d box = lattice_box(c, 6);
+      box.max.y = box.min.y, box.max.z = box.min.z;
+      const LatticePlane plane{box.min, {1, 0, 0}, lattice_normal(c, 4)};
+      const Triangle3d t = plane.triangle(c);
+      const Vector3d off = c.below(3) == 2 ? lattice_normal(c, 2) : Vector3d{0, 0, 0};
+      return in_some_order(c, {{t.a + off, t.b + off, t.c + off}, box});
+    });
+    add("nearly_flat", [](DrawStream& c) -> Question {
+      const Touch touch = Touch::of(c);
+      const Vector3d u = lattice_across(c, touch.normal);
+      Aabb3d box = touch.box;
+      box.min.x = moved_by_ulps(box.max.x, -static_cast<int>(c.below(3)));
+      const double back = small_integer(c, 1);
+      const Point3d a = along(touch.at, back, touch.normal);
+      return {{a + u, along(a, -1, u), touch.above(c)}, box};
+    });
+    add("needle", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c, 4);
+      const double length = std::ldexp(1, 10 + static_cast<int>(c.below(32)));
+      const double y = small_integer(c), z = small_integer(c), dy = small_integer(c, 3), dz = small_integer(c, 3);
+      const Triangle3d t{
+          {-length, y, z}, {length, y + dy, z + dz}, {length, y + small_integer(c, 2), z + small_integer(c, 2)}};
+      return in_some_order(c, {t, box});
+    });
+    add("sizes", [](DrawStream& c) -> Question {
+      // One of the two is 2^16 to 2^24 times larger than the other.
+      const Touch touch = Touch::of(c, 4);
+      const double factor = std::ldexp(1, 16 + static_cast<int>(c.below(9)));
+      const bool large = c.below(2) == 1;
+      const auto from = [&](const Point3d& p) { return along(touch.at, large ? factor : 1, p - touch.at); };
+      const auto out = [&](double x, double at) { return large ? x : at + factor * (x - at); };
+      const auto& [min, max] = touch.box;
+      const auto& [x, y, z] = touch.at;
+      const Aabb3d box{{out(min.x, x), out(min.y, y), out(min.z, z)}, {out(max.x, x), out(max.y, y), out(max.z, z)}};
+      const Vector3d u = lattice_across(c, touch.normal);
+      const Point3d b = touch.above(c);
+      return Touch{box, touch.normal, touch.at}.question(c, from(touch.at + u), from(b), from(touch.above(c)));
+    });
+    add("rounded_onto_corner", [](DrawStream& c) -> Question {
+      // The middle of an edge is rounded onto the corner max, or an ulp beside it.
+      const Point3d max = ordinary_point_in_space(c), p = ordinary_point_in_space(c);
+      const Aabb3d box{{max.x - 0.25, max.y - 0.5, max.z - 1}, max};
+      const Point3d q{2 * max.x - p.x, 2 * max.y - p.y, moved_by_ulps(2 * max.z - p.z, small(c))};
+      const Vector3d away{std::fabs(ordinary(c)), std::fabs(ordinary(c)), std::fabs(ordinary(c))};
+      return {{p, q, max + 4.0 * away}, box};
+    });
+    add("rounded_onto_plane", [](DrawStream& c) -> Question {
+      // The corner max, as rounded, in the plane of the triangle; its normal has no sign but +.
+      const Point3d a = ordinary_point_in_space(c);
+      const double u = 1 + std::fabs(ordinary(c)), v = 1 + std::fabs(ordinary(c)), s = std::fabs(ordinary(c)) / 4,
+                   t = std::fabs(ordinary(c)) / 4;
+      const Point3d b{a.x + u, a.y, a.z - u * v}, d{a.x, a.y + v, a.z - v};
+      const Point3d max{a.x + s * u, a.y + t * v, moved_by_ulps(a.z - s * u * v - t * v, small(c))};
+      return {{a, b, d}, {{max.x - 1, max.y - 0.5, max.z - 0.25}, max}};
+    });
+    add("past_the_lattice", [](DrawStream& c) -> Question {
+      // Points of one plane through the origin, of 53 digits at exponents far apart, and a corner on that plane.
+      const LongPlane plane = LongPlane::of(c);
+      const auto point = [&] {
+        const double size = std::ldexp(1, -16 * static_cast<int>(c.below(4)));
+        const Point3d p = plane.point(c);
+        return Point3d{size * p.x, size * p.y, size * p.z};
+      };
+      const Point3d a = point(), b = point(), d = point(), x = point();
+      const double size = scaled_down(c, 4, 10);
+      return {{a, b, d}, {x, {x.x + size, x.y + size, x.z + size}}};
+    });
+    add("off_by_a_hair", [](DrawStream& c) -> Question {
+      // A triangle on a face but for a hair, or rising from there.
+      const double r = scaled_up(c, 4, 1000), most = scaled_up(c, 4, 1000), y = hair(c);
+      const Aabb3d box = c.below(2) == 1 ? Aabb3d{{-r, -r, -r}, {r, 0, r}} : Aabb3d{{-r, 0, -r}, {r, r, r}};
+      return {{{-most, y, -most}, {most, c.below(2) == 1 ? y : -y, 0}, {0, y, most}}, box};
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      auto [t, box] = Touch::of(c, 4).beside(c);
+      stretch(c, t.a, t.b, t.c, box.min, box.max);
+      return {t, box};
+    });
+    add("typed", [](DrawStream& c) -> Question {
+      const Point3d a = typed_point(c), b = typed_point(c), p = typed_point(c);
+      return {{a, b, {p.x + 0.1, p.y + 0.2, p.z + 0.3}}, {p, {p.x + 0.1, p.y + 0.2, p.z + 0.3}}};
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      const Point3d a = subnormal_point(c), b = subnormal_point(c), p = subnormal_point(c), q = subnormal_point(c);
+      return ordered({{a, b, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}, {p, q}});
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const Point3d a = point_of_whole_range(c), b = point_of_whole_range(c), d = point_of_whole_range(c),
+                    p = point_of_whole_range(c);
+      return ordered({{a, b, d}, {p, point_of_whole_range(c)}});
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const Point3d a = zero_point(c), b = zero_point(c), d = zero_point(c), p = zero_point(c), q = zero_point(c);
+      return {{a, c.below(2) == 1 ? b : Point3d{1, 1, 1}, c.below(2) == 1 ? d : Point3d{d.x, -1, d.z}},
+              {p, c.below(2) == 1 ? q : Point3d{1, 1, c.below(2) == 1 ? q.z : 1}}};
+    });
+    add("edge_over_edge", [](DrawStream& c) -> Question {
+      const auto steep = static_cast<int>(c.below(3));
+      return edge_over_edge(c, steep);
+    });
+    add("nearly_parallel_edges", [](DrawStream& c) -> Question {
+      const auto steep = 4 + static_cast<int>(c.below(25));
+      return edge_over_edge(c, steep);
+    });
   }
 
   static void repair(Question& q) { put_in_order(std::get<1>(q)); }

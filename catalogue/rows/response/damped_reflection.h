@@ -31,17 +31,17 @@ struct damped_reflection {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_bounce, usual>("on_lattice"),
-            hard<along_the_plane, usual>("along_the_plane"),
-            hard<grazing, usual>("grazing"),
-            hard<straight, usual>("straight"),
-            hard<across_an_axis, near_minus_one>("nothing_lost"),
-            hard<stretched_bounce, usual>("stretched_normal"),
-            hard<products_at_the_end, any_size>("products_at_the_end"),
-            hard<at_end_of_range, usual>("at_end_of_range"),
-            hard<bounce_beside_a_tie, one>("beside_a_tie"),
-            hard<without_a_normal, usual>("without_a_normal")};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", asked<lattice_bounce, usual>);
+    add("along_the_plane", asked<along_the_plane, usual>);
+    add("grazing", asked<grazing, usual>);
+    add("straight", asked<straight, usual>);
+    add("nothing_lost", asked<across_an_axis, near_minus_one>);
+    add("stretched_normal", asked<stretched_bounce, usual>);
+    add("products_at_the_end", asked<products_at_the_end, any_size>);
+    add("at_end_of_range", asked<at_end_of_range, usual>);
+    add("beside_a_tie", asked<bounce_beside_a_tie, one>);
+    add("without_a_normal", asked<without_a_normal, usual>);
   }
 
   /// k has no unit: it keeps its value.
@@ -87,11 +87,9 @@ struct damped_reflection {
   }
 
   template <auto draw, auto draw_k>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](DrawStream& c) -> Question {
-              const Bounce b = draw(c);
-              return {b.velocity, b.normal, draw_k(c)};
-            }};
+  static Question asked(DrawStream& c) {
+    const Bounce b = draw(c);
+    return {b.velocity, b.normal, draw_k(c)};
   }
 };
 

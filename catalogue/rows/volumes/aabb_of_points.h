@@ -34,73 +34,62 @@ struct aabb_of_points {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_lattice", [](DrawStream& c) -> Question { return seen(lattice_points(c), c); }},
-        {"one_point", [](DrawStream& c) -> Question { return seen({lattice_point_of_box(c)}, c); }},
-        {"flat",
-         [](DrawStream& c) -> Question {
-           InSpace points = lattice_points(c);
-           const std::uint64_t axes = c.below(3);
-           for (Point3d& p : points) {
-             p.y = points[0].y;
-             if (axes > 0) p.x = points[0].x;
-             if (axes > 1) p.z = points[0].z;
-           }
-           return seen(points, c);
-         }},
-        {"in_order",
-         [](DrawStream& c) -> Question {
-           // The first point and the last are the ends on each axis.
-           InSpace points = lattice_points(c);
-           const auto sort = [&](double Point3d::*axis) {
-             std::vector<double> numbers;
-             for (const Point3d& p : points) numbers.push_back(p.*axis);
-             std::sort(numbers.begin(), numbers.end());
-             if (c.below(2) == 1) std::reverse(numbers.begin(), numbers.end());
-             for (std::size_t i = 0; i < points.size(); ++i) points[i].*axis = numbers[i];
-           };
-           sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
-           return seen(points, c);
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           return seen(points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           // Where subnormals are read as zero all of these are equal.
-           const double shift = small_integer(c, 4);
-           return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
-         }},
-        {"beside_normal",
-         [](DrawStream& c) -> Question {
-           const double sign = c.below(2) == 1 ? -1 : 1;
-           return seen(points_of(c, [sign](DrawStream& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           return seen(points_of(c,
-                                 [](DrawStream& d) {
-                                   static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
-                                   const double size = ends[d.below(4)];
-                                   return d.below(2) == 1 ? -size : size;
-                                 }),
-                       c);
-         }},
-        {"an_ulp_apart",
-         [](DrawStream& c) -> Question {
-           const double size = typed(c);
-           return seen(points_of(c, [size](DrawStream& d) { return moved_by_ulps(size, ulps(d)); }), c);
-         }},
-        {"few",
-         [](DrawStream& c) -> Question {
-           const std::size_t count = c.below(3);
-           return seen(InSpace(count, lattice_point_of_box(c)), c);
-         }},
-        {"many_points", [](DrawStream& c) -> Question { return seen(many_points_and_one_far(c), c); },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", [](DrawStream& c) -> Question { return seen(lattice_points(c), c); });
+    add("one_point", [](DrawStream& c) -> Question { return seen({lattice_point_of_box(c)}, c); });
+    add("flat", [](DrawStream& c) -> Question {
+      InSpace points = lattice_points(c);
+      const std::uint64_t axes = c.below(3);
+      for (Point3d& p : points) {
+        p.y = points[0].y;
+        if (axes > 0) p.x = points[0].x;
+        if (axes > 1) p.z = points[0].z;
+      }
+      return seen(points, c);
+    });
+    add("in_order", [](DrawStream& c) -> Question {
+      // The first point and the last are the ends on each axis.
+      InSpace points = lattice_points(c);
+      const auto sort = [&](double Point3d::*axis) {
+        std::vector<double> numbers;
+        for (const Point3d& p : points) numbers.push_back(p.*axis);
+        std::sort(numbers.begin(), numbers.end());
+        if (c.below(2) == 1) std::reverse(numbers.begin(), numbers.end());
+        for (std::size_t i = 0; i < points.size(); ++i) points[i].*axis = numbers[i];
+      };
+      sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
+      return seen(points, c);
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      return seen(points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      // Where subnormals are read as zero all of these are equal.
+      const double shift = small_integer(c, 4);
+      return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
+    });
+    add("beside_normal", [](DrawStream& c) -> Question {
+      const double sign = c.below(2) == 1 ? -1 : 1;
+      return seen(points_of(c, [sign](DrawStream& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      return seen(points_of(c,
+                            [](DrawStream& d) {
+                              static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
+                              const double size = ends[d.below(4)];
+                              return d.below(2) == 1 ? -size : size;
+                            }),
+                  c);
+    });
+    add("an_ulp_apart", [](DrawStream& c) -> Question {
+      const double size = typed(c);
+      return seen(points_of(c, [size](DrawStream& d) { return moved_by_ulps(size, ulps(d)); }), c);
+    });
+    add("few", [](DrawStream& c) -> Question {
+      const std::size_t count = c.below(3);
+      return seen(InSpace(count, lattice_point_of_box(c)), c);
+    });
+    add.unscaled("many_points", [](DrawStream& c) -> Question { return seen(many_points_and_one_far(c), c); });
   }
 
   /// A box whose upper right corner is one of the points, which moves.

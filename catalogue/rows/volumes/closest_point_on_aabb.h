@@ -30,54 +30,45 @@ struct closest_point_on_aabb {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"beyond",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c);
-           return seen(around(box, c), box, c);
-         }},
-        {"inside",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c);
-           return seen(within(box, c).min, box, c);
-         }},
-        {"flat",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_of_box(c);
-           Aabb3d box = lattice_box(c);
-           box.max.x = box.min.x = p.x + small_integer(c, 1);
-           if (c.below(2) == 1) box.max.y = box.min.y;
-           if (c.below(2) == 1) box.max.z = box.min.z;
-           return seen(p, box, c);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
-           const double p = least(), q = least(), x = least(), y = least();
-           return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double x = zero(), y = zero(), z0 = zero(), z1 = zero();
-           return InPlane{{x, y}, {{z0, -1}, {z1, zero()}}};
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           constexpr double greatest = 0x1.fffffffffffffp+1023;
-           const double x = c.below(2) == 1 ? greatest : -greatest, y = c.below(2) == 1 ? 0x1p1000 : 0x1p-1000;
-           const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
-           return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
-         }},
-        {"wide",
-         [](DrawStream& c) -> Question {
-           const Vector3d by = fractions(c);
-           const Aabb3d box = shifted(lattice_box(c, 12), by.x, by.y, by.z);
-           const Point3d p = around(box, c);
-           return seen(p, widened(box, p, c), c);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("beyond", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c);
+      return seen(around(box, c), box, c);
+    });
+    add("inside", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c);
+      return seen(within(box, c).min, box, c);
+    });
+    add("flat", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_of_box(c);
+      Aabb3d box = lattice_box(c);
+      box.max.x = box.min.x = p.x + small_integer(c, 1);
+      if (c.below(2) == 1) box.max.y = box.min.y;
+      if (c.below(2) == 1) box.max.z = box.min.z;
+      return seen(p, box, c);
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
+      const double p = least(), q = least(), x = least(), y = least();
+      return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+      const double x = zero(), y = zero(), z0 = zero(), z1 = zero();
+      return InPlane{{x, y}, {{z0, -1}, {z1, zero()}}};
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      constexpr double greatest = 0x1.fffffffffffffp+1023;
+      const double x = c.below(2) == 1 ? greatest : -greatest, y = c.below(2) == 1 ? 0x1p1000 : 0x1p-1000;
+      const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
+      return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
+    });
+    add("wide", [](DrawStream& c) -> Question {
+      const Vector3d by = fractions(c);
+      const Aabb3d box = shifted(lattice_box(c, 12), by.x, by.y, by.z);
+      const Point3d p = around(box, c);
+      return seen(p, widened(box, p, c), c);
+    });
   }
 
   static void repair(Question& question) {
