@@ -18,7 +18,7 @@ inline Point3d lattice_point_of_box(DrawStream& draws, int bits = 24) {
 /// With an interior; 1 wide at the least.
 inline Aabb3d lattice_box(DrawStream& draws, int bits = 24) {
   const Point3d p = lattice_point_of_box(draws, bits);
-  const auto width = [&draws] { return 1 + static_cast<double>(draws.below(8)); };
+  const auto width = [&draws] { return one_to(draws, 8); };
   const double x = width(), y = width(), z = width();
   return {p, {p.x + x, p.y + y, p.z + z}};
 }
@@ -28,7 +28,7 @@ inline Aabb3d overlapping(const Aabb3d& a, DrawStream& draws) {
   const auto least = [&draws](double low, double high) {
     return low + static_cast<double>(draws.below(static_cast<std::uint64_t>(high - low)));
   };
-  const auto width = [&draws] { return 1 + static_cast<double>(draws.below(8)); };
+  const auto width = [&draws] { return one_to(draws, 8); };
   const double x = least(a.min.x, a.max.x), y = least(a.min.y, a.max.y), z = least(a.min.z, a.max.z);
   const double dx = width(), dy = width(), dz = width();
   return {{x, y, z}, {x + dx, y + dy, z + dz}};
@@ -62,7 +62,7 @@ inline Vector3d fractions(DrawStream& draws) {
 inline Aabb3d widened(Aabb3d box, const Point3d& p, DrawStream& draws) {
   const auto widen = [&draws](double& min, double& max, double at) {
     const double far = scaled_up(draws, 8, 34) * 0x1p20;
-    const bool up = at < min || (at <= max && draws.below(2) == 1);
+    const bool up = at < min || (at <= max && draws.coin());
     if (up) max += far;
     else min -= far;
   };

@@ -36,7 +36,7 @@ auto long_list(DrawStream& draws, const Draw& draw, std::size_t most = 300) {
 
 /// The index of an element of a list, one of the last for the most part: what a loop that ends too early leaves out.
 inline std::size_t late_index(std::size_t size, DrawStream& draws) {
-  const std::size_t from_end = draws.below(4) == 3 ? draws.below(size) : draws.below(3);
+  const std::size_t from_end = draws.one_in(4) ? draws.below(size) : draws.below(3);
   return size - 1 - std::min(from_end, size - 1);
 }
 

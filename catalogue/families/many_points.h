@@ -17,7 +17,7 @@ inline std::vector<Point3d> many_points_and_one_far(DrawStream& draws) {
   });
   const auto far = [&draws] {
     const auto size = static_cast<double>(9 + draws.below(16));
-    return draws.below(2) == 1 ? -size : size;
+    return either_sign(draws) * size;
   };
   const double x = far(), y = far(), z = far();
   const std::size_t place = late_index(points.size(), draws);

@@ -14,13 +14,32 @@ inline double small_integer(DrawStream& draws, int most = 8) {
   return k % 2 == 0 ? -k / 2 : (k + 1) / 2;
 }
 
+/// 0, 1, 2 ... up to `most`.
+inline double up_to(DrawStream& draws, std::uint64_t most) { return static_cast<double>(draws.below(most + 1)); }
+
+/// 1, 2 ... up to `most`.
+inline double one_to(DrawStream& draws, std::uint64_t most) { return static_cast<double>(1 + draws.below(most)); }
+
+/// From `least`, which is the simplest, to `most`; mostly an exponent.
+inline int integer_in(DrawStream& draws, int least, int most) {
+  return least + static_cast<int>(draws.below(static_cast<std::uint64_t>(most - least) + 1));
+}
+
+/// 2^least to 2^most.
+inline double power_of_two(DrawStream& draws, int least, int most) {
+  return std::ldexp(1, integer_in(draws, least, most));
+}
+
+inline double zero(DrawStream& draws) { return draws.coin() ? -0.0 : 0.0; }
+inline double either_sign(DrawStream& draws) { return draws.coin() ? -1 : 1; }
+
 /// 1 to `most` times 2^k, 0 <= k < `exponents`, or 2^-k; both drawn, k second.
 inline double scaled_up(DrawStream& draws, std::uint64_t most, std::uint64_t exponents) {
-  const auto number = static_cast<double>(1 + draws.below(most));
+  const auto number = one_to(draws, most);
   return std::ldexp(number, static_cast<int>(draws.below(exponents)));
 }
 inline double scaled_down(DrawStream& draws, std::uint64_t most, std::uint64_t exponents) {
-  const auto number = static_cast<double>(1 + draws.below(most));
+  const auto number = one_to(draws, most);
   return std::ldexp(number, -static_cast<int>(draws.below(exponents)));
 }
 
@@ -50,5 +69,10 @@ std::size_t list_length(DrawStream& draws);
 
 /// `value` moved by `ulps` units in the last place; finite values stay finite, zero passes through the subnormals.
 double moved_by_ulps(double value, int ulps);
+
+/// `value` moved by at most so many units in the last place.
+inline double within_ulps(DrawStream& draws, double value, int most) {
+  return moved_by_ulps(value, integer_in(draws, -most, most));
+}
 
 }  // namespace touchstone::catalogue

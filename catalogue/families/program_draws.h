@@ -41,7 +41,7 @@ inline Ray3d repaired(Ray3d ray) {
 /// From a corner of one box towards a corner of another; or along an axis, forwards or backwards, or along a face, with
 /// zeros of both signs.
 inline Ray3d ray_between(const Aabb3d& a, const Aabb3d& b, DrawStream& c) {
-  const Point3d from = c.below(2) == 1 ? a.max : a.min, to = c.below(2) == 1 ? b.min : b.max;
+  const Point3d from = c.coin() ? a.max : a.min, to = c.coin() ? b.min : b.max;
   Ray3d ray{from, to - from};
   auto& [x, y, z] = ray.direction;
   for (double* component : {&x, &y, &z}) {
@@ -90,7 +90,7 @@ class Programming {
       case 1: return ask_in(box());
       case 2: {
         const Aabb3d at = box();
-        return ask_at(draws_.below(2) == 1 ? at.max : at.min);
+        return ask_at(draws_.coin() ? at.max : at.min);
       }
       default: {
         const Aabb3d from = box(), to = box();
@@ -123,20 +123,20 @@ class Programming {
 /// Boxes of small integers, wider ones, and those of a lattice that touch.
 inline Aabb3d small_box(DrawStream& c) {
   const double x = small_integer(c, 4), y = small_integer(c, 4), z = small_integer(c, 4);
-  const auto width = [&c] { return static_cast<double>(c.below(4)); };
+  const auto width = [&c] { return up_to(c, 3); };
   const double dx = width(), dy = width(), dz = width();
   return {{x, y, z}, {x + dx, y + dy, z + dz}};
 }
 inline Aabb3d wide_box(DrawStream& c) {
   const double x = integer(c, 6), y = integer(c, 6), z = integer(c, 3);
-  const auto width = [&c] { return static_cast<double>(c.below(12)); };
+  const auto width = [&c] { return up_to(c, 11); };
   const double dx = width(), dy = width(), dz = width();
   return {{x, y, z}, {x + dx, y + dy, z + dz}};
 }
 /// Of the lattice of unit boxes.
 inline Aabb3d cell(DrawStream& c) {
-  const double x = static_cast<double>(c.below(3)), y = static_cast<double>(c.below(3));
-  const double z = static_cast<double>(c.below(3));
+  const double x = up_to(c, 2), y = up_to(c, 2);
+  const double z = up_to(c, 2);
   return {{x, y, z}, {x + 1, y + 1, z + 1}};
 }
 

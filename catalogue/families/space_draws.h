@@ -41,10 +41,9 @@ inline WholeNormal whole_normal(DrawStream& draws) {
 
 /// Three products of about half of the least subnormal number each, and an offset of one to three times that number.
 inline std::tuple<Plane3d, Point3d> terms_below_least(DrawStream& draws) {
-  const int k = static_cast<int>(draws.below(1000)) - 500;
-  const double a = std::ldexp(8 + static_cast<double>(draws.below(8)), k),
-               b = std::ldexp(8 + static_cast<double>(draws.below(8)), -1082 - k);
-  return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + draws.below(3)), -1074)}, {b, b, b}};
+  const int k = integer_in(draws, -500, 499);
+  const double a = std::ldexp(8 + up_to(draws, 7), k), b = std::ldexp(8 + up_to(draws, 7), -1082 - k);
+  return {{{a, a, a}, -std::ldexp(one_to(draws, 3), -1074)}, {b, b, b}};
 }
 
 }  // namespace touchstone::catalogue

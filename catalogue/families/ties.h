@@ -18,7 +18,7 @@ inline BesideTie beside_tie(DrawStream& draws) {
   const auto t = static_cast<std::int64_t>(half + draws.below(half));
   const Wide tie = (static_cast<Wide>(2 * (half + draws.below(half)) + 1)) << 51;
   const auto v = static_cast<std::int64_t>(tie / t);
-  const Wide rest = tie - static_cast<Wide>(t) * v + (draws.below(2) == 0 ? 1 : -1);  // below t, so of 53 digits
+  const Wide rest = tie - static_cast<Wide>(t) * v + (draws.coin() ? -1 : 1);  // below t, so of 53 digits
   return {static_cast<double>(t), static_cast<double>(v), static_cast<double>(static_cast<std::int64_t>(rest))};
 }
 

@@ -15,7 +15,7 @@ inline Point3d along(const Point3d& p, double i, const Vector3d& v) { return p +
 
 /// One of {0, 1, 2}^3.
 inline Point3d small_lattice_point(DrawStream& draws) {
-  const auto digit = [&draws] { return static_cast<double>(draws.below(3)); };
+  const auto digit = [&draws] { return up_to(draws, 2); };
   const double x = digit(), y = digit();
   return {x, y, digit()};
 }
@@ -50,7 +50,7 @@ struct LatticePlane {
 /// The corners of a triangle in any of the six orders.
 inline Triangle3d in_some_order(Triangle3d t, DrawStream& draws) {
   for (auto k = draws.below(3); k > 0; --k) t = {t.b, t.c, t.a};
-  if (draws.below(2) == 1) std::swap(t.a, t.b);
+  if (draws.coin()) std::swap(t.a, t.b);
   return t;
 }
 
@@ -74,8 +74,8 @@ struct LongPlane {
     return {u, vector()};
   }
   Point3d point(DrawStream& draws) const {
-    const double size = std::ldexp(1, -static_cast<int>(draws.below(5))), k = draws.below(2) == 1 ? -size : size;
-    const Vector3d& along = draws.below(2) == 1 ? u : v;
+    const double size = std::ldexp(1, -integer_in(draws, 0, 4)), k = either_sign(draws) * size;
+    const Vector3d& along = draws.coin() ? u : v;
     return {k * along.x, k * along.y, k * along.z};
   }
 };

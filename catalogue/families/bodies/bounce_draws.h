@@ -22,16 +22,15 @@ inline Vector3d ordinary_vector(DrawStream& c) {
   const double x = ordinary(c), y = ordinary(c);
   return {x, y, ordinary(c)};
 }
-inline double either_zero(DrawStream& c) { return c.below(2) == 1 ? -0.0 : 0.0; }
 inline Vector3d zero_vector(DrawStream& c) {
-  const double x = either_zero(c), y = either_zero(c);
-  return {x, y, either_zero(c)};
+  const double x = zero(c), y = zero(c);
+  return {x, y, zero(c)};
 }
 
 /// The normal along an axis, of any sign: zeros next to one number.
 inline Vector3d axis_normal(DrawStream& c) {
   Vector3d n = zero_vector(c);
-  const double length = 1 + static_cast<double>(c.below(8)), signed_length = c.below(2) == 1 ? -length : length;
+  const double length = one_to(c, 8), signed_length = either_sign(c) * length;
   switch (c.below(3)) {
     case 0: n.y = signed_length; break;
     case 1: n.x = signed_length; break;
@@ -54,7 +53,7 @@ inline Bounce along_the_plane(DrawStream& c) {
 /// Nearly along the plane: a long part along it, and a short one along the normal.
 inline Bounce grazing(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 10), across = lattice_across(c, n);
-  const double part = small_integer(c), size = std::ldexp(1, static_cast<int>(c.below(36)));
+  const double part = small_integer(c), size = power_of_two(c, 0, 35);
   return {size * across + part * n, n};
 }
 
@@ -65,14 +64,14 @@ inline Bounce straight(DrawStream& c) {
 
 inline Bounce across_an_axis(DrawStream& c) {
   const Vector3d n = axis_normal(c);
-  return {c.below(4) == 3 ? zero_vector(c) : ordinary_vector(c), n};
+  return {c.one_in(4) ? zero_vector(c) : ordinary_vector(c), n};
 }
 
 /// A normal of length 1e-200, 1e200 and beyond, or of subnormal numbers: its squares under- and overflow.
 inline Vector3d stretched_normal(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 20);
   constexpr int lengths[]{-664, 664, -540, 540, -1074, 1000};
-  const int length = lengths[c.below(6)], more = static_cast<int>(c.below(8));
+  const int length = lengths[c.below(6)], more = integer_in(c, 0, 7);
   return std::ldexp(1, length + more) * n;
 }
 inline Bounce stretched_bounce(DrawStream& c) {
@@ -83,20 +82,20 @@ inline Bounce stretched_bounce(DrawStream& c) {
 /// Full digits at an exponent where a product of two underflows in part, or squares overflow.
 inline double at_the_end(DrawStream& c, int exponent) { return std::ldexp(ordinary(c), exponent); }
 inline Vector3d at_the_end_of_products(DrawStream& c) {
-  const int size = 480 + static_cast<int>(c.below(70)), exponent = c.below(4) == 3 ? size : -size;
+  const int size = integer_in(c, 480, 549), exponent = c.one_in(4) ? size : -size;
   const double x = at_the_end(c, exponent), y = at_the_end(c, exponent);
   return {x, y, at_the_end(c, exponent)};
 }
 inline Bounce products_at_the_end(DrawStream& c) {
-  const Vector3d v = c.below(2) == 1 ? ordinary_vector(c) : at_the_end_of_products(c);
+  const Vector3d v = c.coin() ? ordinary_vector(c) : at_the_end_of_products(c);
   return {v, at_the_end_of_products(c)};
 }
 
 /// At a velocity at the end of the range: a component may go beyond it.
 inline Vector3d at_the_end_of_range(DrawStream& c) {
   const auto end = [&c] {
-    const double size = std::numeric_limits<double>::max() / static_cast<double>(1 + c.below(3));
-    return c.below(2) == 1 ? -size : size;
+    const double size = std::numeric_limits<double>::max() / one_to(c, 3);
+    return either_sign(c) * size;
   };
   const double x = end(), y = end();
   return {x, y, end()};

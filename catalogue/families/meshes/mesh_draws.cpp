@@ -40,7 +40,7 @@ Meshd lattice_polyhedron(DrawStream& draws) {
   Meshd mesh = lattice_hull(drawn_points(draws));
   if (mesh.faces.empty()) mesh = lattice_hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
   mesh = relisted(mesh, draws);
-  if (draws.below(4) == 3) turn_inside_out(mesh);
+  if (draws.one_in(4)) turn_inside_out(mesh);
   return mesh;
 }
 
@@ -88,7 +88,7 @@ Meshd with_flat_vertex(const Meshd& mesh, DrawStream& draws) {
   const auto added = static_cast<Index>(mesh.vertices.size());
   const Face face = mesh.faces[draws.below(mesh.faces.size())];
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
-  if (draws.below(2) == 0) {
+  if (!draws.coin()) {
     result.vertices.push_back({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3});
     std::replace(result.faces.begin(), result.faces.end(), face, Face{face.a, face.b, added});
     result.faces.push_back({face.b, face.c, added});

@@ -24,7 +24,7 @@ Polygon2d simple_or_square(Polygon2d ring) {
 Polygon2d ring_on_small_lattice(DrawStream& draws) {
   Polygon2d ring;
   for (std::uint64_t left = 4 + draws.below(7); left > 0; --left) {
-    const auto x = static_cast<double>(draws.below(5)), y = static_cast<double>(draws.below(5));
+    const auto x = up_to(draws, 4), y = up_to(draws, 4);
     const Point2d p{x, y};
     if (std::find(ring.vertices.begin(), ring.vertices.end(), p) == ring.vertices.end()) ring.vertices.push_back(p);
   }

@@ -46,12 +46,12 @@ struct broad_phase {
     add("small_grid", [](DrawStream& c) -> Question { return any_program(c, small_box, 6, 12); });
     add("lattice_that_touches", [](DrawStream& c) -> Question { return any_program(c, cell, 12, 12); });
     add("beside_by_ulps", [](DrawStream& c) -> Question {
-      const auto end = [](DrawStream& d) { return 1 + static_cast<double>(d.below(4)) * 0x1p-52; };
+      const auto end = [](DrawStream& d) { return 1 + up_to(d, 3) * 0x1p-52; };
       return any_program(
           c,
           [&end](DrawStream& d) {
             Aabb3d box{{end(d), 0, 0}, {end(d), 1, 1}};
-            if (d.below(2) == 1) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
+            if (d.coin()) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
             put_in_order(box);
             return box;
           },
@@ -79,8 +79,8 @@ struct broad_phase {
                        {greatest_number, greatest_number, greatest_number}};
             double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[d.below(3)];
             const double at = small_integer(d, 2);
-            if (d.below(2) == 0) box.min.*axis = at;
-            if (d.below(2) == 0) box.max.*axis = box.min.*axis == at ? at : greatest_number;
+            if (!d.coin()) box.min.*axis = at;
+            if (!d.coin()) box.max.*axis = box.min.*axis == at ? at : greatest_number;
             return box;
           },
           4, 8);
@@ -125,7 +125,7 @@ struct broad_phase {
       Programming p(c);
       const std::size_t bodies = 1 + c.below(4);
       while (p.there().size() < bodies) p.start_with(cell(c));
-      const double step = static_cast<double>(1 + c.below(3));
+      const double step = one_to(c, 3);
       double at = 0;
       for (std::size_t left = 4 + c.below(28); left > 0; --left) {
         p.move(shifted(cell(c), at += step, 0, 0));
@@ -147,7 +147,7 @@ struct broad_phase {
     add("one_over_all", [](DrawStream& c) -> Question {
       Programming p(c);
       const auto any = [&c] { return cell(c); };
-      const double end = c.below(2) == 1 ? greatest_number : 0x1p60;
+      const double end = c.coin() ? greatest_number : 0x1p60;
       p.start_with({{-end, -end, -end}, {end, end, end}});
       for (std::size_t left = c.below(8); left > 0; --left) p.start_with(cell(c));
       p.any_query(any);
@@ -159,14 +159,14 @@ struct broad_phase {
     add("duplicates", [](DrawStream& c) -> Question {
       const Aabb3d one = small_box(c);
       return any_program(
-          c, [&one](DrawStream& d) { return d.below(4) == 3 ? small_box(d) : one; }, 6, 8);
+          c, [&one](DrawStream& d) { return d.one_in(4) ? small_box(d) : one; }, 6, 8);
     });
     add("along_faces", [](DrawStream& c) -> Question {
       // Along lines of the lattice: through corners, along edges and faces, or beside all of them.
       Programming p(c);
       for (std::size_t left = 1 + c.below(8); left > 0; --left) p.start_with(cell(c));
       for (std::size_t left = 1 + c.below(3); left > 0; --left) {
-        const auto at = [&c] { return static_cast<double>(c.below(6)) - 1; };
+        const auto at = [&c] { return up_to(c, 5) - 1; };
         const auto step = [&c] { return std::array{0.0, 1.0, -0.0, -1.0}[c.below(4)]; };
         const double x = at(), y = at(), z = at(), u = step(), v = step();
         p.ask_along(repaired({{x, y, z}, {u, v, step()}}));
@@ -178,12 +178,12 @@ struct broad_phase {
       Programming p(c);
       const Point3d o = lattice_point_of_box(c, 6);
       const auto speed = [&c] {
-        const double size = static_cast<double>(1 + c.below(7));
-        return c.below(2) == 1 ? -size : size;
+        const double size = one_to(c, 7);
+        return either_sign(c) * size;
       };
       const double u = speed(), v = speed(), w = speed();
       for (std::size_t left = 2 + c.below(6); left > 0; --left) {
-        const double t = static_cast<double>(c.below(3)), more = 8 + static_cast<double>(c.below(3));
+        const double t = up_to(c, 2), more = 8 + up_to(c, 2);
         const auto entered = [t](double from, double by) { return from + t * by; };
         Aabb3d box{{entered(o.x, u), entered(o.y, v), entered(o.z, w)},
                    {entered(o.x, u), entered(o.y, v), entered(o.z, w)}};
@@ -229,7 +229,7 @@ struct broad_phase {
       auto& [boxes, commands] = question;
       const auto body = static_cast<Index>(c.below(6));
       const auto place = commands.begin() + static_cast<std::ptrdiff_t>(c.below(commands.size()));
-      if (c.below(2) == 1) commands.insert(place, Remove{body});
+      if (c.coin()) commands.insert(place, Remove{body});
       else commands.insert(place, Moved{body, small_box(c)});
       return question;
     });

@@ -38,7 +38,7 @@ struct explicit_line {
     });
     add("flat", [](DrawStream& c) -> Question {
       const double intercept = integer(c, 53);
-      return {0.0, intercept, {integer(c, 53), c.below(2) == 1 ? intercept : integer(c, 53)}};
+      return {0.0, intercept, {integer(c, 53), c.coin() ? intercept : integer(c, 53)}};
     });
     add("through_origin", [](DrawStream& c) -> Question {
       const double slope = integer(c, 26), x = integer(c, 26);
@@ -50,7 +50,7 @@ struct explicit_line {
     });
     add("cancelling", [](DrawStream& c) -> Question {
       const double slope = ordinary(c), x = ordinary(c);
-      return {slope, -(slope * x), {x, c.below(2) == 1 ? std::fma(slope, x, -(slope * x)) : 0.0}};
+      return {slope, -(slope * x), {x, c.coin() ? std::fma(slope, x, -(slope * x)) : 0.0}};
     });
   }
 

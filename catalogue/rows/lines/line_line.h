@@ -46,14 +46,12 @@ struct line_line {
     add("parallel", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c), q = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      return {{p, along(p, 1 + static_cast<double>(c.below(8)), v)},
-              {q, along(q, -1 - static_cast<double>(c.below(8)), v)}};
+      return {{p, along(p, one_to(c, 8), v)}, {q, along(q, -one_to(c, 8), v)}};
     });
     add("same", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)},
-              {along(p, small_integer(c, 4), v), along(p, 5, v)}};
+      return {{p, along(p, one_to(c, 4), v)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
     });
     add("shared_point", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 50);
@@ -61,8 +59,8 @@ struct line_line {
     });
     add("axis_parallel", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
-      const Line2d across{p, {p.x + 1 + static_cast<double>(c.below(8)), p.y}};
-      return c.below(2) == 1 ? Question{across, {q, {q.x + 1, q.y}}} : Question{across, {q, {q.x, q.y + 1}}};
+      const Line2d across{p, {p.x + one_to(c, 8), p.y}};
+      return c.coin() ? Question{across, {q, {q.x + 1, q.y}}} : Question{across, {q, {q.x, q.y + 1}}};
     });
     add("zero_length", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);

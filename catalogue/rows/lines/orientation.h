@@ -42,7 +42,7 @@ struct orientation {
       const Point2d p0 = lattice_point(c);
       const Vector2d v = lattice_direction(c);
       const Point2d p = along(p0, small_integer(c), v);
-      return {p0, along(p0, 1 + static_cast<double>(c.below(8)), v), {p.x, p.y + small_integer(c, 1)}};
+      return {p0, along(p0, one_to(c, 8), v), {p.x, p.y + small_integer(c, 1)}};
     });
     add("coincident", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 53), q = lattice_point(c, 53);
@@ -56,14 +56,14 @@ struct orientation {
     add("axis_parallel", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 53);
       const double x = integer(c, 53), y = integer(c, 53);
-      return c.below(2) == 1 ? Question{p, {p.x, y}, {p.x, x}} : Question{p, {x, p.y}, {y, p.y}};
+      return c.coin() ? Question{p, {p.x, y}, {p.x, x}} : Question{p, {x, p.y}, {y, p.y}};
     });
     add("rounded_on_line", [](DrawStream& c) -> Question {
       const Point2d p0{ordinary(c), ordinary(c)}, p1{ordinary(c), ordinary(c)};
       return {p0, p1, along(p0, ordinary(c), p1 - p0)};
     });
     add("typed_on_line", [](DrawStream& c) -> Question {
-      const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
+      const double x = typed(c), y = typed(c), k = up_to(c, 3);
       return {{0.0, 0.0}, {k * x, k * y}, {x, y}};
     });
     add("far_ends", [](DrawStream& c) -> Question {
@@ -73,11 +73,11 @@ struct orientation {
     });
     add("long_collinear", [](DrawStream& c) -> Question {
       const auto [first, last, between] = long_triple(c);
-      return c.below(2) == 1 ? Question{first, between, last} : Question{first, last, between};
+      return c.coin() ? Question{first, between, last} : Question{first, last, between};
     });
     add("past_half_the_bound", [](DrawStream& c) -> Question {
-      const auto [p0, p1, p] = rounded_triple(c, c.below(2) == 1);
-      return c.below(2) == 1 ? Question{p0, p1, p} : Question{p0, p, p1};
+      const auto [p0, p1, p] = rounded_triple(c, c.coin());
+      return c.coin() ? Question{p0, p1, p} : Question{p0, p, p1};
     });
   }
 

@@ -38,22 +38,22 @@ struct point_on_segment {
     add("on_segment", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
+      const double n = one_to(c, 8), k = up_to(c, 8);
       return {along(a, k, v), {a, along(a, n, v)}};
     });
     add("at_end", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c, 53), b = lattice_point(c, 53);
-      return {c.below(2) == 1 ? b : a, {a, b}};
+      return {c.coin() ? b : a, {a, b}};
     });
     add("collinear_beyond", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      return {along(a, 2 + static_cast<double>(c.below(8)), v), {a, along(a, 1, v)}};
+      return {along(a, 2 + up_to(c, 7), v), {a, along(a, 1, v)}};
     });
     add("axis_parallel", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c, 50);
-      const double length = integer(c, 50), at = c.below(2) == 1 ? length : integer(c, 50);
-      const bool upright = c.below(2) == 1;
+      const double length = integer(c, 50), at = c.coin() ? length : integer(c, 50);
+      const bool upright = c.coin();
       return upright ? Question{{a.x, a.y + at}, {a, {a.x, a.y + length}}}
                      : Question{{a.x + at, a.y}, {a, {a.x + length, a.y}}};
     });
@@ -64,22 +64,21 @@ struct point_on_segment {
     add("beside_segment", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      const Point2d p = along(a, static_cast<double>(c.below(4)), v);
+      const Point2d p = along(a, up_to(c, 3), v);
       return {{p.x + small_integer(c, 1), p.y}, {a, along(a, 4, v)}};
     });
     add("on_long_segment", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c, 45);
       const Vector2d v = lattice_direction(c, 45);
-      const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
+      const double n = one_to(c, 8), k = up_to(c, 8);
       return {along(a, k, v), {a, along(a, n, v)}};
     });
     add("rounded_on_segment", [](DrawStream& c) -> Question {
       const Segment2d s{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
-      const double t = ordinary(c);
-      return {along(s.a, t, s.b - s.a), s};
+      return {along(s.a, ordinary(c), s.b - s.a), s};
     });
     add("typed_on_segment", [](DrawStream& c) -> Question {
-      const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
+      const double x = typed(c), y = typed(c), k = up_to(c, 3);
       return {{x, y}, {{0.0, 0.0}, {k * x, k * y}}};
     });
     add("on_long_line", [](DrawStream& c) -> Question {

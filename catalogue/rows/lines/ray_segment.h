@@ -36,8 +36,7 @@ struct ray_segment {
     add("crossing_on_lattice", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
       const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-      return {{along(p, small_integer(c, 4), u), u},
-              {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
+      return {{along(p, small_integer(c, 4), u), u}, {along(p, -one_to(c, 4), v), along(p, 1, v)}};
     });
     add("through_end", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
@@ -47,8 +46,7 @@ struct ray_segment {
     add("origin_on_segment", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      return {{p, lattice_direction(c)},
-              {along(p, -static_cast<double>(c.below(4)), v), along(p, static_cast<double>(c.below(4)), v)}};
+      return {{p, lattice_direction(c)}, {along(p, -up_to(c, 3), v), along(p, up_to(c, 3), v)}};
     });
     add("collinear", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
@@ -58,7 +56,7 @@ struct ray_segment {
     add("ends_at_origin", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 40);
       const Vector2d v = lattice_direction(c);
-      return {{p, v}, {along(p, -1 - static_cast<double>(c.below(4)), v), p}};
+      return {{p, v}, {along(p, -one_to(c, 4), v), p}};
     });
     add("parallel", [](DrawStream& c) -> Question {
       const Vector2d v = lattice_direction(c);
@@ -67,9 +65,9 @@ struct ray_segment {
     });
     add("axis_parallel", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
-      const Vector2d across{c.below(2) == 1 ? -1.0 : 1.0, 0.0};
-      return c.below(2) == 1 ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
-                             : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
+      const Vector2d across{either_sign(c), 0.0};
+      return c.coin() ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
+                      : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
     });
     add("zero_length", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);

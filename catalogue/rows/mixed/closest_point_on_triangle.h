@@ -69,8 +69,7 @@ struct closest_point_on_triangle {
       return {plane.point(c), t};
     });
     add("small_lattice", [](DrawStream& c) -> Question {
-      const Point3d p = small_lattice_point(c), a = small_lattice_point(c), b = small_lattice_point(c);
-      return {p, {a, b, small_lattice_point(c)}};
+      return {small_lattice_point(c), {small_lattice_point(c), small_lattice_point(c), small_lattice_point(c)}};
     });
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c, 8);
@@ -83,7 +82,7 @@ struct closest_point_on_triangle {
     });
     add("needle", [](DrawStream& c) -> Question {
       // Thousands of millions long, a few units wide, around its middle.
-      const double length = std::ldexp(1, 20 + static_cast<int>(c.below(22)));
+      const double length = power_of_two(c, 20, 41);
       const double y = small_integer(c, 3), z = small_integer(c, 3), x = small_integer(c, 3);
       const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
       return {lattice_point_in_space(c, 4) + Vector3d{x, 0, 0}, t};
@@ -96,13 +95,13 @@ struct closest_point_on_triangle {
     add("full_mantissa", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
       const Point3d p = plane.point(c), a = plane.point(c), b = plane.point(c);
-      return {c.below(2) == 1 ? ordinary_point_in_space(c) : p, {a, b, plane.point(c)}};
+      return {c.coin() ? ordinary_point_in_space(c) : p, {a, b, plane.point(c)}};
     });
     add("rounding", [](DrawStream& c) -> Question {
       // Over the face, whose normal is along a diagonal: x and y of the foot are half a step further, and x is
       // halfway between two doubles.
       const HalfwayNumber x = halfway_number(c);
-      const double odd = 1 + 2 * static_cast<double>(c.below(8)), z = small_integer(c, 3);
+      const double odd = 1 + 2 * up_to(c, 7), z = small_integer(c, 3);
       return {{x.most + odd, hair(c), z}, {{x.most, 0, -64}, {x.most + 64, 64, -64}, {x.most, 0, 64}}};
     });
     add("rounding_of_distance", [](DrawStream& c) -> Question {
@@ -118,20 +117,18 @@ struct closest_point_on_triangle {
       return {p, t};
     });
     add("typed", [](DrawStream& c) -> Question {
-      const Point3d p = typed_point(c), a = typed_point(c), b = typed_point(c);
-      return {p, {a, b, typed_point(c)}};
+      return {typed_point(c), {typed_point(c), typed_point(c), typed_point(c)}};
     });
     add("subnormal", [](DrawStream& c) -> Question {
       const Point3d p = subnormal_point(c), a = subnormal_point(c), b = subnormal_point(c);
-      return {p, {a, b, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}};
+      return {p, {a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d p = point_of_whole_range(c), a = point_of_whole_range(c), b = point_of_whole_range(c);
-      return {p, {a, b, point_of_whole_range(c)}};
+      return {point_of_whole_range(c), {point_of_whole_range(c), point_of_whole_range(c), point_of_whole_range(c)}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c), d = zero_point(c);
-      const double x = static_cast<double>(c.below(2)), y = static_cast<double>(c.below(2));
+      const double x = up_to(c, 1), y = up_to(c, 1);
       return {p, {a, x == 0 ? b : Point3d{1, b.y, b.z}, y == 0 ? d : Point3d{d.x, 1, d.z}}};
     });
   }

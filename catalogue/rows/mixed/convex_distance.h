@@ -48,7 +48,7 @@ struct convex_distance {
       return {a, shifted(b, 12.0 * lattice_normal(c, 4))};
     });
     add("feature_to_feature", [](DrawStream& c) -> Question {
-      const double n = 1 + static_cast<double>(c.below(4));
+      const double n = one_to(c, 4);
       return aimed(c, n);
     });
     add("touching", [](DrawStream& c) -> Question { return aimed(c, 0); });
@@ -65,21 +65,19 @@ struct convex_distance {
       const Meshd a = lattice_polyhedron(c);
       const auto [p, out] = face_of(a, c);
       const Vector3d aside = lattice_across(c, out);
-      const double height = static_cast<double>(c.below(3));
-      return {a, reflected(a, p + 0.5 * (height * out + aside))};
+      return {a, reflected(a, p + 0.5 * (up_to(c, 2) * out + aside))};
     });
     add("parallel_edges", [](DrawStream& c) -> Question {
       // Roofs whose ridges face each other; one may be a little askew.
-      const double from = small_integer(c), to = small_integer(c), height = static_cast<double>(c.below(4));
-      const double side = small_integer(c, 1), askew = c.below(2) == 1 ? 0x1p-40 * side : side;
-      const Meshd a = roof({0, 0, 0}, {8, 0, 0}, -8), b = roof({from, 0, height}, {to + 9, askew, height}, 8);
-      return {a, b};
+      const double from = small_integer(c), to = small_integer(c), height = up_to(c, 3);
+      const double side = small_integer(c, 1), askew = c.coin() ? 0x1p-40 * side : side;
+      return {roof({0, 0, 0}, {8, 0, 0}, -8), roof({from, 0, height}, {to + 9, askew, height}, 8)};
     });
     add("nested", [](DrawStream& c) -> Question {
       Meshd a = lattice_polyhedron(c);
       const Meshd b = lattice_polyhedron(c);
       for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
-      return c.below(2) == 1 ? Question{a, b} : Question{b, a};
+      return c.coin() ? Question{a, b} : Question{b, a};
     });
     add("flat_vertices", [](DrawStream& c) -> Question {
       auto [a, b] = aimed(c, 1);
@@ -87,7 +85,7 @@ struct convex_distance {
     });
     add("repeated_vertices", [](DrawStream& c) -> Question {
       // Vertices of no face where others are, with an index below or above these.
-      const auto [a, b] = c.below(2) == 1 ? aimed(c, 1) : Question{lattice_polyhedron(c), lattice_polyhedron(c)};
+      const auto [a, b] = c.coin() ? aimed(c, 1) : Question{lattice_polyhedron(c), lattice_polyhedron(c)};
       return {with_repeated_vertex(a, c), with_repeated_vertex(shifted(b, {0, 0, 24}), c)};
     });
     add("needles", [](DrawStream& c) -> Question {
@@ -120,7 +118,7 @@ struct convex_distance {
     add("rounded", [](DrawStream& c) -> Question {
       // A corner of b where one of a is, as far as doubles can tell; or anywhere.
       const Meshd a = tetrahedron_of(c, ordinary_point_in_space), b = tetrahedron_of(c, ordinary_point_in_space);
-      return {a, c.below(2) == 0 ? shifted(b, a.vertices[0] - b.vertices[0]) : b};
+      return {a, c.coin() ? b : shifted(b, a.vertices[0] - b.vertices[0])};
     });
     add("full_mantissa", [](DrawStream& c) -> Question {
       // One corner of each in the plane of a face of the other.
@@ -133,7 +131,7 @@ struct convex_distance {
     });
     add("rounding", [](DrawStream& c) -> Question {
       // The foot of b's corner on a diagonal edge is half an odd step along: x is halfway between two doubles.
-      const double x = halfway_number(c).most, odd = 1 + 2 * static_cast<double>(c.below(8));
+      const double x = halfway_number(c).most, odd = 1 + 2 * up_to(c, 7);
       const Point3d end{x + odd, 0, hair(c)};
       Meshd a{{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}, {}};
       Meshd b{{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}, {}};
@@ -153,13 +151,12 @@ struct convex_distance {
       const Meshd a = lattice_polyhedron(c);
       const Vector3d off = 96.0 * lattice_normal(c, 2);
       Meshd b = shifted(lattice_polyhedron(c), off);
-      const int places = c.below(2) == 1 ? 1000 : 60;
+      const int places = c.coin() ? 1000 : 60;
       for (Point3d& p : b.vertices) p = {std::ldexp(p.x, places), std::ldexp(p.y, places), std::ldexp(p.z, places)};
-      return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+      return c.coin() ? Question{b, a} : Question{a, b};
     });
     add("typed", [](DrawStream& c) -> Question {
-      const Meshd a = tetrahedron_of(c, typed_point), b = tetrahedron_of(c, typed_point);
-      return {a, b};
+      return {tetrahedron_of(c, typed_point), tetrahedron_of(c, typed_point)};
     });
     add("subnormal", [](DrawStream& c) -> Question {
       auto [a, b] = aimed(c, 1);
@@ -168,8 +165,7 @@ struct convex_distance {
       return {a, b};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Meshd a = tetrahedron_of(c, point_of_whole_range), b = tetrahedron_of(c, point_of_whole_range);
-      return {a, b};
+      return {tetrahedron_of(c, point_of_whole_range), tetrahedron_of(c, point_of_whole_range)};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), q = zero_point(c);
@@ -180,7 +176,7 @@ struct convex_distance {
     });
     add("broken", [](DrawStream& c) -> Question {
       const auto [a, b] = aimed(c, 1);
-      if (c.below(2) == 0) return {broken(a, c), b};
+      if (!c.coin()) return {broken(a, c), b};
       return {a, broken(b, c)};
     });
     add.unscaled("late_vertices", [](DrawStream& c) -> Question {
@@ -194,11 +190,11 @@ struct convex_distance {
       make_tetrahedron(b);
       const Point3d to = p + 12.0 * lattice_normal(c, 3);
       b = shifted(b, to - Point3d{0, 0, 0});
-      return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+      return c.coin() ? Question{b, a} : Question{a, b};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-      const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
+      const Meshd asked = c.one_in(6) ? with_broken_polygons(a, c) : a;
       return {asked, shifted(b, 12.0 * lattice_normal(c, 4))};
     });
   }
@@ -272,7 +268,7 @@ struct convex_distance {
 
   static Meshd with_repeated_vertex(Meshd mesh, DrawStream& c) {
     const Point3d again = mesh.vertices[c.below(mesh.vertices.size())];
-    if (c.below(2) == 1) {
+    if (c.coin()) {
       mesh.vertices.push_back(again);
       return mesh;
     }

@@ -84,7 +84,7 @@ struct ray_triangle {
       const LatticePlane line = LatticePlane::of(c);
       const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
       const Triangle3d t{line.at(i, 0), line.at(j, 0), line.at(k, 0)};
-      const Vector3d way = c.below(2) == 1 ? line.v : line.u;
+      const Vector3d way = c.coin() ? line.v : line.u;
       return {ray_to(c, line.origin, way), t};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
@@ -94,7 +94,7 @@ struct ray_triangle {
     });
     add("needle", [](DrawStream& c) -> Question {
       // Thousands of millions long, a few units wide, around its middle.
-      const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
+      const double length = power_of_two(c, 30, 41);
       const double y = small_integer(c, 3), z = small_integer(c, 3);
       const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
       const double x = small_integer(c, 3);
@@ -102,15 +102,14 @@ struct ray_triangle {
     });
     add("from_far_away", [](DrawStream& c) -> Question {
       // A thousand million times as far as the triangle is large, aimed at a point beside a corner or on it.
-      const double far = -std::ldexp(1, 20 + static_cast<int>(c.below(31)));
+      const double far = -power_of_two(c, 20, 50);
       const Vector3d way = lattice_normal(c, 2);
-      const double x = small_integer(c, 1), y = small_integer(c, 1);
-      return {{along({x, y, 0}, far, way), way}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+      return {{along({small_integer(c, 1), small_integer(c, 1), 0}, far, way), way}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     });
     add("direction_of_any_size", [](DrawStream& c) -> Question {
       Question question = crossing(c);
       Vector3d& v = std::get<0>(question).direction;
-      const int k = static_cast<int>(c.below(2040)) - 1060;
+      const int k = integer_in(c, -1060, 979);
       v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
       return question;
     });
@@ -119,7 +118,7 @@ struct ray_triangle {
                     d = ordinary_point_in_space(c);
       const double s = ordinary(c), t = ordinary(c);
       const Point3d on = a + (s * (b - a) + t * (d - a));
-      return {c.below(2) == 1 ? Ray3d{on, p - on} : Ray3d{p, on - p}, {a, b, d}};
+      return {c.coin() ? Ray3d{on, p - on} : Ray3d{p, on - p}, {a, b, d}};
     });
     add("long_coplanar", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
@@ -136,7 +135,7 @@ struct ray_triangle {
       // Differences overflow, and products of what does not.
       const auto number = [&c] {
         const double n = small_integer(c, 1);
-        return std::ldexp(n, c.below(2) == 1 ? 1023 : 0);
+        return std::ldexp(n, c.coin() ? 1023 : 0);
       };
       const auto point = [&number] {
         const double x = number(), y = number();
@@ -184,8 +183,8 @@ struct ray_triangle {
 
   /// From before the point, from it, or from behind, along the way or against it.
   static Ray3d ray_to(DrawStream& c, const Point3d& x, const Vector3d& way) {
-    const double before = small_integer(c, 2), length = 1 + static_cast<double>(c.below(3));
-    return {along(x, -before - 1, way), (c.below(2) == 1 ? -length : length) * way};
+    const double before = small_integer(c, 2), length = one_to(c, 3);
+    return {along(x, -before - 1, way), (either_sign(c) * length) * way};
   }
 
   /// A triangle around a point, or beside it, and a ray to the point.

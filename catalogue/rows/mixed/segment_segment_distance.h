@@ -74,15 +74,15 @@ struct segment_segment_distance {
     });
     add("zero_length", [](DrawStream& c) -> Question {
       const LatticeLine line = LatticeLine::of(c);
-      const double i = small_integer(c, 3), j = c.below(2) == 1 ? i : small_integer(c, 3);
+      const double i = small_integer(c, 3), j = c.coin() ? i : small_integer(c, 3);
       const Point3d p = line.at(small_integer(c, 3)) + line.across;
-      const bool first = c.below(2) == 1;
+      const bool first = c.coin();
       return first ? seen({p, p}, line.between(i, j), line.in_plane) : seen(line.between(i, j), {p, p}, line.in_plane);
     });
     add("whole_distance", [](DrawStream& c) -> Question {
       const Step step = whole_step(c);
       const Point3d p = lattice_point_in_space(c, 20), q = p + step.way;
-      const double back = -static_cast<double>(c.below(3)), on = static_cast<double>(c.below(3));
+      const double back = -up_to(c, 2), on = up_to(c, 2);
       return seen({along(p, back, step.way), p}, {q, along(q, on, step.way)}, false);
     });
     add("needles", [](DrawStream& c) -> Question {
@@ -94,25 +94,25 @@ struct segment_segment_distance {
     add("rounded_crossing", [](DrawStream& c) -> Question {
       const Point3d a = ordinary_point_in_space(c), b = ordinary_point_in_space(c), d = ordinary_point_in_space(c);
       const Point3d on_a = along(a, ordinary(c), b - a);
-      const bool in_plane = c.below(2) == 1;
-      return seen({a, b}, {d, along(d, c.below(2) == 1 ? 1.0 : 2.0, on_a - d)}, in_plane);
+      const bool in_plane = c.coin();
+      return seen({a, b}, {d, along(d, c.coin() ? 1.0 : 2.0, on_a - d)}, in_plane);
     });
     add("full_mantissa", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
       const Point3d p = plane.point(c), q = plane.point(c), r = plane.point(c);
-      const bool in_plane = c.below(2) == 1;
+      const bool in_plane = c.coin();
       return seen({p, q}, {r, plane.point(c)}, in_plane);
     });
     add("rounding", [](DrawStream& c) -> Question {
       // The foot of b's end on a diagonal is half an odd step along: x is halfway between two doubles.
       const HalfwayNumber x = halfway_number(c);
-      const double odd = 1 + 2 * static_cast<double>(c.below(8)), far = 1 + static_cast<double>(c.below(8));
+      const double odd = 1 + 2 * up_to(c, 7), far = one_to(c, 8);
       const Point3d end{x.most + odd, 0, hair(c)};
-      return seen({{x.most, 0, 0}, {x.most + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.below(2) == 1);
+      return seen({{x.most, 0, 0}, {x.most + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.coin());
     });
     add("rounding_of_distance", [](DrawStream& c) -> Question {
       const HalfwayStep step = halfway_step(c);
-      const bool in_plane = c.below(2) == 1;
+      const bool in_plane = c.coin();
       return seen({{-1, 0, 0}, {0, 0, 0}}, {{step.x, step.y, hair(c)}, {step.x, 2 * step.y, 0}}, in_plane);
     });
     add("stretched", [](DrawStream& c) -> Question {
@@ -125,23 +125,23 @@ struct segment_segment_distance {
     });
     add("typed", [](DrawStream& c) -> Question {
       const Point3d p = typed_point(c), q = typed_point(c), r = typed_point(c);
-      const bool in_plane = c.below(2) == 1;
+      const bool in_plane = c.coin();
       return seen({p, q}, {r, typed_point(c)}, in_plane);
     });
     add("subnormal", [](DrawStream& c) -> Question {
       const Point3d p = subnormal_point(c), q = subnormal_point(c), r = subnormal_point(c);
-      const Point3d last = c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c);
-      return seen({p, q}, {r, last}, c.below(2) == 1);
+      const Point3d last = c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c);
+      return seen({p, q}, {r, last}, c.coin());
     });
     add("whole_range", [](DrawStream& c) -> Question {
       const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), r = point_of_whole_range(c);
-      const bool in_plane = c.below(2) == 1;
+      const bool in_plane = c.coin();
       return seen({p, q}, {r, point_of_whole_range(c)}, in_plane);
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), q = zero_point(c), r = zero_point(c), s = zero_point(c);
-      const double x = static_cast<double>(c.below(2)), y = static_cast<double>(c.below(2));
-      return seen({p, x == 0 ? q : Point3d{1, q.y, q.z}}, {r, y == 0 ? s : Point3d{s.x, 1, s.z}}, c.below(2) == 1);
+      const double x = up_to(c, 1), y = up_to(c, 1);
+      return seen({p, x == 0 ? q : Point3d{1, q.y, q.z}}, {r, y == 0 ? s : Point3d{s.x, 1, s.z}}, c.coin());
     });
   }
 

@@ -51,7 +51,7 @@ struct sphere_triangle {
     add("tangent_to_edge", [](DrawStream& c) -> Question {
       const WholeAcross across = WholeAcross::of(c);
       const LatticePlane edge{lattice_point_in_space(c, 16), across.u, across.way};
-      const double i = small_integer(c, 3), j = small_integer(c, 3), back = -static_cast<double>(c.below(4));
+      const double i = small_integer(c, 3), j = small_integer(c, 3), back = -up_to(c, 3);
       const Triangle3d t{edge.at(i, 0), edge.at(j, 0), edge.at(small_integer(c, 3), back) + across.v};
       return {{edge.at(small_integer(c, 3), 1), reaching(c, across.length)}, t};
     });
@@ -59,7 +59,7 @@ struct sphere_triangle {
       const Step step = whole_step(c);
       const Point3d corner = lattice_point_in_space(c, 16);
       const auto back = [&] {
-        const double i = -static_cast<double>(c.below(3));
+        const double i = -up_to(c, 2);
         return along(corner, i, step.way) + lattice_across(c, step.way);
       };
       const Point3d a = back(), b = back();
@@ -68,13 +68,13 @@ struct sphere_triangle {
     add("center_in_plane_or_triangle", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c, 6);
       const Triangle3d t = plane.triangle(c);
-      const double r = static_cast<double>(c.below(3));
+      const double r = up_to(c, 2);
       return {{plane.point(c), r}, t};
     });
     add("point_ball", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c, 6);
       const Triangle3d t = plane.triangle(c);
-      return {{plane.point(c), c.below(2) == 1 ? -0.0 : 0.0}, t};
+      return {{plane.point(c), zero(c)}, t};
     });
     add("no_area", [](DrawStream& c) -> Question {
       const WholeAcross across = WholeAcross::of(c);
@@ -90,7 +90,7 @@ struct sphere_triangle {
     });
     add("near_root", [](DrawStream& c) -> Question {
       const auto [x, r] = near_root(c);
-      const double far = 1 + static_cast<double>(c.below(8));
+      const double far = one_to(c, 8);
       return {{{r, r, integer(c, 10)}, x}, {{0, 0, -4096}, {0, 0, 4096}, {-far, 0, 0}}};
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
@@ -99,15 +99,14 @@ struct sphere_triangle {
       return {{p, near_length(c, way)}, {a, along(a, -1, way), a + lattice_across(c, {1, 0, 0})}};
     });
     add("needle", [](DrawStream& c) -> Question {
-      const double length = std::ldexp(1, 20 + static_cast<int>(c.below(22)));
-      const double y = small_integer(c, 3), z = small_integer(c, 3);
+      const double length = power_of_two(c, 20, 41), y = small_integer(c, 3), z = small_integer(c, 3);
       const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
       const Point3d p = lattice_point_in_space(c, 4);
       return {{p, reaching(c, std::fabs(p.y))}, t};
     });
     add("off_by_a_hair", [](DrawStream& c) -> Question {
       const double r = scaled_up(c, 4, 1000), most = scaled_up(c, 4, 1000);
-      return {{{0, c.below(2) == 1 ? -r : r, 0}, r}, {{-most, hair(c), -most}, {most, 0, -most}, {0, 0, most}}};
+      return {{{0, either_sign(c) * r, 0}, r}, {{-most, hair(c), -most}, {most, 0, -most}, {0, 0, most}}};
     });
     add("stretched", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
@@ -122,8 +121,8 @@ struct sphere_triangle {
     });
     add("subnormal", [](DrawStream& c) -> Question {
       const Point3d p = subnormal_point(c), a = subnormal_point(c), b = subnormal_point(c);
-      const double r = std::ldexp(static_cast<double>(c.below(6)), -1074);
-      return {{p, r}, {a, b, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}};
+      const double r = std::ldexp(up_to(c, 5), -1074);
+      return {{p, r}, {a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
       const Point3d p = point_of_whole_range(c), a = point_of_whole_range(c), b = point_of_whole_range(c);
@@ -131,8 +130,8 @@ struct sphere_triangle {
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c), d = zero_point(c);
-      const double r = c.below(2) == 1 ? -0.0 : static_cast<double>(c.below(2));
-      return {{p, r}, {a, c.below(2) == 1 ? b : Point3d{1, b.y, b.z}, d}};
+      const double r = c.coin() ? -0.0 : up_to(c, 1);
+      return {{p, r}, {a, c.coin() ? b : Point3d{1, b.y, b.z}, d}};
     });
   }
 

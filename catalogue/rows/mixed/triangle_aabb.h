@@ -46,7 +46,7 @@ struct triangle_aabb {
     add("edge_on_boundary", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
       const Vector3d way = lattice_across(c, touch.normal);
-      const double before = -static_cast<double>(c.below(3)), after = 1 + static_cast<double>(c.below(3));
+      const double before = -up_to(c, 2), after = one_to(c, 3);
       return touch.question(c, along(touch.at, before, way), along(touch.at, after, way), touch.above(c));
     });
     add("triangle_on_boundary", [](DrawStream& c) -> Question {
@@ -65,7 +65,7 @@ struct triangle_aabb {
       const Touch touch = Touch::of(c);
       const Point3d over = touch.at + touch.normal;
       const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
-      const double far = std::ldexp(1, 10 + static_cast<int>(c.below(4)));
+      const double far = power_of_two(c, 10, 13);
       return in_some_order(
           c, {{along(over, far, u), along(over, far, v), along(along(over, -far, u), -far, v)}, touch.box});
     });
@@ -73,8 +73,8 @@ struct triangle_aabb {
       // Over an edge of the box that is parallel to an axis, past or across its line; and the triangle beyond it.
       const Aabb3d box = lattice_box(c, 12);
       const Vector3d way = lattice_normal(c, 4);
-      const double out = 1 + static_cast<double>(c.below(4)), side = 1 + static_cast<double>(c.below(4)),
-                   up = small_integer(c), off = small_integer(c, 1), near = small_integer(c, 3);
+      const double out = one_to(c, 4), side = one_to(c, 4), up = small_integer(c), off = small_integer(c, 1),
+                   near = small_integer(c, 3);
       const Point3d x{box.max.x + off, box.max.y, box.min.z + up};
       const Vector3d edge{side * way.x, -out * std::fabs(way.x), way.z};
       const Triangle3d t{along(x, near, edge), along(x, small_integer(c, 3), edge), x + Vector3d{out, side, up}};
@@ -82,20 +82,20 @@ struct triangle_aabb {
     });
     add("on_small_grid", [](DrawStream& c) -> Question {
       const Point3d a = small_lattice_point(c), b = small_lattice_point(c), d = small_lattice_point(c);
-      const double x = 1 + static_cast<double>(c.below(2)), y = 1 + static_cast<double>(c.below(2));
+      const double x = one_to(c, 2), y = one_to(c, 2);
       return {{a, b, d}, {{1, 1, 1}, {x, y, 2}}};
     });
     add("parallel_to_axes", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 12);
       const Point3d p = nearby(c, box), q = nearby(c, box), r = nearby(c, box);
-      const Triangle3d t{p, {p.x, q.y, c.below(2) == 1 ? p.z : q.z}, {c.below(2) == 1 ? r.x : p.x, r.y, p.z}};
+      const Triangle3d t{p, {p.x, q.y, c.coin() ? p.z : q.z}, {c.coin() ? r.x : p.x, r.y, p.z}};
       return in_some_order(c, {t, box});
     });
     add("no_area", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 12);
       const Vector3d way = lattice_normal(c, 3);
       const Point3d p = nearby(c, box);
-      const double i = small_integer(c), j = small_integer(c), k = c.below(3) == 2 ? i : small_integer(c);
+      const double i = small_integer(c), j = small_integer(c), k = c.one_in(3) ? i : small_integer(c);
       return {{along(p, i, way), along(p, j, way), along(p, k, way)}, box};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
@@ -105,8 +105,7 @@ struct triangle_aabb {
     });
     add("flat", [](DrawStream& c) -> Question {
       const Aabb3d box = flat_box(c, 12);
-      const Point3d a = nearby(c, box), b = nearby(c, box);
-      return {{a, b, nearby(c, box)}, box};
+      return {{nearby(c, box), nearby(c, box), nearby(c, box)}, box};
     });
     add("flat_without_area", [](DrawStream& c) -> Question {
       // A rectangle, a segment or a point, and a segment through, along or beside it.
@@ -123,21 +122,21 @@ struct triangle_aabb {
       box.max.y = box.min.y, box.max.z = box.min.z;
       const LatticePlane plane{box.min, {1, 0, 0}, lattice_normal(c, 4)};
       const Triangle3d t = plane.triangle(c);
-      const Vector3d off = c.below(3) == 2 ? lattice_normal(c, 2) : Vector3d{0, 0, 0};
+      const Vector3d off = c.one_in(3) ? lattice_normal(c, 2) : Vector3d{0, 0, 0};
       return in_some_order(c, {{t.a + off, t.b + off, t.c + off}, box});
     });
     add("nearly_flat", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
       const Vector3d u = lattice_across(c, touch.normal);
       Aabb3d box = touch.box;
-      box.min.x = moved_by_ulps(box.max.x, -static_cast<int>(c.below(3)));
+      box.min.x = moved_by_ulps(box.max.x, -integer_in(c, 0, 2));
       const double back = small_integer(c, 1);
       const Point3d a = along(touch.at, back, touch.normal);
       return {{a + u, along(a, -1, u), touch.above(c)}, box};
     });
     add("needle", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 4);
-      const double length = std::ldexp(1, 10 + static_cast<int>(c.below(32)));
+      const double length = power_of_two(c, 10, 41);
       const double y = small_integer(c), z = small_integer(c), dy = small_integer(c, 3), dz = small_integer(c, 3);
       const Triangle3d t{
           {-length, y, z}, {length, y + dy, z + dz}, {length, y + small_integer(c, 2), z + small_integer(c, 2)}};
@@ -146,8 +145,8 @@ struct triangle_aabb {
     add("sizes", [](DrawStream& c) -> Question {
       // One of the two is 2^16 to 2^24 times larger than the other.
       const Touch touch = Touch::of(c, 4);
-      const double factor = std::ldexp(1, 16 + static_cast<int>(c.below(9)));
-      const bool large = c.below(2) == 1;
+      const double factor = power_of_two(c, 16, 24);
+      const bool large = c.coin();
       const auto from = [&](const Point3d& p) { return along(touch.at, large ? factor : 1, p - touch.at); };
       const auto out = [&](double x, double at) { return large ? x : at + factor * (x - at); };
       const auto& [min, max] = touch.box;
@@ -178,7 +177,7 @@ struct triangle_aabb {
       // Points of one plane through the origin, of 53 digits at exponents far apart, and a corner on that plane.
       const LongPlane plane = LongPlane::of(c);
       const auto point = [&] {
-        const double size = std::ldexp(1, -16 * static_cast<int>(c.below(4)));
+        const double size = std::ldexp(1, -16 * integer_in(c, 0, 3));
         const Point3d p = plane.point(c);
         return Point3d{size * p.x, size * p.y, size * p.z};
       };
@@ -189,8 +188,8 @@ struct triangle_aabb {
     add("off_by_a_hair", [](DrawStream& c) -> Question {
       // A triangle on a face but for a hair, or rising from there.
       const double r = scaled_up(c, 4, 1000), most = scaled_up(c, 4, 1000), y = hair(c);
-      const Aabb3d box = c.below(2) == 1 ? Aabb3d{{-r, -r, -r}, {r, 0, r}} : Aabb3d{{-r, 0, -r}, {r, r, r}};
-      return {{{-most, y, -most}, {most, c.below(2) == 1 ? y : -y, 0}, {0, y, most}}, box};
+      const Aabb3d box = c.coin() ? Aabb3d{{-r, -r, -r}, {r, 0, r}} : Aabb3d{{-r, 0, -r}, {r, r, r}};
+      return {{{-most, y, -most}, {most, c.coin() ? y : -y, 0}, {0, y, most}}, box};
     });
     add("stretched", [](DrawStream& c) -> Question {
       auto [t, box] = Touch::of(c, 4).beside(c);
@@ -203,7 +202,7 @@ struct triangle_aabb {
     });
     add("subnormal", [](DrawStream& c) -> Question {
       const Point3d a = subnormal_point(c), b = subnormal_point(c), p = subnormal_point(c), q = subnormal_point(c);
-      return ordered({{a, b, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}, {p, q}});
+      return ordered({{a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, {p, q}});
     });
     add("whole_range", [](DrawStream& c) -> Question {
       const Point3d a = point_of_whole_range(c), b = point_of_whole_range(c), d = point_of_whole_range(c),
@@ -212,15 +211,15 @@ struct triangle_aabb {
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d a = zero_point(c), b = zero_point(c), d = zero_point(c), p = zero_point(c), q = zero_point(c);
-      return {{a, c.below(2) == 1 ? b : Point3d{1, 1, 1}, c.below(2) == 1 ? d : Point3d{d.x, -1, d.z}},
-              {p, c.below(2) == 1 ? q : Point3d{1, 1, c.below(2) == 1 ? q.z : 1}}};
+      return {{a, c.coin() ? b : Point3d{1, 1, 1}, c.coin() ? d : Point3d{d.x, -1, d.z}},
+              {p, c.coin() ? q : Point3d{1, 1, c.coin() ? q.z : 1}}};
     });
     add("edge_over_edge", [](DrawStream& c) -> Question {
-      const auto steep = static_cast<int>(c.below(3));
+      const auto steep = integer_in(c, 0, 2);
       return edge_over_edge(c, steep);
     });
     add("nearly_parallel_edges", [](DrawStream& c) -> Question {
-      const auto steep = 4 + static_cast<int>(c.below(25));
+      const auto steep = integer_in(c, 4, 28);
       return edge_over_edge(c, steep);
     });
   }
@@ -240,7 +239,7 @@ struct triangle_aabb {
   }
 
  private:
-  static int small(DrawStream& c) { return static_cast<int>(c.below(3)) - 1; }
+  static int small(DrawStream& c) { return integer_in(c, -1, 1); }
 
   /// A box and a point of it that lies farthest along a normal: a corner, or where coordinates of the normal are 0 a
   /// point of an edge or of a face.
@@ -251,7 +250,7 @@ struct triangle_aabb {
 
     static Touch of(DrawStream& c, int bits = 16) {
       const Aabb3d box = lattice_box(c, bits);
-      const auto slope = [&c] { return c.below(3) == 2 ? small_integer(c, 12) : small_integer(c, 1); };
+      const auto slope = [&c] { return c.one_in(3) ? small_integer(c, 12) : small_integer(c, 1); };
       const double x = slope(), z = slope(), y = x == 0 && z == 0 ? 1 : slope();
       const Point3d beside = within(box, c).min;
       const auto end = [](double n, double min, double max, double other) { return n > 0 ? max : n < 0 ? min : other; };
@@ -262,12 +261,12 @@ struct triangle_aabb {
     }
     /// Not below the plane through the point, across the normal.
     Point3d above(DrawStream& c) const {
-      const double up = static_cast<double>(c.below(3));
+      const double up = up_to(c, 2);
       return along(at, up, normal) + lattice_across(c, normal);
     }
     /// Moved along the normal, sometimes.
     Question question(DrawStream& c, const Point3d& p, const Point3d& q, const Point3d& r) const {
-      const double off = c.below(3) == 2 ? small_integer(c, 1) : 0.0;
+      const double off = c.one_in(3) ? small_integer(c, 1) : 0.0;
       return in_some_order(c, {{along(p, off, normal), along(q, off, normal), along(r, off, normal)}, box});
     }
     Question beside(DrawStream& c) const {
@@ -283,7 +282,7 @@ struct triangle_aabb {
   /// In the box, of integers, or a few steps from there along some axes.
   static Point3d nearby(DrawStream& c, const Aabb3d& box) {
     const auto coordinate = [&c](double min, double max) {
-      const double off = c.below(3) == 2 ? small_integer(c) : 0.0;
+      const double off = c.one_in(3) ? small_integer(c) : 0.0;
       return min + static_cast<double>(c.below(static_cast<std::uint64_t>(max - min) + 1)) + off;
     };
     const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);

@@ -30,7 +30,7 @@ struct point_ground_plane {
   static void hard_cases(HardCases<Question>& add) {
     add("on_ground", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 53);
-      return {{p.x, c.below(2) == 1 ? -0.0 : 0.0, p.z}};
+      return {{p.x, zero(c), p.z}};
     });
     add("beside_ground", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 53);

@@ -37,11 +37,11 @@ struct point_plane_toi {
 
   static void hard_cases(HardCases<Question>& add) {
     add("through", [](DrawStream& c) -> Question {
-      const double up = 1 + static_cast<double>(c.below(8)), down = 1 + static_cast<double>(c.below(8));
+      const double up = one_to(c, 8), down = one_to(c, 8);
       return step(c, up, -down);
     });
     add("ends_on_plane", [](DrawStream& c) -> Question {
-      const double up = 1 + static_cast<double>(c.below(8));
+      const double up = one_to(c, 8);
       return step(c, up, 0);
     });
     add("starts_on_plane", [](DrawStream& c) -> Question {
@@ -49,11 +49,11 @@ struct point_plane_toi {
       return step(c, 0, then);
     });
     add("starts_behind", [](DrawStream& c) -> Question {
-      const double down = 1 + static_cast<double>(c.below(8)), then = small_integer(c);
+      const double down = one_to(c, 8), then = small_integer(c);
       return step(c, -down, then);
     });
     add("stays_in_front", [](DrawStream& c) -> Question {
-      const double up = 1 + static_cast<double>(c.below(8)), then = 1 + static_cast<double>(c.below(8));
+      const double up = one_to(c, 8), then = one_to(c, 8);
       return step(c, up, then);
     });
     add("along_plane", [](DrawStream& c) -> Question {
@@ -72,13 +72,12 @@ struct point_plane_toi {
       return {{n, integer(c, 30)}, start, start + (-y) * n};
     });
     add("ends_just_past", [](DrawStream& c) -> Question {
-      const double far = std::ldexp(1, 20 + static_cast<int>(c.below(32))), x = integer(c, 26);
+      const double far = power_of_two(c, 20, 51), x = integer(c, 26);
       return {{{0, 1, 0}, 0}, {x, far, 0}, {x + small_integer(c), small_integer(c, 1), 1}};
     });
     add("rounded_on_plane", [](DrawStream& c) -> Question {
       const Vector3d n{ordinary(c), ordinary(c), 1 + std::fabs(ordinary(c))}, p{ordinary(c), ordinary(c), ordinary(c)};
-      const double step = 1 + static_cast<double>(c.below(8));
-      return {{n, -dot(n, p)}, Point3d{p.x, p.y, p.z} + step * n, {p.x, p.y, p.z}};
+      return {{n, -dot(n, p)}, Point3d{p.x, p.y, p.z} + one_to(c, 8) * n, {p.x, p.y, p.z}};
     });
     add("typed_step", [](DrawStream& c) -> Question {
       const double y = std::fabs(typed(c)), d = typed(c);
@@ -97,9 +96,8 @@ struct point_plane_toi {
       return {{{0x1p52 + 1, 0x1p52 + 1, 0x1p-20}, 0}, {x, 0, 0x1p20}, {end, end, -0x1p22}};
     });
     add("last_binade", [](DrawStream& c) -> Question {
-      const double x = std::ldexp(16 + static_cast<double>(c.below(16)), 1019),
-                   up = 1 + static_cast<double>(c.below(8));
-      return {{{0, 1, 0}, 0}, {x, up, 0}, {x, -1 - static_cast<double>(c.below(8)), 0}};
+      const double x = std::ldexp(16 + up_to(c, 15), 1019), up = one_to(c, 8);
+      return {{{0, 1, 0}, 0}, {x, up, 0}, {x, -one_to(c, 8), 0}};
     });
     add("starts_below_least", [](DrawStream& c) -> Question {
       const auto [plane, start] = terms_below_least(c);
@@ -107,12 +105,12 @@ struct point_plane_toi {
     });
     add("starts_subnormal", [](DrawStream& c) -> Question {
       // A huge normal makes it count.
-      const double offset = std::ldexp(static_cast<double>(1 + c.below(64)), -531);
+      const double offset = std::ldexp(one_to(c, 64), -531);
       const double x = std::ldexp(offset, -499);
       return {{{0x1p500, 0, 0}, -offset}, {x, 0, 0}, {-3 * x, 0, 0}};
     });
     add("zero_normal", [](DrawStream& c) -> Question {
-      const Vector3d n{0.0, c.below(2) == 1 ? -0.0 : 0.0, 0.0};
+      const Vector3d n{0.0, zero(c), 0.0};
       const Point3d start = lattice_point_in_space(c);
       return {{n, small_integer(c)}, start, lattice_point_in_space(c)};
     });

@@ -40,8 +40,7 @@ struct polygon_normal {
 
   static void hard_cases(HardCases<Question>& add) {
     add("triangle", [](DrawStream& c) -> Question {
-      const Point3d p = lattice_point_in_space(c), q = lattice_point_in_space(c);
-      return {{{p, q, lattice_point_in_space(c)}}};
+      return {{{lattice_point_in_space(c), lattice_point_in_space(c), lattice_point_in_space(c)}}};
     });
     add("within_its_enclosure", [](DrawStream& c) -> Question {
       const BesideTie z = beside_tie(c);
@@ -61,7 +60,7 @@ struct polygon_normal {
     });
     add("flat_first_corner", [](DrawStream& c) -> Question {
       const auto [p, a, b] = frame(c);
-      return {{{p, p + a, p + (2 + static_cast<double>(c.below(4))) * a, p + b}}};
+      return {{{p, p + a, p + (2 + up_to(c, 3)) * a, p + b}}};
     });
     add("repeated_vertex", [](DrawStream& c) -> Question {
       const auto [p, a, b] = frame(c);
@@ -70,7 +69,7 @@ struct polygon_normal {
     });
     add("reflex_first_corner", [](DrawStream& c) -> Question {
       const auto [p, a, b] = frame(c);
-      const double far = 2 + static_cast<double>(c.below(8));
+      const double far = 2 + up_to(c, 7);
       return {
           {{p + far * a, p + a + b, p + far * b, p}}};  // a dart: p + a + b is beyond or on the line of its neighbours
     });
@@ -81,8 +80,7 @@ struct polygon_normal {
     add("collinear", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c);
       const Vector3d v = lattice_normal(c);
-      const double s = small_integer(c), t = small_integer(c);
-      return {{{p, p + s * v, p + t * v, p + small_integer(c) * v}}};
+      return {{{p, p + small_integer(c) * v, p + small_integer(c) * v, p + small_integer(c) * v}}};
     });
     add("coincident", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 53);
@@ -108,12 +106,12 @@ struct polygon_normal {
     });
     add("beside_a_tie", [](DrawStream& c) -> Question {
       // An area halfway between two doubles but for a bit far below.
-      const double bit = std::ldexp(1, -38 - static_cast<int>(c.below(14))), far = c.below(2) == 1 ? 0x1p-333 : 0;
+      const double bit = std::ldexp(1, -38 - integer_in(c, 0, 13)), far = c.coin() ? 0x1p-333 : 0;
       return {{{{0, 0, 0}, {1 + 0x1p-26, 0, 0}, {0, 1 + 0x1p-27 + bit, far}}}};
     });
     add("beyond_range", [](DrawStream& c) -> Question {
-      const int up = 400 + static_cast<int>(c.below(560)), down = 400 + static_cast<int>(c.below(600));
-      const double n = 1 + static_cast<double>(c.below(8)), m = small_integer(c);
+      const int up = integer_in(c, 400, 959), down = integer_in(c, 400, 999);
+      const double n = one_to(c, 8), m = small_integer(c);
       return {{{{0, 0, 0}, {std::ldexp(n, up), 0, 0}, {0, std::ldexp(n, up), std::ldexp(m, -down)}}}};
     });
     add("closed_ring", [](DrawStream& c) -> Question {

@@ -44,7 +44,7 @@ struct interior_angles {
     add("right_angles", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
       const Vector2d v = lattice_direction(c), w{-v.y, v.x};
-      const double a = 1 + static_cast<double>(c.below(8)), b = 1 + static_cast<double>(c.below(8));
+      const double a = one_to(c, 8), b = one_to(c, 8);
       const Point2d q = along(along(p, a, v), b, w);
       return turned(
           {{p, along(p, a + 1, v), along(along(p, a + 1, v), b, w), q, along(q, 1, w), along(along(p, b, w), 1, w)}},
@@ -53,16 +53,16 @@ struct interior_angles {
     add("needle", [](DrawStream& c) -> Question {
       // Two long edges one unit apart at one end: an angle of about 2^-k there, and where it is a dent, 2 pi less
       // that.
-      const double length = std::ldexp(1, 1 + static_cast<int>(c.below(40))), rise = small_integer(c);
+      const double length = power_of_two(c, 1, 40), rise = small_integer(c);
       const Point2d tip{length, length * rise};
-      if (c.below(2) == 0) return turned({{{0, 0}, tip, {0, 1}, {-length, rise}}}, c);
+      if (!c.coin()) return turned({{{0, 0}, tip, {0, 1}, {-length, rise}}}, c);
       return turned(
           {{{0, 0}, tip, {0, 1}, {-1, 1}, {-1, 3 * length * 9}, {3 * length, 0}, {-1, -3 * length * 9}, {-1, 0}}}, c);
     });
     add("least_angle", [](DrawStream& c) -> Question {
       // About the least subnormal number, or half of it.
-      const double x = 1 + static_cast<double>(c.below(16)) / 8;
-      return turned({{{0, 0}, {x, 0}, {x, std::ldexp(1 + static_cast<double>(c.below(3)), -1074)}}}, c);
+      const double x = 1 + up_to(c, 15) / 8;
+      return turned({{{0, 0}, {x, 0}, {x, std::ldexp(one_to(c, 3), -1074)}}}, c);
     });
     add("nearly_flat", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c, 40);

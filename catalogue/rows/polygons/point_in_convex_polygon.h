@@ -62,14 +62,14 @@ struct point_in_convex_polygon {
       for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
       for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
       ring = turned(ring, c);
-      return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
     });
     add("needle", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c);
       const Vector2d v = lattice_direction(c, 40);
       const double width = small_integer(c, 1);
       const Polygon2d ring{{a, along(a, 4, v), {a.x + width, a.y + 1}}};
-      return {turned(ring, c), beside(along(a, static_cast<double>(c.below(5)), v), c)};
+      return {turned(ring, c), beside(along(a, up_to(c, 4), v), c)};
     });
     add("not_quite_convex", [](DrawStream& c) -> Question {
       Polygon2d ring = turned(convex_ring(c), c);
@@ -98,12 +98,12 @@ struct point_in_convex_polygon {
     });
     add("closed_ring", [](DrawStream& c) -> Question {
       const Polygon2d ring = closed(turned(convex_ring(c), c), c);
-      return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
     });
     add.unscaled("many_edges", [](DrawStream& c) -> Question {
       const Polygon2d ring = turned(long_convex_ring(c), c);
       const std::size_t i = late_index(ring.size(), c);
-      const Point2d p = ring[i] + static_cast<double>(c.below(9)) / 8 * (ring.next(i) - ring[i]);
+      const Point2d p = ring[i] + up_to(c, 8) / 8 * (ring.next(i) - ring[i]);
       return {ring, beside(p, c)};
     });
   }

@@ -47,7 +47,7 @@ struct point_in_polygon {
     add("ray_along_edge", [](DrawStream& c) -> Question {
       Polygon2d ring = turned(simple_ring(c), c);
       ring.vertices[0].y = ring[1].y;
-      if (c.below(3) == 2) ring.vertices[2].y = ring[1].y;
+      if (c.one_in(3)) ring.vertices[2].y = ring[1].y;
       return {ring, level_with(ring[0], c)};
     });
     add("on_edge", [](DrawStream& c) -> Question {
@@ -76,28 +76,27 @@ struct point_in_polygon {
     });
     add("spike", [](DrawStream& c) -> Question {
       const Polygon2d ring = with_spike(simple_ring(c), c);
-      return {turned(ring, c), c.below(2) == 1 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {turned(ring, c), c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
     });
     add("more_vertices",  // than needed: repeated ones and flat ones
         [](DrawStream& c) -> Question {
           Polygon2d ring = simple_ring(c);
           for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
-            ring = c.below(2) == 1 ? with_flat_vertex(ring, c) : with_repeated_vertex(ring, c);
+            ring = c.coin() ? with_flat_vertex(ring, c) : with_repeated_vertex(ring, c);
           }
-          return {turned(ring, c),
-                  c.below(2) == 1 ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
+          return {turned(ring, c), c.coin() ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
         });
     add("collinear_ring", [](DrawStream& c) -> Question {
       const Point2d a = lattice_point(c);
       const Vector2d v = lattice_direction(c);
-      const int most = c.below(4) == 3 ? 0 : 8;  // 0: all in one point
+      const int most = c.one_in(4) ? 0 : 8;  // 0: all in one point
       Polygon2d ring;
       for (std::uint64_t more = 3 + c.below(5); more > 0; --more)
         ring.vertices.push_back(along(a, small_integer(c, most), v));
       return {ring, along(a, small_integer(c, most + 1), v)};
     });
     add("comb_or_star", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(c.below(2) == 1 ? star_ring(c) : comb_ring(c), c);
+      const Polygon2d ring = turned(c.coin() ? star_ring(c) : comb_ring(c), c);
       return {ring, beside(any_vertex(ring, c), c)};
     });
     add("needle", [](DrawStream& c) -> Question {
@@ -105,7 +104,7 @@ struct point_in_polygon {
       const Vector2d v = lattice_direction(c, 40);
       const double width = small_integer(c, 1);
       const Polygon2d ring{{a, along(a, 4, v), {a.x + width, a.y + 1}}};
-      return {turned(ring, c), beside(along(a, static_cast<double>(c.below(5)), v), c)};
+      return {turned(ring, c), beside(along(a, up_to(c, 4), v), c)};
     });
     add("near_a_million", [](DrawStream& c) -> Question {
       Polygon2d ring = simple_ring(c);
@@ -122,9 +121,9 @@ struct point_in_polygon {
       // The ends seen from the point need more bits than a double has, and so they turn to the wrong side as often
       // as not.
       const auto sized = [&c](std::uint64_t size) { return static_cast<double>(size + c.below(size)); };
-      const Vector2d edge{sized(1 << 29), c.below(2) == 1 ? sized(1 << 29) : -sized(1 << 29)};
+      const Vector2d edge{sized(1 << 29), c.coin() ? sized(1 << 29) : -sized(1 << 29)};
       const Point2d origin{0, 0}, beside = along(origin, 0x1p-30, edge);
-      const double size = c.below(2) == 1 ? 0x1p-11 : -0x1p-11, off = size * static_cast<double>(1 + c.below(8));
+      const double size = c.coin() ? 0x1p-11 : -0x1p-11, off = size * one_to(c, 8);
       return {turned({{along(origin, -sized(1 << 20), edge), along(origin, sized(1 << 20), edge),
                        origin + lattice_direction(c, 50)}},
                      c),
@@ -138,7 +137,7 @@ struct point_in_polygon {
       for (std::uint64_t i = 0; i < teeth * length; ++i)
         ring.vertices.push_back({static_cast<double>(3 * i), static_cast<double>(i % length)});
       ring.vertices.push_back({static_cast<double>(3 * teeth * length), -1000});
-      const Point2d level = ring[c.below(2) == 1 && ring.size() > 15 ? 15 : c.below(ring.size() - 1)],
+      const Point2d level = ring[c.coin() && ring.size() > 15 ? 15 : c.below(ring.size() - 1)],
                     in_line = ring[c.below(teeth) * length];
       return {ring, {in_line.x + 3 * (level.y - in_line.y), level.y}};
     });
@@ -148,30 +147,28 @@ struct point_in_polygon {
       Polygon2d ring = wave(18 + c.below(14), c);
       const auto far = [&c] { return static_cast<double>((1 << 29) + c.below(1 << 29)); };
       const double x = far();
-      ring.vertices[15] = {c.below(2) == 1 ? x : -x, far()};
-      const Point2d near = ring[16],
-                    on = along(near, static_cast<double>(1 + c.below(1 << 10)) * 0x1p-30, ring[15] - near);
+      ring.vertices[15] = {c.coin() ? x : -x, far()};
+      const Point2d near = ring[16], on = along(near, one_to(c, 1 << 10) * 0x1p-30, ring[15] - near);
       constexpr double beside[] = {0, 0x1p-34, -0x1p-34};
       return {ring, {on.x, on.y + beside[c.below(3)]}};
     });
     add("beside_least_edge", beside_least_edge);
     add("minus_zero", [](DrawStream& c) -> Question {
       // Level with the point, by either zero; the sizes keep it from every lattice.
-      const double x = c.below(2) == 1 ? 1 : -1, least = std::ldexp(1 + static_cast<double>(c.below(4)), -1074);
-      return {turned({{{0, -0.0}, {x, c.below(2) == 1 ? -least : least}, {-x, -1e300}}}, c),
-              {small_integer(c, 1), c.below(2) == 1 ? -0.0 : 0.0}};
+      const double x = c.coin() ? 1 : -1, least = std::ldexp(one_to(c, 4), -1074);
+      return {turned({{{0, -0.0}, {x, either_sign(c) * least}, {-x, -1e300}}}, c), {small_integer(c, 1), zero(c)}};
     });
     add("many_vertices", [](DrawStream& c) -> Question {
       const bool very_many = c.one_in(64);
       const Polygon2d ring = wave(very_many ? 1000 - c.below(800) : 16 + c.below(16), c);
-      return {ring, c.below(3) == 2 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {ring, c.one_in(3) ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
     });
     add("past_half_the_bound", [](DrawStream& c) -> Question {
-      const auto [point, a, b] = rounded_triple(c, c.below(2) == 1);
+      const auto [point, a, b] = rounded_triple(c, c.coin());
       // The third vertex is in the filter's sums twice: (1 + size)^2 times the bound of the edge alone.
-      const double size = std::ldexp(1, -3 - static_cast<int>(c.below(8)));
-      const Point2d third = c.below(2) == 1 ? Point2d{size, size} : Point2d{-size, -size};
-      return {c.below(2) == 1 ? Polygon2d{{a, b, third}} : Polygon2d{{b, a, third}}, point};
+      const double size = std::ldexp(1, -3 - integer_in(c, 0, 7));
+      const Point2d third = c.coin() ? Point2d{size, size} : Point2d{-size, -size};
+      return {c.coin() ? Polygon2d{{a, b, third}} : Polygon2d{{b, a, third}}, point};
     });
     add("computed", [](DrawStream& c) -> Question {
       Polygon2d ring = with_flat_runs(simple_ring(c), c);
@@ -183,7 +180,7 @@ struct point_in_polygon {
     });
     add("closed_ring", [](DrawStream& c) -> Question {
       const Polygon2d ring = closed(turned(simple_ring(c), c), c);
-      return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
     });
   }
 

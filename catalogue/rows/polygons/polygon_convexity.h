@@ -46,15 +46,14 @@ struct polygon_convexity {
   static void hard_cases(HardCases<Question>& add) {
     add("convex", [](DrawStream& c) -> Question { return turned(convex_ring(c), c); });
     add("concave",
-        [](DrawStream& c) -> Question { return c.below(2) == 0 ? turned(star_ring(c), c) : turned(comb_ring(c), c); });
+        [](DrawStream& c) -> Question { return c.coin() ? turned(comb_ring(c), c) : turned(star_ring(c), c); });
     add("flat_vertex", [](DrawStream& c) -> Question {
       Polygon2d ring = with_flat_vertex(simple_ring(c), c);
-      return turned(c.below(2) == 0 ? ring : with_flat_vertex(ring, c), c);
+      return turned(c.coin() ? with_flat_vertex(ring, c) : ring, c);
     });
     add("flat_on_the_left", [](DrawStream& c) -> Question {
       // The first vertices from the left are on one line, and the middle one may come first.
-      const double height = 2 + static_cast<double>(c.below(20)), width = 2 + std::fabs(integer(c, 20)),
-                   dent = static_cast<double>(c.below(2));
+      const double height = 2 + up_to(c, 19), width = 2 + std::fabs(integer(c, 20)), dent = up_to(c, 1);
       return turned({{{0, 1}, {0, 0}, {width, 0}, {width - dent, 1}, {width, height}, {0, height}}}, c);
     });
     add("nearly_flat", [](DrawStream& c) -> Question {
@@ -97,17 +96,17 @@ struct polygon_convexity {
     add("far_from_origin", [](DrawStream& c) -> Question {
       Polygon2d ring = convex_ring(c);
       for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};
-      return turned(c.below(2) == 0 ? ring : with_flat_vertex(ring, c), c);
+      return turned(c.coin() ? with_flat_vertex(ring, c) : ring, c);
     });
     add("flat_runs", [](DrawStream& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); });
     add("computed", [](DrawStream& c) -> Question {
-      Polygon2d ring = c.below(2) == 0 ? convex_ring(c) : simple_ring(c);
+      Polygon2d ring = c.coin() ? simple_ring(c) : convex_ring(c);
       ring = with_flat_runs(ring, c);
       compute(ring.vertices, c);
       return turned(ring, c);
     });
     add("closed_ring", [](DrawStream& c) -> Question {
-      const Polygon2d ring = c.below(2) == 0 ? convex_ring(c) : simple_ring(c);
+      const Polygon2d ring = c.coin() ? simple_ring(c) : convex_ring(c);
       return closed(turned(ring, c), c);
     });
   }

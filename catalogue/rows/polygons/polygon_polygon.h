@@ -52,24 +52,24 @@ struct polygon_polygon {
     });
     add("corner_in_corner", [](DrawStream& c) -> Question {
       // Only one of the corners that meet begins in the other; or they meet in the last vertex of both.
-      const bool last = c.below(2) == 1;
+      const bool last = c.coin();
       const Polygon2d a = last ? Polygon2d{{{0, 0}, {3, 1}, {0, 3}}} : Polygon2d{{{1, 1}, {1, 2}, {4, 2}}},
                       b = last ? Polygon2d{{{1, 1}, {3, 1}, {1, 1.5}}} : Polygon2d{{{1, 4}, {2, 2}, {0, 0}}};
-      return c.below(2) == 1 ? Question{b, turned(a, c)} : Question{a, turned(b, c)};
+      return c.coin() ? Question{b, turned(a, c)} : Question{a, turned(b, c)};
     });
     add("common_edge", [](DrawStream& c) -> Question {
       const Polygon2d a = simple_ring(c);
       const std::size_t i = c.below(a.size());
       const Vector2d along = a.next(i) - a[i], out{along.y, -along.x};
       const double k = small_integer(c, 2), depth = 1 + small_integer(c, 3);
-      const Point2d p = a[i] + k * along, q = p + (1 + static_cast<double>(c.below(2))) * along;
+      const Point2d p = a[i] + k * along, q = p + one_to(c, 2) * along;
       return {a, turned({{p, p + depth * out, q + depth * out, q}}, c)};
     });
     add("inscribed", [](DrawStream& c) -> Question {
       const Polygon2d outer = turned(convex_ring(c), c);
       Polygon2d inner;
       for (std::size_t i = 0; i < outer.size(); ++i) inner.vertices.push_back(with_flat_middle(outer, i));
-      return c.below(2) == 1 ? Question{turned(inner, c), outer} : Question{outer, turned(inner, c)};
+      return c.coin() ? Question{turned(inner, c), outer} : Question{outer, turned(inner, c)};
     });
     add("nested_sharing_a_vertex", [](DrawStream& c) -> Question {
       const Polygon2d outer = convex_ring(c);
@@ -87,11 +87,10 @@ struct polygon_polygon {
       return {turned(around, c), star};
     });
     add("in_a_bay", [](DrawStream& c) -> Question {
-      const double depth = 2 + static_cast<double>(c.below(6)), width = 2 + static_cast<double>(c.below(6));
+      const double depth = 2 + up_to(c, 5), width = 2 + up_to(c, 5);
       const Polygon2d bay{
           {{-1, -1}, {width + 1, -1}, {width + 1, depth}, {width, depth}, {width, 0}, {0, 0}, {0, depth}, {-1, depth}}};
-      const double x = static_cast<double>(c.below(4)), y = static_cast<double>(c.below(4)),
-                   s = 1 + static_cast<double>(c.below(4));
+      const double x = up_to(c, 3), y = up_to(c, 3), s = one_to(c, 4);
       return {turned(bay, c), turned({{{x, y}, {x + s, y}, {x + s, y + 2 * s}, {x, y + 2 * s}}}, c)};
     });
     add("apart", [](DrawStream& c) -> Question {
@@ -100,16 +99,15 @@ struct polygon_polygon {
     });
     add("spike", [](DrawStream& c) -> Question {
       const Polygon2d a = simple_ring(c), spoilt = with_spike(a, c);
-      return c.below(2) == 1 ? Question{spoilt, a} : Question{a, spoilt};
+      return c.coin() ? Question{spoilt, a} : Question{a, spoilt};
     });
     add("repeated_vertex", [](DrawStream& c) -> Question {
       const Polygon2d a = simple_ring(c), spoilt = with_repeated_vertex(a, c);
-      return c.below(2) == 1 ? Question{spoilt, a} : Question{a, spoilt};
+      return c.coin() ? Question{spoilt, a} : Question{a, spoilt};
     });
     add("rounded_vertex_on_edge", [](DrawStream& c) -> Question {
       const Polygon2d a{{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}};
-      const Point2d p = along(a[0], ordinary(c), a[1] - a[0]);
-      return {a, {{p, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}}};
+      return {a, {{along(a[0], ordinary(c), a[1] - a[0]), {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}}};
     });
     add("computed", [](DrawStream& c) -> Question {
       // A vertex of b on an edge of a, but for rounding.

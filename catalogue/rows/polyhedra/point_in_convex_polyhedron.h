@@ -51,8 +51,7 @@ struct point_in_convex_polyhedron {
     add("near_face", [](DrawStream& c) -> Question {
       const Meshd mesh = lattice_polyhedron(c);
       const Point3d p = on_a_face_plane(mesh, c);
-      const double x = small_integer(c, 1), y = small_integer(c, 1);
-      return {mesh, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
+      return {mesh, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
     });
     add("flat_vertices", [](DrawStream& c) -> Question {
       Meshd mesh = lattice_polyhedron(c);
@@ -104,19 +103,18 @@ struct point_in_convex_polyhedron {
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_mesh(c);
-      return {mesh, c.below(4) == 3 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
+      return {mesh, c.one_in(4) ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
     });
     add.unscaled("beside_named_mesh", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_mesh(c);
       const Point3d p = on_a_face_plane(mesh, c);
       const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
-      const int x = ulps(), y = ulps(), z = ulps();
-      return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
+      return {mesh, {moved_by_ulps(p.x, ulps()), moved_by_ulps(p.y, ulps()), moved_by_ulps(p.z, ulps())}};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd mesh = convex_solid_of_polygons(c);
-      const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
-      const Meshd asked = c.below(4) == 3 ? with_broken_polygons(mesh, c) : mesh;
+      const Point3d p = c.coin() ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
+      const Meshd asked = c.one_in(4) ? with_broken_polygons(mesh, c) : mesh;
       return {asked, p};
     });
   }

@@ -50,7 +50,7 @@ struct polyhedron_complexity {
       return {with_needless_faces(mesh, c)};
     });
     add("with_a_rim", [](DrawStream& c) -> Question {
-      Meshd mesh = c.below(2) == 0 ? lattice_polyhedron(c) : sheets_at_a_vertex(c);
+      Meshd mesh = c.coin() ? sheets_at_a_vertex(c) : lattice_polyhedron(c);
       for (std::uint64_t left = 1 + c.below(4); left > 0 && mesh.faces.size() > 4; --left)
         mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(c.below(mesh.faces.size())));
       return {mesh};
@@ -75,18 +75,18 @@ struct polyhedron_complexity {
     });
     add("reported", [](DrawStream& c) -> Question { return {reported_faces(c)}; });
     add("stretched", [](DrawStream& c) -> Question {
-      const Meshd mesh = c.below(2) == 0 ? lattice_solid(c) : small_lattice_faces(c);
+      const Meshd mesh = c.coin() ? small_lattice_faces(c) : lattice_solid(c);
       return {with_stretched_axes(mesh, c)};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question { return {named_mesh(c)}; });
     add.unscaled("named_solid", [](DrawStream& c) -> Question { return {named_solid(c)}; });
     add.unscaled("reported_cgal_9486", [](DrawStream& c) -> Question { return {relisted(reported::cgal_9486(), c)}; });
     add.unscaled("reported_cgal_9192", [](DrawStream& c) -> Question {
-      const auto [a, b] = reported::cgal_9192(static_cast<int>(c.below(3)));
+      const auto [a, b] = reported::cgal_9192(integer_in(c, 0, 2));
       return {relisted(together(a, b), c)};
     });
     add.unscaled("reported_manifold_1656", [](DrawStream& c) -> Question {
-      const bool kept = c.below(2) == 0;
+      const bool kept = !c.coin();
       return {relisted(kept ? reported::manifold_1656_kept() : reported::manifold_1656_united(), c)};
     });
     add.unscaled("reported_libigl_2381",
@@ -94,11 +94,11 @@ struct polyhedron_complexity {
     add.unscaled("reported_vcad_6", [](DrawStream& c) -> Question {
       // In one list of vertices, or as two boxes.
       const auto [a, b] = reported::vcad_6();
-      const bool kept = c.below(2) == 0;
+      const bool kept = !c.coin();
       return {relisted(kept ? reported::vcad_6_kept() : together(a, b), c)};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
-      const bool convex = c.below(3) == 2;
+      const bool convex = c.one_in(3);
       Meshd mesh = convex ? convex_solid_of_polygons(c) : solid_of_polygons(c);
       switch (c.below(6)) {
         case 4: return {together(mesh, solid_of_polygons(c))};
@@ -107,21 +107,20 @@ struct polyhedron_complexity {
       }
     });
     add.unscaled("polygons_with_a_rim", [](DrawStream& c) -> Question {
-      const Meshd mesh = c.below(2) == 0 ? flat_part(c) : lattice_solid(c);
+      const Meshd mesh = c.coin() ? lattice_solid(c) : flat_part(c);
       Meshd part{mesh.vertices, mesh.faces, {}};
       for (std::uint64_t left = c.below(4); left > 0 && part.faces.size() > 8; --left)
         part.faces.erase(part.faces.begin() + static_cast<std::ptrdiff_t>(c.below(part.faces.size())));
       return {with_polygons(part, c)};
     });
-    add.unscaled("prisms",
-                 [](DrawStream& c) -> Question { return {c.below(4) == 3 ? two_prisms(c) : drawn_prism(c)}; });
+    add.unscaled("prisms", [](DrawStream& c) -> Question { return {c.one_in(4) ? two_prisms(c) : drawn_prism(c)}; });
     add.unscaled("fins", [](DrawStream& c) -> Question {
       const Meshd mesh = drawn_prism(c);
       return {with_fin(mesh, c)};
     });
     add.unscaled("wrong_cuts", [](DrawStream& c) -> Question {
       const Meshd mesh = drawn_prism(c);
-      return {c.below(2) == 0 ? with_wrong_cut(mesh, c) : with_wrong_polygon(mesh, c)};
+      return {c.coin() ? with_wrong_polygon(mesh, c) : with_wrong_cut(mesh, c)};
     });
     add.unscaled("wrong_polygon", [](DrawStream& c) -> Question {
       const Meshd mesh = drawn_prism(c);

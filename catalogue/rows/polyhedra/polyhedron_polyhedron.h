@@ -60,8 +60,8 @@ struct polyhedron_polyhedron {
       // Or cut in other triangles, turned inside out, a little way off.
       const Meshd a = lattice_solid(c);
       Meshd b = a;
-      if (c.below(2) == 1) b = with_flat_vertex(b, c);
-      if (c.below(2) == 1) {
+      if (c.coin()) b = with_flat_vertex(b, c);
+      if (c.coin()) {
         for (Face& face : b.faces) std::swap(face.b, face.c);
       }
       return {a, moved(b, c, 6, 1)};
@@ -86,9 +86,9 @@ struct polyhedron_polyhedron {
     add("needless_faces", [](DrawStream& c) -> Question {
       Meshd a = scaled(lattice_solid(c), 6);
       a = with_needless_faces(a, c);
-      const double size = 1 + static_cast<double>(c.below(6));
+      const double size = one_to(c, 6);
       const Meshd b = scaled(lattice_polyhedron(c), size);
-      const Point3d p = c.below(2) == 0 ? on_a_face_plane(a, c) : a.vertices.back();
+      const Point3d p = c.coin() ? a.vertices.back() : on_a_face_plane(a, c);
       return {a, shifted(b, p - between_vertices(b, c))};
     });
     add("mapped", [](DrawStream& c) -> Question {
@@ -120,76 +120,76 @@ struct polyhedron_polyhedron {
     });
     add("opened", [](DrawStream& c) -> Question {
       const Meshd a = lattice_solid(c), b = lattice_solid(c);
-      if (c.below(2) == 0) return {opened(a, c), b};
+      if (!c.coin()) return {opened(a, c), b};
       return {a, opened(b, c)};
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
       const Meshd& a = named_solid(c);
       const Meshd b = dented_tetrahedron(24, {6, 6, 6});
-      const Point3d p = c.below(3) == 2 ? between_vertices(a, c) : on_a_face_plane(a, c);
+      const Point3d p = c.one_in(3) ? between_vertices(a, c) : on_a_face_plane(a, c);
       return {a, shifted(b, p - on_a_face_plane(b, c))};
     });
     add.unscaled("reported_manifold_1656",
                  [](DrawStream& c) -> Question { return either_first(reported::manifold_1656(), c); });
     add.unscaled("reported_vcad_6", [](DrawStream& c) -> Question { return either_first(reported::vcad_6(), c); });
     add.unscaled("reported_cgal_9192", [](DrawStream& c) -> Question {
-      const auto on = static_cast<int>(c.below(3));
+      const auto on = integer_in(c, 0, 2);
       return either_first(reported::cgal_9192(on), c);
     });
     add.unscaled("reported_manifold_676", [](DrawStream& c) -> Question {
-      const bool far = c.below(2) == 0;
+      const bool far = !c.coin();
       return either_first(reported::manifold_676(far), c);
     });
     add.unscaled("reported_openscad_3641", [](DrawStream& c) -> Question {
-      const auto common = static_cast<int>(c.below(3));
+      const auto common = integer_in(c, 0, 2);
       return either_first(reported::openscad_3641(common), c);
     });
     add.unscaled("needless_vertex_inside", [](DrawStream& c) -> Question {
       // Solids that are apart or touch, but for a needless face of one, which reaches into the other.
       Meshd a = lattice_solid(c);
       const Meshd other = lattice_polyhedron(c);
-      const double gap = 12 * static_cast<double>(c.below(3));
+      const double gap = 12 * up_to(c, 2);
       const Meshd b = shifted(other, {greatest_x(a) - least_x(other) + gap, 0, 0});
       const Face face = a.faces[c.below(a.faces.size())];
       const auto added = static_cast<Index>(a.vertices.size());
       a.vertices.push_back(between_vertices(b, c));
       a.faces.insert(a.faces.end(), {{face.a, face.b, added}, {added, face.b, face.a}});
-      return c.below(2) == 0 ? Question{a, b} : Question{b, a};
+      return c.coin() ? Question{b, a} : Question{a, b};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd a = solid_of_polygons(c), b = convex_solid_of_polygons(c);
-      const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
+      const Meshd asked = c.one_in(6) ? with_broken_polygons(a, c) : a;
       return {asked, moved(b, c, 12, 3)};
     });
     add.unscaled("within_shells", [](DrawStream& c) -> Question {
       // A solid, or one with a hollow of its own; alone, or after a part that is far away. Its faces lie between
       // two shells or are those of a shell.
       const Meshd shape = around_the_mean(lattice_polyhedron(c)), a = shells(shape, c);
-      const auto size = static_cast<double>(1 + c.below(3));
+      const auto size = one_to(c, 3);
       Meshd b = scaled(shape, size);
-      if (c.below(2) == 1) {
-        const auto more = static_cast<double>(1 + c.below(4));
+      if (c.coin()) {
+        const auto more = one_to(c, 4);
         b = together(b, scaled(shape, size + more));
       }
-      if (c.below(2) == 1) b = together(shifted(lattice_polyhedron(c), {0x1p14, 0, 0}), b);
-      return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+      if (c.coin()) b = together(shifted(lattice_polyhedron(c), {0x1p14, 0, 0}), b);
+      return c.coin() ? Question{b, a} : Question{a, b};
     });
     add.unscaled("body_in_recess", [](DrawStream& c) -> Question {
       const auto [solid, body, middle] = body_in_recess(c);
-      return c.below(2) == 1 ? Question{body, solid} : Question{solid, body};
+      return c.coin() ? Question{body, solid} : Question{solid, body};
     });
     add.unscaled("crossing_boxes", [](DrawStream& c) -> Question {
       const Meshd a = crossing_boxes(c);
-      const auto from = [&c] { return 6 * static_cast<double>(c.below(8)); };
-      const double x = from(), y = from(), z = from(), size = 6 * static_cast<double>(1 + c.below(2));
+      const auto from = [&c] { return 6 * up_to(c, 7); };
+      const double x = from(), y = from(), z = from(), size = 6 * one_to(c, 2);
       const Meshd b = box_mesh({x, y, z}, {x + size, y + size, z + size});
-      return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+      return c.coin() ? Question{b, a} : Question{a, b};
     });
     add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
       // They may lie within the other solid, or widen a box.
       const Meshd a = lattice_solid(c), b = moved(lattice_polyhedron(c), c, 12, 3);
       const Meshd marked = with_unnamed_vertices(a, between_vertices(b, c), c);
-      return c.below(2) == 1 ? Question{b, marked} : Question{marked, b};
+      return c.coin() ? Question{b, marked} : Question{marked, b};
     });
   }
 
@@ -253,7 +253,7 @@ struct polyhedron_polyhedron {
   /// Faces in any order.
   static Question either_first(const reported::SolidPair& solids, DrawStream& c) {
     const Meshd a = relisted(solids.first, c), b = relisted(solids.second, c);
-    return c.below(2) == 0 ? Question{a, b} : Question{b, a};
+    return c.coin() ? Question{b, a} : Question{a, b};
   }
   static Meshd moved(const Meshd& mesh, DrawStream& c, double unit, int most) {
     const double x = unit * small_integer(c, most), y = unit * small_integer(c, most);
@@ -274,7 +274,7 @@ struct polyhedron_polyhedron {
   static std::vector<Whole> cells(DrawStream& c) {
     std::vector<Whole> drawn{{0, 0, 0}};
     for (const Whole& cell : {Whole{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}})
-      if (c.below(2) == 1) drawn.push_back(cell);
+      if (c.coin()) drawn.push_back(cell);
     return drawn;
   }
 
@@ -284,7 +284,7 @@ struct polyhedron_polyhedron {
     const bool ring = c.below(3) > 0;
     for (long i = 0; i < 9; ++i)
       if (ring ? i != 4 : i / 3 == 1) of_cells.push_back({i % 3, i / 3, 0});
-    const double bar = 6 * static_cast<double>(2 - c.below(2)), height = 6 * static_cast<double>(1 + c.below(2));
+    const double bar = 6 * static_cast<double>(2 - c.below(2)), height = 6 * one_to(c, 2);
     const auto narrowed = [bar](double n) { return n == 12 ? bar : n == 24 ? 36 - bar : n; };
     return mapped(cube_surface(of_cells), [=](const Point3d& p) {
       return Point3d{narrowed(p.x), narrowed(p.y), p.z == 0 ? 0 : height};

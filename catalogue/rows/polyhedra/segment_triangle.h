@@ -53,9 +53,8 @@ struct segment_triangle {
   static void hard_cases(HardCases<Question>& add) {
     add("crossing", crossing);
     add("small_lattice", [](DrawStream& c) -> Question {
-      const Point3d p = small_lattice_point(c), q = small_lattice_point(c), a = small_lattice_point(c),
-                    b = small_lattice_point(c);
-      return {{p, q}, {a, b, small_lattice_point(c)}};
+      return {{small_lattice_point(c), small_lattice_point(c)},
+              {small_lattice_point(c), small_lattice_point(c), small_lattice_point(c)}};
     });
     add("through_edge", [](DrawStream& c) -> Question {
       const LatticePlane edge = LatticePlane::of(c);  // along u, through the origin; v across
@@ -70,14 +69,12 @@ struct segment_triangle {
     });
     add("coplanar", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
-      const Point3d p = plane.point(c), q = plane.point(c);
-      return {{p, q}, plane.triangle(c)};
+      return {{plane.point(c), plane.point(c)}, plane.triangle(c)};
     });
     add("parallel", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
       const Vector3d off = lattice_normal(c);
-      const Point3d p = plane.point(c) + off, q = plane.point(c) + off;
-      return {{p, q}, plane.triangle(c)};
+      return {{plane.point(c) + off, plane.point(c) + off}, plane.triangle(c)};
     });
     add("zero_length", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
@@ -88,7 +85,7 @@ struct segment_triangle {
       const LatticePlane line = LatticePlane::of(c);
       const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
       const Triangle3d t{line.at(i, 0), line.at(j, 0), line.at(k, 0)};
-      const Vector3d way = c.below(2) == 1 ? line.v : line.u;
+      const Vector3d way = c.coin() ? line.v : line.u;
       return {segment_through(c, line.origin, way), t};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
@@ -98,7 +95,7 @@ struct segment_triangle {
     });
     add("needle", [](DrawStream& c) -> Question {
       // Thousands of millions long, a few units wide, around its middle.
-      const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
+      const double length = power_of_two(c, 30, 41);
       const double y = small_integer(c, 3), z = small_integer(c, 3);
       const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
       const double x = small_integer(c, 3);
@@ -112,8 +109,7 @@ struct segment_triangle {
     });
     add("long_coplanar", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
-      const Point3d p = plane.point(c), q = plane.point(c), a = plane.point(c), b = plane.point(c);
-      return {{p, q}, {a, b, plane.point(c)}};
+      return {{plane.point(c), plane.point(c)}, {plane.point(c), plane.point(c), plane.point(c)}};
     });
     add("stretched", [](DrawStream& c) -> Question {
       Question question = crossing(c);
@@ -125,38 +121,34 @@ struct segment_triangle {
       // Differences overflow, and products of what does not.
       const auto number = [&c] {
         const double n = small_integer(c, 1);
-        return std::ldexp(n, c.below(2) == 1 ? 1023 : 0);
+        return std::ldexp(n, c.coin() ? 1023 : 0);
       };
       const auto point = [&number] {
         const double x = number(), y = number();
         return Point3d{x, y, number()};
       };
-      const Point3d p = point(), q = point(), a = point(), b = point();
-      return {{p, q}, {a, b, point()}};
+      return {{point(), point()}, {point(), point(), point()}};
     });
     add.unscaled("reported_edyn_155", [](DrawStream& c) -> Question {
       // Through the middle of the diagonal of a side, of which the triangle is a half, or parallel to the side.
       const Meshd cube = reported::edyn_155();
       const Face& half = cube.faces[c.below(cube.faces.size())];
       const std::uint64_t axis = c.below(3);
-      const double from = c.below(2) == 0 ? 2 : -2;
+      const double from = c.coin() ? -2 : 2;
       const auto at = [axis](double n) { return Point3d{axis == 0 ? n : 0, axis == 1 ? n : 0, axis == 2 ? n : 0}; };
       return {{at(from), at(-from)}, {cube.vertices[half.a], cube.vertices[half.b], cube.vertices[half.c]}};
     });
     add("coplanar_at_edge", [](DrawStream& c) -> Question {
       CoplanarDraws coplanar(c);
-      const Segment3d s = coplanar.segment_at_edge();
-      return {s, coplanar.triangle()};
+      return {coplanar.segment_at_edge(), coplanar.triangle()};
     });
     add("coplanar_within", [](DrawStream& c) -> Question {
       CoplanarDraws coplanar(c);
-      const Segment3d s = coplanar.segment_within();
-      return {s, coplanar.triangle()};
+      return {coplanar.segment_within(), coplanar.triangle()};
     });
     add("coplanar_in_any_order", [](DrawStream& c) -> Question {
       CoplanarDraws coplanar(c);
-      const Segment3d s = coplanar.segment();
-      return {s, coplanar.triangle()};
+      return {coplanar.segment(), coplanar.triangle()};
     });
   }
 

@@ -37,13 +37,11 @@ struct triangle_triangle {
   static void hard_cases(HardCases<Question>& add) {
     add("crossing", crossing);
     add("small_lattice", [](DrawStream& c) -> Question {
-      const Triangle3d t = of(c, small_lattice_point);
-      return {t, of(c, small_lattice_point)};
+      return {of(c, small_lattice_point), of(c, small_lattice_point)};
     });
     add("coplanar", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
-      const Triangle3d t = plane.triangle(c);
-      return {t, plane.triangle(c)};
+      return {plane.triangle(c), plane.triangle(c)};
     });
     add("parallel", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
@@ -60,8 +58,7 @@ struct triangle_triangle {
     add("common_edge", [](DrawStream& c) -> Question {
       // Along one line; the edges may share all of it, a part, an end or nothing.
       const LatticePlane edge = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-      const double l = small_integer(c, 3);
+      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3), l = small_integer(c, 3);
       const Point3d p = lattice_point_in_space(c);
       return {{edge.at(i, 0), edge.at(j, 0), p}, {edge.at(k, 0), lattice_point_in_space(c), edge.at(l, 0)}};
     });
@@ -74,37 +71,32 @@ struct triangle_triangle {
     });
     add("edge_on_edge", [](DrawStream& c) -> Question {
       const LatticePlane cross = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-      const double l = small_integer(c, 3);
+      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3), l = small_integer(c, 3);
       const Point3d p = lattice_point_in_space(c);
       return {{cross.at(i, 0), cross.at(j, 0), p}, {cross.at(0, k), cross.at(0, l), lattice_point_in_space(c)}};
     });
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
       const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-      const Triangle3d t{plane.at(i, 0), plane.at(j, 0), plane.at(k, 0)};
-      return {t, plane.triangle(c)};
+      return {{plane.at(i, 0), plane.at(j, 0), plane.at(k, 0)}, plane.triangle(c)};
     });
     add("needles", [](DrawStream& c) -> Question {
       // Thousands of millions long, a few units wide, across each other.
-      const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
+      const double length = power_of_two(c, 30, 41);
       const auto unit = [&c] { return small_integer(c, 3); };
       const double ay = unit(), az = unit(), by = unit(), bz = unit(), cx = unit(), cz = unit();
       const Triangle3d t{{-length, ay, az}, {length, by, 0}, {length, 0, bz}};
-      const double dx = unit(), dz = unit();
-      return {t, {{cx, -length, cz}, {dx, length, 0}, {0, length, dz}}};
+      return {t, {{cx, -length, cz}, {unit(), length, 0}, {0, length, unit()}}};
     });
     add("corner_rounded_onto", [](DrawStream& c) -> Question {
       const Triangle3d t = of(c, ordinary_point_in_space);
       const double i = ordinary(c), j = ordinary(c);
-      const Point3d p = t.a + (i * (t.b - t.a) + j * (t.c - t.a)), q = ordinary_point_in_space(c);
-      return {t, {p, q, ordinary_point_in_space(c)}};
+      return {t, {t.a + (i * (t.b - t.a) + j * (t.c - t.a)), ordinary_point_in_space(c), ordinary_point_in_space(c)}};
     });
     add("long_coplanar", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
       const auto point = [&plane](DrawStream& draws) { return plane.point(draws); };
-      const Triangle3d t = of(c, point);
-      return {t, of(c, point)};
+      return {of(c, point), of(c, point)};
     });
     add("stretched", [](DrawStream& c) -> Question {
       Question question = crossing(c);
@@ -117,13 +109,12 @@ struct triangle_triangle {
       const auto point = [](DrawStream& draws) {
         const auto number = [&draws] {
           const double n = small_integer(draws, 1);
-          return std::ldexp(n, draws.below(2) == 1 ? 1023 : 0);
+          return std::ldexp(n, draws.coin() ? 1023 : 0);
         };
         const double x = number(), y = number();
         return Point3d{x, y, number()};
       };
-      const Triangle3d t = of(c, point);
-      return {t, of(c, point)};
+      return {of(c, point), of(c, point)};
     });
     add("reported", [](DrawStream& c) -> Question {
       const auto [a, b] = reported_triangles(c);
@@ -193,7 +184,7 @@ struct triangle_triangle {
   }
 
   static Question either_first(DrawStream& c, const Triangle3d& t, const Triangle3d& other) {
-    return c.below(2) == 1 ? Question{other, t} : Question{t, other};
+    return c.coin() ? Question{other, t} : Question{t, other};
   }
 
   /// Triangles around one point, or near it, in two planes.

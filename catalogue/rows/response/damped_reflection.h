@@ -74,7 +74,7 @@ struct damped_reflection {
     switch (c.below(4)) {
       case 0: return 0.8;
       case 1: return small_integer(c, 2);
-      case 2: return static_cast<double>(c.below(17)) / 16;
+      case 2: return up_to(c, 16) / 16;
       default: return typed(c);
     }
   }
@@ -82,7 +82,7 @@ struct damped_reflection {
   /// 1 + k is 0, or all its digits are cancelled but the last.
   static double near_minus_one(DrawStream& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
   static double any_size(DrawStream& c) {
-    const int exponent = static_cast<int>(c.below(1200)) - 600;
+    const int exponent = integer_in(c, -600, 599);
     return std::ldexp(ordinary(c), exponent);
   }
 

@@ -74,9 +74,9 @@ struct inelastic_collision {
   /// exchanged, less.
   static Impact mean_beside_a_tie(DrawStream& c) {
     const double h = static_cast<double>((std::uint64_t{1} << 50) + c.below(std::uint64_t{1} << 51)),
-                 q = 0x1p53 + 2 * static_cast<double>(1 + c.below(std::uint64_t{1} << 51));
+                 q = 0x1p53 + 2 * one_to(c, std::uint64_t{1} << 51);
     const Velocitiesd v{{q, -q, 1}, {q + 2, -q - 2, 0}};
-    return {c.below(2) == 1 ? Massesd{h + 1, h} : Massesd{h, h + 1}, v, {1, 0, 0}};
+    return {c.coin() ? Massesd{h + 1, h} : Massesd{h, h + 1}, v, {1, 0, 0}};
   }
 
   template <auto draw>

@@ -66,8 +66,8 @@ struct kinetic_energy {
   /// An integer of 53 digits, and a half, or one unit in the last place less; and perhaps something beyond all digits.
   static Bodies sum_beside_a_tie(DrawStream& c) {
     const double whole = 0x1p52 + static_cast<double>(c.below(std::uint64_t{1} << 51));
-    Bodies list{{2 * whole, {0, -1, 0}}, {c.below(2) == 1 ? 1 - 0x1p-53 : 1, {1, 0, 0}}};
-    if (c.below(2) == 1) list.push_back({1, {0, 0, std::ldexp(1, -static_cast<int>(c.below(200)))}});
+    Bodies list{{2 * whole, {0, -1, 0}}, {c.coin() ? 1 - 0x1p-53 : 1, {1, 0, 0}}};
+    if (c.coin()) list.push_back({1, {0, 0, std::ldexp(1, -integer_in(c, 0, 199))}});
     return list;
   }
 

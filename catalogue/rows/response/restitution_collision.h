@@ -83,9 +83,7 @@ struct restitution_collision {
   }
 
  private:
-  static double usual(DrawStream& c) {
-    return c.below(2) == 1 ? static_cast<double>(c.below(17)) / 16 : 0.1 * static_cast<double>(c.below(11));
-  }
+  static double usual(DrawStream& c) { return c.coin() ? up_to(c, 16) / 16 : 0.1 * up_to(c, 10); }
   static double one(DrawStream&) { return 1; }
   static double at_an_end(DrawStream& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-60, 0x1.fffffffffffffp-1, 0x1p-900};

@@ -119,7 +119,7 @@ struct rigid_body_collision {
   }
 
  private:
-  static double usual(DrawStream& c) { return static_cast<double>(c.below(17)) / 16; }
+  static double usual(DrawStream& c) { return up_to(c, 16) / 16; }
   static double one(DrawStream&) { return 1; }
   static double at_an_end(DrawStream& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-30, 0x1.fffffffffffffp-1, 0x1p-900, 0.1};

@@ -49,7 +49,7 @@ struct swept_convex_polyhedra {
       return {a, shifted(b, apart), velocity};
     });
     add("feature_to_feature", [](DrawStream& c) -> Question {
-      const double n = static_cast<double>(c.below(4)), d = 1 + static_cast<double>(c.below(4));
+      const double n = up_to(c, 3), d = one_to(c, 4);
       return aimed(c, n, d);
     });
     add("contact_at_end", [](DrawStream& c) -> Question { return aimed(c, 1, 1); });
@@ -85,12 +85,12 @@ struct swept_convex_polyhedra {
       const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
       // A corner of b to which one of a gets at the end, as far as doubles can tell; or anywhere.
       const Vector3d v{4 * x, 4 * y, 4 * z};
-      if (c.below(2) == 0) b = shifted(b, (a.vertices[0] - b.vertices[0]) + v);
+      if (!c.coin()) b = shifted(b, (a.vertices[0] - b.vertices[0]) + v);
       return {a, b, v};
     });
     add("broken", [](DrawStream& c) -> Question {
       auto [a, b, velocity] = aimed(c, 1, 1);
-      if (c.below(2) == 0) return {broken(a, c), b, velocity};
+      if (!c.coin()) return {broken(a, c), b, velocity};
       return {a, broken(b, c), velocity};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question {
@@ -100,7 +100,7 @@ struct swept_convex_polyhedra {
       Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
       make_tetrahedron(b);
       const Point3d to = p + 2.0 * w;
-      return {a, shifted(b, {to.x, to.y, to.z}), static_cast<double>(1 + c.below(4)) * w};
+      return {a, shifted(b, {to.x, to.y, to.z}), one_to(c, 4) * w};
     });
     add.unscaled("named_mesh_at_rest", [](DrawStream& c) -> Question {
       Meshd a{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
@@ -109,11 +109,11 @@ struct swept_convex_polyhedra {
       const Point3d p = on_a_face_plane(b, c);
       const Vector3d w = 12.0 * lattice_normal(c, 3);
       const Point3d from = p + -2.0 * w;
-      return {shifted(a, {from.x, from.y, from.z}), b, static_cast<double>(1 + c.below(4)) * w};
+      return {shifted(a, {from.x, from.y, from.z}), b, one_to(c, 4) * w};
     });
     add.unscaled("huge_or_tiny_boxes", [](DrawStream& c) -> Question {
       // Past the filter's guards, but all on one lattice: one axis of a box decides, exactly.
-      const auto length = [&c] { return 12 * static_cast<double>(1 + c.below(3)); };
+      const auto length = [&c] { return 12 * one_to(c, 3); };
       const double x = length(), y = length(), z = length(), gap = length();
       const double u = length(), v = length(), w = length(), way = length();
       static constexpr int exponents[] = {260, -300, 900, -900};
@@ -135,7 +135,7 @@ struct swept_convex_polyhedra {
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-      const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
+      const Meshd asked = c.one_in(6) ? with_broken_polygons(a, c) : a;
       const Vector3d apart = 12.0 * lattice_normal(c, 2);
       return {asked, shifted(b, apart), 12.0 * lattice_normal(c, 2)};
     });

@@ -42,10 +42,8 @@ struct swept_sphere_sphere {
       // A line at the distance of the radii from the origin, by a Pythagorean triple.
       static constexpr std::array<std::array<double, 3>, 4> triples{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}}};
       const auto [m, n, r] = triples[c.below(4)];
-      const double s = 1 + static_cast<double>(c.below(8)), f = 1 + static_cast<double>(c.below(16)),
-                   k = static_cast<double>(c.below(20));
-      const Vector3d along{-n, m, small_integer(c, 4)};
-      const Vector3d p = Vector3d{m * s, n * s, 0} + k * along;
+      const double s = one_to(c, 8), f = one_to(c, 16), k = up_to(c, 19);
+      const Vector3d along{-n, m, small_integer(c, 4)}, p = Vector3d{m * s, n * s, 0} + k * along;
       return common_motion(p, -f * along, r * s, c);
     });
     add("touching_at_start", [](DrawStream& c) -> Question {
@@ -58,33 +56,32 @@ struct swept_sphere_sphere {
       return common_motion(p - v, v, r, c);
     });
     add("head_on", [](DrawStream& c) -> Question {
-      const double gap = 1 + static_cast<double>(c.below(8)), speed = 1 + static_cast<double>(c.below(16)),
-                   reach = static_cast<double>(c.below(6));
+      const double gap = one_to(c, 8), speed = one_to(c, 16), reach = up_to(c, 5);
       return common_motion({-gap - reach, 0, 0}, {speed, 0, 0}, reach, c);
     });
     add("aimed", [](DrawStream& c) -> Question {
-      const Vector3d p = lattice_normal(c, 6), v = (-1 - static_cast<double>(c.below(2))) * p;
+      const Vector3d p = lattice_normal(c, 6), v = (-one_to(c, 2)) * p;
       const double x = small_integer(c, 2), y = small_integer(c, 2);
       const Vector3d aside{x, y, small_integer(c, 2)};
-      return common_motion(p, v + aside, static_cast<double>(c.below(12)), c);
+      return common_motion(p, v + aside, up_to(c, 11), c);
     });
     add("same_velocity", [](DrawStream& c) -> Question {
       const Vector3d p = lattice_normal(c, 4);
-      return common_motion(p, {0, 0, 0}, static_cast<double>(c.below(16)), c);
+      return common_motion(p, {0, 0, 0}, up_to(c, 15), c);
     });
     add("points", [](DrawStream& c) -> Question {
       const Vector3d p = lattice_normal(c, 8);
-      return common_motion(p, -static_cast<double>(c.below(3)) * p, 0, c);
+      return common_motion(p, -up_to(c, 2) * p, 0, c);
     });
     add("one_inside", [](DrawStream& c) -> Question {
       const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 6);
-      return common_motion(p, v, 64 + static_cast<double>(c.below(8)), c);
+      return common_motion(p, v, 64 + up_to(c, 7), c);
     });
     add("fast", [](DrawStream& c) -> Question {
       // Velocities that cancel but for a little.
       const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 3);
-      Question question = common_motion(p, v, static_cast<double>(c.below(6)), c);
-      const double size = std::ldexp(1, 30 + static_cast<int>(c.below(23)));
+      Question question = common_motion(p, v, up_to(c, 5), c);
+      const double size = power_of_two(c, 30, 52);
       auto& [a, b, va, vb] = question;
       va.x += size, vb.x += size;
       return question;
@@ -102,37 +99,31 @@ struct swept_sphere_sphere {
         case 1: reach = speed > 0 ? std::sqrt(dot(area, area)) / speed : reach; break;
         default: reach = std::sqrt(dot(end, end));
       }
-      return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
+      return {{{x, y, z}, within_ulps(c, reach, 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
     });
     add("rounded_touch", [](DrawStream& c) -> Question {
       // The reach is the distance at the start or at the end, rounded.
       const auto tenth = [&c] { return small_integer(c, 40) / 10; };
       const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
-      const Vector3d p{x, y, z}, v{vx, vy, vz}, end = p + v, touch = c.below(2) == 0 ? p : end;
+      const Vector3d p{x, y, z}, v{vx, vy, vz}, end = p + v, touch = c.coin() ? end : p;
       return {{{x, y, z}, std::sqrt(dot(touch, touch))}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
     });
     add("least_beside_greatest", [](DrawStream& c) -> Question {
       const double tiny = std::ldexp(small_integer(c), -1074), huge = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
-      const Vector3d v = c.below(2) == 1 ? Vector3d{-huge, 0, 0} : Vector3d{-4, tiny, 0};
-      return {{{c.below(2) == 1 ? huge : 3.0, tiny, 0}, 1},
-              {{0, 0, 0}, c.below(2) == 1 ? 1.0 : std::fabs(tiny)},
-              v,
-              {0, 0, 0}};
+      const Vector3d v = c.coin() ? Vector3d{-huge, 0, 0} : Vector3d{-4, tiny, 0};
+      return {{{c.coin() ? huge : 3.0, tiny, 0}, 1}, {{0, 0, 0}, c.coin() ? 1.0 : std::fabs(tiny)}, v, {0, 0, 0}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
-      const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-      const double x = zero(), r = zero(), s = zero(), v = zero();
+      const double x = zero(c), r = zero(c), s = zero(c), v = zero(c);
       return {{{x, small_integer(c, 1), 0}, r}, {{0, 0, 0}, s}, {v, small_integer(c, 1), 0}, {0, 0, 0}};
     });
     add("one_stands", [](DrawStream& c) -> Question {
       // The other comes from close by, or from afar, mostly fast.
       const Point3d at = lattice_point_in_space(c, 3);
-      const Vector3d p = lattice_normal(c, 6), aside = lattice_normal(c, 2);
-      const Vector3d v = -static_cast<double>(1 + c.below(1000)) * p + aside;
-      const double radius = static_cast<double>(c.below(3)),
-                   length = std::floor(std::sqrt(dot(p, p))) + small_integer(c, 1);
+      const Vector3d p = lattice_normal(c, 6), aside = lattice_normal(c, 2), v = -one_to(c, 1000) * p + aside;
+      const double radius = up_to(c, 2), length = std::floor(std::sqrt(dot(p, p))) + small_integer(c, 1);
       const Sphere3d stands{at, radius}, comes{at + p, std::fabs(length - radius)};
-      if (c.below(2) == 0) return {stands, comes, {0, 0, 0}, v};
+      if (!c.coin()) return {stands, comes, {0, 0, 0}, v};
       return {comes, stands, v, {0, 0, 0}};
     });
   }
@@ -168,7 +159,7 @@ struct swept_sphere_sphere {
     static constexpr std::array<std::array<double, 4>, 5> quadruples{
         {{1, 2, 2, 3}, {3, 4, 0, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {4, 4, 7, 9}}};
     const auto [x, y, z, r] = quadruples[c.below(5)];
-    const double s = 1 + static_cast<double>(c.below(8)), sign = c.below(2) == 1 ? -1 : 1;
+    const double s = one_to(c, 8), sign = either_sign(c);
     return {{sign * x * s, y * s, z * s}, r * s};
   }
 
@@ -180,7 +171,7 @@ struct swept_sphere_sphere {
     const Vector3d common{x, y, small_integer(c, 2)};
     const double radius = static_cast<double>(c.below(static_cast<std::uint64_t>(reach) + 1));
     const Sphere3d a{at + p, reach - radius}, b{at, radius};
-    if (c.below(2) == 0) return {a, b, v + common, common};
+    if (!c.coin()) return {a, b, v + common, common};
     return {b, a, common, v + common};
   }
 };

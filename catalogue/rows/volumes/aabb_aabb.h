@@ -38,7 +38,7 @@ struct aabb_aabb {
     add("apart_on_one_axis", [](DrawStream& c) -> Question {
       const Aabb3d a = lattice_box(c);
       Aabb3d b = overlapping(a, c);
-      const double gap = 1 + static_cast<double>(c.below(4));
+      const double gap = one_to(c, 4);
       switch (c.below(3)) {
         case 0: b = shifted(b, a.max.x - b.min.x + gap, 0, 0); break;
         case 1: b = shifted(b, 0, a.max.y - b.min.y + gap, 0); break;
@@ -54,7 +54,7 @@ struct aabb_aabb {
       const Aabb3d a = lattice_box(c);
       Aabb3d b = overlapping(a, c);
       b.max.x = b.min.x;
-      if (c.below(2) == 1) b.max.y = b.min.y;
+      if (c.coin()) b.max.y = b.min.y;
       return seen(a, b, c);
     });
     add("both_flat", [](DrawStream& c) -> Question {
@@ -64,8 +64,7 @@ struct aabb_aabb {
       return seen(a, b, c);
     });
     add("points", [](DrawStream& c) -> Question {
-      const Point3d p = lattice_point_of_box(c);
-      const Point3d q = c.below(2) == 1 ? lattice_point_of_box(c) : p;
+      const Point3d p = lattice_point_of_box(c), q = c.coin() ? lattice_point_of_box(c) : p;
       return seen({p, p}, {q, q}, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
@@ -74,27 +73,24 @@ struct aabb_aabb {
       return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
-      const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-      const double z0 = zero(), z1 = zero(), z2 = zero(), z3 = zero();
-      return InPlane{{{-1, z0}, {z1, 1}}, {{z2, z3}, {1, 1}}};
+      return InPlane{{{-1, zero(c)}, {zero(c), 1}}, {{zero(c), zero(c)}, {1, 1}}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
       constexpr double huge = 0x1.fffffffffffffp+1023;
-      const double x = c.below(2) == 1 ? huge : 0x1p1000, y = small_integer(c);
-      return InPlane{{{-huge, -huge}, {x, y}}, {{c.below(2) == 1 ? x : -x, y}, {huge, huge}}};
+      const double x = c.coin() ? huge : 0x1p1000, y = small_integer(c);
+      return InPlane{{{-huge, -huge}, {x, y}}, {{c.coin() ? x : -x, y}, {huge, huge}}};
     });
     add("typed_touch", [](DrawStream& c) -> Question {
       // As typed the one ends where the other begins.
-      const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+      const double k = one_to(c, 9), m = one_to(c, 9);
       return InPlane{{{0, 0}, {k / 10 + m / 10, 1}}, {{(k + m) / 10, 0}, {2, 1}}};
     });
     add("wide", [](DrawStream& c) -> Question {
       const Vector3d by = fractions(c);
       const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z), other = overlapping(a, c);
       const double gap = std::ldexp(small_integer(c, 1), -20);
-      const Aabb3d b = shifted(other, a.max.x - other.min.x + gap, 0, 0);
-      const Aabb3d wide = widened(a, b.max, c);
-      return seen(wide, c.below(2) == 1 ? widened(b, a.min, c) : b, c);
+      const Aabb3d b = shifted(other, a.max.x - other.min.x + gap, 0, 0), wide = widened(a, b.max, c);
+      return seen(wide, c.coin() ? widened(b, a.min, c) : b, c);
     });
   }
 
@@ -117,7 +113,7 @@ struct aabb_aabb {
  private:
   /// In space, or the same without z.
   static Question seen(const Aabb3d& a, const Aabb3d& b, DrawStream& c) {
-    if (c.below(2) == 0) return InSpace{a, b};
+    if (!c.coin()) return InSpace{a, b};
     return InPlane{without_z(a), without_z(b)};
   }
   /// b begins where a ends along the first `axes` axes and overlaps it along the others.
@@ -125,7 +121,7 @@ struct aabb_aabb {
     const Aabb3d a = lattice_box(c);
     Aabb3d b = overlapping(a, c);
     b = shifted(b, a.max.x - b.min.x, axes > 1 ? a.max.y - b.min.y : 0, axes > 2 ? a.max.z - b.min.z : 0);
-    return c.below(2) == 1 ? seen(b, a, c) : seen(a, b, c);
+    return c.coin() ? seen(b, a, c) : seen(a, b, c);
   }
 };
 

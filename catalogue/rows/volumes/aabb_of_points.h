@@ -54,22 +54,21 @@ struct aabb_of_points {
         std::vector<double> numbers;
         for (const Point3d& p : points) numbers.push_back(p.*axis);
         std::sort(numbers.begin(), numbers.end());
-        if (c.below(2) == 1) std::reverse(numbers.begin(), numbers.end());
+        if (c.coin()) std::reverse(numbers.begin(), numbers.end());
         for (std::size_t i = 0; i < points.size(); ++i) points[i].*axis = numbers[i];
       };
       sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
       return seen(points, c);
     });
-    add("either_zero", [](DrawStream& c) -> Question {
-      return seen(points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
-    });
+    add("either_zero",
+        [](DrawStream& c) -> Question { return seen(points_of(c, [](DrawStream& d) { return zero(d); }), c); });
     add("subnormal", [](DrawStream& c) -> Question {
       // Where subnormals are read as zero all of these are equal.
       const double shift = small_integer(c, 4);
       return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
     });
     add("beside_normal", [](DrawStream& c) -> Question {
-      const double sign = c.below(2) == 1 ? -1 : 1;
+      const double sign = either_sign(c);
       return seen(points_of(c, [sign](DrawStream& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
     });
     add("whole_range", [](DrawStream& c) -> Question {
@@ -77,7 +76,7 @@ struct aabb_of_points {
                             [](DrawStream& d) {
                               static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
                               const double size = ends[d.below(4)];
-                              return d.below(2) == 1 ? -size : size;
+                              return either_sign(d) * size;
                             }),
                   c);
     });
@@ -104,7 +103,7 @@ struct aabb_of_points {
 
   /// In space, or the same without z.
   static Question seen(const InSpace& points, DrawStream& c) {
-    if (c.below(2) == 0 && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
+    if (!c.coin() && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
     InPlane seen;
     for (const Point3d& p : points) seen.push_back({p.x, p.y});
     return std::tuple(seen);

@@ -58,11 +58,11 @@ struct bounding_sphere {
       // Displacements of length 3 k around a lattice point, by the quadruples 1, 2, 2 and 3, 0, 0.
       static constexpr std::array<std::array<double, 3>, 2> steps{{{1, 2, 2}, {3, 0, 0}}};
       const Point3d center = lattice_point_in_space(c, 20);
-      const double k = 1 + static_cast<double>(c.below(1 << 12));
+      const double k = one_to(c, 1 << 12);
       return many(c, [&] {
         const auto& step = steps[c.below(2)];
         const std::size_t from = c.below(3);
-        const auto part = [&](std::size_t i) { return (c.below(2) == 1 ? -k : k) * step[(from + i) % 3]; };
+        const auto part = [&](std::size_t i) { return (either_sign(c) * k) * step[(from + i) % 3]; };
         const double x = part(0), y = part(1), z = part(2);
         return center + Vector3d{x, y, z};
       });
@@ -82,11 +82,11 @@ struct bounding_sphere {
     });
     add("corners_of_a_box", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 20);
-      const auto width = [&c] { return static_cast<double>(c.below(8)); };
+      const auto width = [&c] { return up_to(c, 7); };
       const double dx = width(), dy = width(), dz = width();
       return many(c, [&] {
-        const double x = c.below(2) == 1 ? dx : 0.0, y = c.below(2) == 1 ? dy : 0.0;
-        return p + Vector3d{x, y, c.below(2) == 1 ? dz : 0.0};
+        const double x = c.coin() ? dx : 0.0, y = c.coin() ? dy : 0.0;
+        return p + Vector3d{x, y, c.coin() ? dz : 0.0};
       });
     });
     add("equal", [](DrawStream& c) -> Question {
@@ -96,7 +96,7 @@ struct bounding_sphere {
     });
     add("far_from_the_origin", [](DrawStream& c) -> Question {
       // The points differ in their last places, so that the center of their ball is no double.
-      const double far = std::ldexp(1, static_cast<int>(c.below(40)));
+      const double far = power_of_two(c, 0, 39);
       return many(c, [&] {
         const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
         const double x = beside(), y = beside();
@@ -105,7 +105,7 @@ struct bounding_sphere {
     });
     add("one_far_away", [](DrawStream& c) -> Question {
       // One point at a distance next to which the others are nothing, or just something.
-      const double far = std::ldexp(1, static_cast<int>(c.below(1000)));
+      const double far = power_of_two(c, 0, 999);
       Question question = many(c, [&c] { return lattice_point_in_space(c, 3); });
       std::get<0>(question).push_back({far, 0, 0});
       return question;
@@ -113,18 +113,18 @@ struct bounding_sphere {
     add("subnormal", [](DrawStream& c) -> Question {
       return many(c, [&c] {
         const double x = small_integer(c) * 0x1p-1074, y = small_integer(c) * 0x1p-1074;
-        return Point3d{x, y, c.below(2) == 1 ? -0.0 : 0x1p-1074};
+        return Point3d{x, y, c.coin() ? -0.0 : 0x1p-1074};
       });
     });
     add("whole_range", [](DrawStream& c) -> Question {
       constexpr double greatest = 0x1.fffffffffffffp+1023;
       return many(c, [&c] {
         const auto end = [&c] {
-          const double size = c.below(2) == 1 ? greatest : 0x1p1022;
-          return c.below(2) == 1 ? -size : size;
+          const double size = c.coin() ? greatest : 0x1p1022;
+          return either_sign(c) * size;
         };
-        const double x = end(), y = c.below(2) == 1 ? end() : 0.0;
-        return Point3d{x, y, c.below(2) == 1 ? end() : 1.0};
+        const double x = end(), y = c.coin() ? end() : 0.0;
+        return Point3d{x, y, c.coin() ? end() : 1.0};
       });
     });
     add("rounded_on_a_sphere", [](DrawStream& c) -> Question {

@@ -43,8 +43,8 @@ struct closest_point_on_aabb {
       const Point3d p = lattice_point_of_box(c);
       Aabb3d box = lattice_box(c);
       box.max.x = box.min.x = p.x + small_integer(c, 1);
-      if (c.below(2) == 1) box.max.y = box.min.y;
-      if (c.below(2) == 1) box.max.z = box.min.z;
+      if (c.coin()) box.max.y = box.min.y;
+      if (c.coin()) box.max.z = box.min.z;
       return seen(p, box, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
@@ -53,14 +53,12 @@ struct closest_point_on_aabb {
       return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
-      const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-      const double x = zero(), y = zero(), z0 = zero(), z1 = zero();
-      return InPlane{{x, y}, {{z0, -1}, {z1, zero()}}};
+      return InPlane{{zero(c), zero(c)}, {{zero(c), -1}, {zero(c), zero(c)}}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
       constexpr double greatest = 0x1.fffffffffffffp+1023;
-      const double x = c.below(2) == 1 ? greatest : -greatest, y = c.below(2) == 1 ? 0x1p1000 : 0x1p-1000;
-      const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
+      const double x = c.coin() ? greatest : -greatest, y = c.coin() ? 0x1p1000 : 0x1p-1000;
+      const double end = c.coin() ? -greatest : -0x1p1023;
       return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
     });
     add("wide", [](DrawStream& c) -> Question {
@@ -90,7 +88,7 @@ struct closest_point_on_aabb {
   /// On each axis below the box, in it, at an end or above: faces, edges and corners.
   static Point3d around(const Aabb3d& box, DrawStream& c) {
     const auto coordinate = [&c](double min, double max) {
-      const auto far = static_cast<double>(c.below(8));
+      const auto far = up_to(c, 7);
       switch (c.below(3)) {
         case 0: return min - far;
         case 1: return max + far;
@@ -103,7 +101,7 @@ struct closest_point_on_aabb {
 
   /// In space, or the same without z.
   static Question seen(const Point3d& point, const Aabb3d& box, DrawStream& c) {
-    if (c.below(2) == 0) return InSpace{point, box};
+    if (!c.coin()) return InSpace{point, box};
     return InPlane{{point.x, point.y}, without_z(box)};
   }
 };

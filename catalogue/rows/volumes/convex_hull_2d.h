@@ -46,7 +46,7 @@ struct convex_hull_2d {
     add("all_equal", [](DrawStream& c) -> Question {
       const Point2d p = lattice_point(c);
       Points points(1 + c.below(6), p);
-      if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
+      if (points[0].y == 0 && c.coin()) points.back().y = -0.0;
       return points;
     });
     add("collinear", [](DrawStream& c) -> Question {
@@ -68,8 +68,8 @@ struct convex_hull_2d {
       static constexpr std::array<Vector2d, 5> of_65{{{16, 63}, {25, 60}, {33, 56}, {39, 52}, {65, 0}}};
       return one_by_one(c, 24, [](DrawStream& d) {
         const Vector2d v = of_65[d.below(5)];
-        const double x = d.below(2) == 1 ? -v.x : v.x, y = d.below(2) == 1 ? -v.y : v.y;
-        return d.below(2) == 1 ? Point2d{x, y} : Point2d{y, x};
+        const double x = d.coin() ? -v.x : v.x, y = d.coin() ? -v.y : v.y;
+        return d.coin() ? Point2d{x, y} : Point2d{y, x};
       });
     });
     add("points_inside_edges", [](DrawStream& c) -> Question {
@@ -91,7 +91,7 @@ struct convex_hull_2d {
       return shuffled(points, c);
     });
     add("many", [](DrawStream& c) -> Question {
-      const int most = 1 + static_cast<int>(c.below(64));
+      const int most = integer_in(c, 1, 64);
       Points points;
       for (std::uint64_t left = 32 + c.below(64); left > 0; --left) {
         const double x = small_integer(c, most);
@@ -104,7 +104,7 @@ struct convex_hull_2d {
       Points points{{-64, -64}, {64, 64}, {-64, 64}, {64, -64}};
       for (std::uint64_t left = 28 + c.below(20); left > 0; --left) {
         const double x = small_integer(c, 64);
-        points.push_back({x, c.below(4) == 3 ? 64 : x});
+        points.push_back({x, c.one_in(4) ? 64 : x});
       }
       return shuffled(points, c);
     });

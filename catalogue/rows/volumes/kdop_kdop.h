@@ -33,20 +33,19 @@ struct kdop_kdop {
   static void hard_cases(HardCases<Question>& add) {
     add("side_by_side",
         [](DrawStream& c) -> Question { return pair_of(c, [](DrawStream& d) { return beside(d, 0); }); });
-    add("a_gap", [](DrawStream& c) -> Question {
-      return pair_of(c, [](DrawStream& d) { return beside(d, static_cast<double>(d.below(3))); });
-    });
+    add("a_gap",
+        [](DrawStream& c) -> Question { return pair_of(c, [](DrawStream& d) { return beside(d, up_to(d, 2)); }); });
     add("overlapping", [](DrawStream& c) -> Question { return pair_of(c, overlap); });
     add("flat_within", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
         auto [s, t] = overlap(d);
-        if (d.below(2) == 1) t.min = t.max = s.min + 1 + static_cast<double>(d.below(3));
-        return d.below(2) == 1 ? Pair{t, s} : Pair{s, t};
+        if (d.coin()) t.min = t.max = s.min + one_to(d, 3);
+        return d.coin() ? Pair{t, s} : Pair{s, t};
       });
     });
     add("both_flat", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
-        const double s = integer(d, 53), t = d.below(4) == 3 ? s + small_integer(d, 1) : s;
+        const double s = integer(d, 53), t = d.one_in(4) ? s + small_integer(d, 1) : s;
         return Pair{{s, s}, {t, t}};
       });
     });
@@ -59,16 +58,15 @@ struct kdop_kdop {
     });
     add("either_zero", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
-        const auto zero = [&d] { return d.below(2) == 1 ? -0.0 : 0.0; };
-        const double p = zero(), q = zero(), width = static_cast<double>(d.below(2));
+        const double p = zero(d), q = zero(d), width = up_to(d, 1);
         return Pair{{-width, p}, {q, 1}};
       });
     });
     add("whole_range", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
         constexpr double huge = 0x1.fffffffffffffp+1023;
-        const double x = d.below(2) == 1 ? huge : 0x1p1000;
-        return Pair{{-huge, x}, {d.below(2) == 1 ? x : -x, huge}};
+        const double x = d.coin() ? huge : 0x1p1000;
+        return Pair{{-huge, x}, {d.coin() ? x : -x, huge}};
       });
     });
     add("other_normals", [](DrawStream& c) -> Question {
@@ -103,7 +101,7 @@ struct kdop_kdop {
         a.slabs.push_back(s), b.slabs.push_back(t);
       }
       const std::size_t place = late_index(a.slabs.size(), c);
-      std::tie(a.slabs[place], b.slabs[place]) = beside(c, static_cast<double>(c.below(3)));
+      std::tie(a.slabs[place], b.slabs[place]) = beside(c, up_to(c, 2));
       return {a, b};
     });
   }
@@ -153,16 +151,16 @@ struct kdop_kdop {
     return {a, b};
   }
 
-  static double width(DrawStream& c) { return 1 + static_cast<double>(c.below(8)); }
+  static double width(DrawStream& c) { return one_to(c, 8); }
   /// One ends where the other begins, or with a gap; every other pair overlaps.
   static Pair beside(DrawStream& c, double gap) {
-    if (c.below(2) == 1) return overlap(c);
+    if (c.coin()) return overlap(c);
     const double from = integer(c, 50), s = width(c), t = width(c);
     const Slabd first{from, from + s}, second{from + s + gap, from + s + gap + t};
-    return c.below(2) == 1 ? Pair{second, first} : Pair{first, second};
+    return c.coin() ? Pair{second, first} : Pair{first, second};
   }
   static Pair overlap(DrawStream& c) {
-    const double from = integer(c, 50), s = 1 + width(c), t = 1 + width(c), into = 1 + static_cast<double>(c.below(2));
+    const double from = integer(c, 50), s = 1 + width(c), t = 1 + width(c), into = one_to(c, 2);
     return {{from, from + s}, {from + s - into, from + s - into + t}};
   }
 };

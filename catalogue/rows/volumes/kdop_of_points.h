@@ -47,7 +47,7 @@ struct kdop_of_points {
       Points points;
       do {
         Point3d p = from + lattice_across(c, n);
-        p.x += c.below(4) == 3 ? small_integer(c, 1) : 0;
+        p.x += c.one_in(4) ? small_integer(c, 1) : 0;
         points.push_back(p);
       } while (points.size() < 8 && c.below(4) != 0);
       return {points, {n}};
@@ -83,29 +83,28 @@ struct kdop_of_points {
       // Sums that cancel all but a little of the products, or all of them.
       Points points;
       do {
-        const int exponent = 40 + static_cast<int>(c.below(60));
-        const double x = std::ldexp(1 + static_cast<double>(c.below(8)), exponent);
-        const double y = c.below(2) == 1 ? moved_by_ulps(x, ulps(c)) : x;
+        const int exponent = integer_in(c, 40, 99);
+        const double x = std::ldexp(one_to(c, 8), exponent);
+        const double y = c.coin() ? moved_by_ulps(x, ulps(c)) : x;
         points.push_back({x, y, small_integer(c)});
       } while (points.size() < 8 && c.below(4) != 0);
-      return {points, {{1, -1, c.below(2) == 1 ? 1.0 : 0x1p-60}}};
+      return {points, {{1, -1, c.coin() ? 1.0 : 0x1p-60}}};
     });
     add("as_wide_as_a_lattice", [](DrawStream& c) -> Question {
       // The terms span about 124 binary digits, from where on their sum does not fit two words.
-      const int exponent = 57 + static_cast<int>(c.below(4));
-      const double x = std::ldexp(8 + static_cast<double>(c.below(8)), exponent);
-      const double y = c.below(2) == 1 ? x : -x, sign = c.below(2) == 1 ? -1 : 1;
+      const int exponent = integer_in(c, 57, 60);
+      const double x = std::ldexp(8 + up_to(c, 7), exponent), y = c.coin() ? x : -x, sign = either_sign(c);
       return {{{x, y, small_integer(c, 2)}, {x, y, small_integer(c, 2)}}, {{x, sign * x, 1}}};
     });
     add("below_least", [](DrawStream& c) -> Question {
       // Products of about the least subnormal number, or half of it.
-      const int k = static_cast<int>(c.below(1000)) - 500;
+      const int k = integer_in(c, -500, 499);
       const auto number = [k](DrawStream& d) { return std::ldexp(small_integer(d), -1077 - k); };
       Points points = points_of(c, number);
-      const auto part = [k](DrawStream& d) { return std::ldexp(1 + static_cast<double>(d.below(4)), k); };
+      const auto part = [k](DrawStream& d) { return std::ldexp(one_to(d, 4), k); };
       return {points, normals_of(c, [part](DrawStream& d) {
                 const double x = part(d), y = part(d);
-                return Vector3d{x, y, d.below(2) == 1 ? part(d) : 0.0};
+                return Vector3d{x, y, d.coin() ? part(d) : 0.0};
               })};
     });
     add("beyond_range", [](DrawStream& c) -> Question {
@@ -118,20 +117,19 @@ struct kdop_of_points {
       Points points;
       do {
         static constexpr double beside[]{0, 0x1p969, 0x1p970, 0x1p971, 0x1p-1074, 1};
-        const double y = beside[c.below(6)], sign = c.below(2) == 1 ? -1 : 1;
-        points.push_back({sign * greatest, c.below(2) == 1 ? y : -y, 0});
+        const double y = beside[c.below(6)], sign = either_sign(c);
+        points.push_back({sign * greatest, c.coin() ? y : -y, 0});
       } while (points.size() < 6 && c.below(3) != 0);
       return {points, {{1, 1, 0}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
-      Points points = points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; });
+      Points points = points_of(c, [](DrawStream& d) { return zero(d); });
       return {points, normals_of(c, kdop_normal)};
     });
     add("few", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c);
-      const Vector3d n = c.below(4) == 3 ? Vector3d{0.0, -0.0, 0.0} : kdop_normal(c);
-      const std::size_t points = c.below(3), normals = c.below(3);
-      return {Points(points, p), Normals(normals, n)};
+      const Vector3d n = c.one_in(4) ? Vector3d{0.0, -0.0, 0.0} : kdop_normal(c);
+      return {Points(c.below(3), p), Normals(c.below(3), n)};
     });
     add.unscaled("many_points", [](DrawStream& c) -> Question {
       const Points points = many_points_and_one_far(c);

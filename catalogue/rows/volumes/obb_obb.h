@@ -39,8 +39,7 @@ struct obb_obb {
   static void hard_cases(HardCases<Question>& add) {
     add("touching", [](DrawStream& c) -> Question { return touching_obbs(c, lattice_half_axes); });
     add("orthogonal_touching", [](DrawStream& c) -> Question {
-      return touching_obbs(c,
-                           [](DrawStream& d) { return d.below(2) == 1 ? turned_half_axes(d) : straight_half_axes(d); });
+      return touching_obbs(c, [](DrawStream& d) { return d.coin() ? turned_half_axes(d) : straight_half_axes(d); });
     });
     add("crossing_edges", [](DrawStream& c) -> Question {
       // What only an axis of two edges decides.
@@ -75,7 +74,7 @@ struct obb_obb {
     add("ridges", [](DrawStream& c) -> Question {
       // One roof upside down on another: the ridges cross at an angle of a few times the least number, or are one.
       const auto least = [&c] { return std::ldexp(small_integer(c, 2), -1074); };
-      const auto slope = [&c] { return static_cast<double>(1 + c.below(3)); };
+      const auto slope = [&c] { return one_to(c, 3); };
       const double p = slope(), q = slope(), r = slope(), s = slope(), y = least(), z = small_integer(c, 1);
       const HalfAxes3d roof{{4, 0, 0}, {0, p, q}, {0, -1, 1}}, other{{4, y, 0}, {0, r, s}, {0, -1, 1}};
       return {{{0, 0, 0}, roof}, {{0, 0, 2 + q + s + z}, other}};
@@ -84,7 +83,7 @@ struct obb_obb {
       const Vector3d u = lattice_normal(c), v = lattice_normal(c);
       const double r = small_integer(c), s = small_integer(c);
       const Obb3d flat{lattice_point_in_space(c, 20), {u, r * u + s * v, v}}, other = lattice_obb(c);
-      return c.below(2) == 1 ? Question{flat, other} : Question{other, flat};
+      return c.coin() ? Question{flat, other} : Question{other, flat};
     });
     add("stretched", [](DrawStream& c) -> Question {
       Question q = touching_obbs(c, lattice_half_axes);
@@ -118,7 +117,7 @@ struct obb_obb {
       auto& [a, b] = q;
       b.center = {b.center.x - a.center.x, b.center.y - a.center.y, b.center.z - a.center.z};
       a.center = {0, 0, 0};
-      const int k = -350 - static_cast<int>(c.below(16));
+      const int k = -350 - integer_in(c, 0, 15);
       const auto shrink = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
       shrink(b.center);
       for (Obb3d* box : {&a, &b})
@@ -133,14 +132,16 @@ struct obb_obb {
               {{y, 0, 0}, {{s, 0, 0}, {0, y, 0}, {far * y, 0, 1}}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
-      const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-      const Obb3d a{{zero(), zero(), zero()}, {{1, zero(), zero()}, {zero(), -1, zero()}, {zero(), zero(), 1}}};
+      const Obb3d a{{zero(c), zero(c), zero(c)},
+                    {{1, zero(c), zero(c)}, {zero(c), -1, zero(c)}, {zero(c), zero(c), 1}}};
       const double x = small_integer(c, 2), y = small_integer(c, 2);
-      return {a, {{x == 0 ? zero() : x, y, zero()}, {{zero(), 1, zero()}, {1, zero(), zero()}, {zero(), zero(), 1}}}};
+      return {
+          a,
+          {{x == 0 ? zero(c) : x, y, zero(c)}, {{zero(c), 1, zero(c)}, {1, zero(c), zero(c)}, {zero(c), zero(c), 1}}}};
     });
     add("typed_touch", [](DrawStream& c) -> Question {
       // As typed they touch.
-      const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+      const double k = one_to(c, 9), m = one_to(c, 9);
       return {{{0, 0, 0}, {{3 * k / 10, 4 * k / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}},
               {{3 * (k + m) / 10, 4 * (k + m) / 10, 0}, {{3 * m / 10, 4 * m / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}}};
     });

@@ -77,7 +77,7 @@ struct obb_of_points {
       // Each axis of its own size: of two that differ by more than a double's digits the shorter is lost in the
       // rounding of the longer.
       Obb3d box{{0, 0, 0}, turned_half_axes(c)};
-      for (Vector3d* axis : each_of(box.half_axes)) *axis = std::ldexp(1, -static_cast<int>(c.below(120))) * *axis;
+      for (Vector3d* axis : each_of(box.half_axes)) *axis = std::ldexp(1, -integer_in(c, 0, 119)) * *axis;
       return many(c, [&] {
         const double r = small_integer(c, 2), s = small_integer(c, 2);
         return halves_along(box, r, s, small_integer(c, 2));
@@ -85,7 +85,7 @@ struct obb_of_points {
     });
     add("far_from_the_origin", [](DrawStream& c) -> Question {
       // The points differ in their last places, so that the center of their box is no double.
-      const double far = std::ldexp(1, static_cast<int>(c.below(40)));
+      const double far = power_of_two(c, 0, 39);
       return many(c, [&] {
         const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
         const double x = beside(), y = beside();
@@ -94,7 +94,7 @@ struct obb_of_points {
     });
     add("least_normal", [](DrawStream& c) -> Question {
       // Flat sets of sizes at which the thickness of a box becomes subnormal, and of which robust's guard says so.
-      const int exponent = -850 - static_cast<int>(c.below(224));
+      const int exponent = -850 - integer_in(c, 0, 223);
       const Vector3d v = lattice_normal(c, 8), w = lattice_normal(c, 8);
       return many(c, [&] {
         const double s = small_integer(c), t = small_integer(c);
@@ -104,10 +104,10 @@ struct obb_of_points {
     });
     add("lost_beside_huge", [](DrawStream& c) -> Question {
       // All is huge and equal but for numbers that are next to nothing in comparison.
-      const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - static_cast<int>(c.below(200)));
+      const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - integer_in(c, 0, 199));
       return many(c, [&] {
         const double y = 1 + small_integer(c) * 0x1p-52;
-        return Point3d{x, y, c.below(2) == 1 ? -1.0 : 1.0};
+        return Point3d{x, y, either_sign(c)};
       });
     });
     add("across_the_range", [](DrawStream& c) -> Question {
@@ -115,19 +115,19 @@ struct obb_of_points {
       double end = -0x1.fffffffffffffp+1023;
       return many(c, [&] {
         end = -end;
-        const double one = c.below(2) == 1 ? -1 : 1, y = c.below(8) == 7 ? one : end;
-        return Point3d{end, y, c.below(2) == 1 ? one : end};
+        const double one = either_sign(c), y = c.one_in(8) ? one : end;
+        return Point3d{end, y, c.coin() ? one : end};
       });
     });
     add("whole_range", [](DrawStream& c) -> Question {
       constexpr double greatest = 0x1.fffffffffffffp+1023;
       return many(c, [&c] {
         const auto end = [&c] {
-          const double size = c.below(2) == 1 ? greatest : 0x1p1022;
-          return c.below(2) == 1 ? -size : size;
+          const double size = c.coin() ? greatest : 0x1p1022;
+          return either_sign(c) * size;
         };
-        const double x = end(), y = c.below(2) == 1 ? end() : 0.0, one = c.below(2) == 1 ? -1 : 1;
-        return Point3d{x, y, c.below(2) == 1 ? end() : one};
+        const double x = end(), y = c.coin() ? end() : 0.0, one = either_sign(c);
+        return Point3d{x, y, c.coin() ? end() : one};
       });
     });
     add("rounded", [](DrawStream& c) -> Question {

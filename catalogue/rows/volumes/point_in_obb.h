@@ -42,7 +42,7 @@ struct point_in_obb {
       return {box, on_obb(box, c)};
     });
     add("on_orthogonal_box", [](DrawStream& c) -> Question {
-      const Obb3d box{lattice_point_in_space(c, 20), c.below(2) == 1 ? turned_half_axes(c) : straight_half_axes(c)};
+      const Obb3d box{lattice_point_in_space(c, 20), c.coin() ? turned_half_axes(c) : straight_half_axes(c)};
       return {box, on_obb(box, c)};
     });
     add("around", [](DrawStream& c) -> Question {
@@ -53,20 +53,18 @@ struct point_in_obb {
     add("near_boundary", [](DrawStream& c) -> Question {
       const Obb3d box{lattice_point_in_space(c, 20), skew_half_axes(c, 24)};
       const Point3d p = on_obb(box, c);
-      const double x = small_integer(c, 1), y = small_integer(c, 1);
-      return {box, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
+      return {box, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
     });
     add("nearly_dependent", [](DrawStream& c) -> Question {
       const Obb3d box{lattice_point_in_space(c, 20), slanted_half_axes(c)};
       const Point3d p = on_obb(box, c);
-      const double x = small_integer(c, 1), y = small_integer(c, 1);
-      return {box, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
+      return {box, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
     });
     add("dependent", [](DrawStream& c) -> Question {
       const Vector3d u = lattice_normal(c), v = lattice_normal(c);
       const double r = small_integer(c), s = small_integer(c);
       const Vector3d w = r * u + s * v;
-      const Obb3d box{lattice_point_in_space(c, 20), c.below(2) == 1 ? HalfAxes3d{w, u, v} : HalfAxes3d{u, v, w}};
+      const Obb3d box{lattice_point_in_space(c, 20), c.coin() ? HalfAxes3d{w, u, v} : HalfAxes3d{u, v, w}};
       return {box, lattice_point_in_space(c, 20)};
     });
     add("stretched", [](DrawStream& c) -> Question {
@@ -99,7 +97,7 @@ struct point_in_obb {
       // Products of three coordinates are a few times the least number, or less.
       Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
       Point3d p = on_obb(box, c);
-      const int k = -350 - static_cast<int>(c.below(16));
+      const int k = -350 - integer_in(c, 0, 15);
       const auto shrink = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
       for (Vector3d* axis : each_of(box.half_axes)) shrink(*axis);
       shrink(p);
@@ -112,14 +110,13 @@ struct point_in_obb {
       return {{{-x, 0, 0}, {{r, 0, 0}, {far * x, y, 0}, {0, 0, 1}}}, {r - x, far * r, small_integer(c, 1)}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
-      const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-      Obb3d box{{zero(), zero(), zero()}, {{1, zero(), zero()}, {zero(), -1, zero()}, {zero(), zero(), 1}}};
+      Obb3d box{{zero(c), zero(c), zero(c)}, {{1, zero(c), zero(c)}, {zero(c), -1, zero(c)}, {zero(c), zero(c), 1}}};
       const double x = small_integer(c, 1);
-      return {box, {x == 0 ? zero() : x, zero(), zero()}};
+      return {box, {x == 0 ? zero(c) : x, zero(c), zero(c)}};
     });
     add("typed_boundary", [](DrawStream& c) -> Question {
       // As typed the point is on a face.
-      const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+      const double k = one_to(c, 9), m = one_to(c, 9);
       return {{{k / 10, 0, 0}, {{m / 10, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {(k + m) / 10, 0.5, 0.5}};
     });
   }
