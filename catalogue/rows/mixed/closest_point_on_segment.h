@@ -103,7 +103,7 @@ struct closest_point_on_segment {
       const double i = small_integer(c), j = small_integer(c);
       Point3d p = line.at(small_integer(c)) + line.across;
       Segment3d s = line.between(i, j);
-      stretch(c, p, s.a, s.b);
+      Stretch{c}(p, s);
       return seen(p, s, line.in_plane);
     });
     add("typed", [](DrawStream& c) -> Question {

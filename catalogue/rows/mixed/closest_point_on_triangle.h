@@ -113,7 +113,7 @@ struct closest_point_on_triangle {
       Triangle3d t = plane.triangle(c);
       const Point3d foot = plane.point(c);
       Point3d p = foot + lattice_normal(c, 4);
-      stretch(c, p, t.a, t.b, t.c);
+      Stretch{c}(p, t);
       return {p, t};
     });
     add("typed", [](DrawStream& c) -> Question {

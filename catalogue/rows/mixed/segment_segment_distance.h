@@ -119,7 +119,7 @@ struct segment_segment_distance {
       Question question = crossing_or_skew(c);
       if (auto* space = std::get_if<InSpace>(&question)) {
         auto& [a, b] = *space;
-        stretch(c, a.a, a.b, b.a, b.b);
+        Stretch{c}(a, b);
       }
       return question;
     });

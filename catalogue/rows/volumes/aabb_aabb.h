@@ -68,7 +68,7 @@ struct aabb_aabb {
       return seen({p, p}, {q, q}, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
+      const auto least = [&c] { return subnormal(c, 3); };
       const double p = least(), q = least(), r = least(), s = least();
       return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
     });
@@ -76,9 +76,9 @@ struct aabb_aabb {
       return InPlane{{{-1, zero(c)}, {zero(c), 1}}, {{zero(c), zero(c)}, {1, 1}}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double huge = 0x1.fffffffffffffp+1023;
-      const double x = c.coin() ? huge : 0x1p1000, y = small_integer(c);
-      return InPlane{{{-huge, -huge}, {x, y}}, {{c.coin() ? x : -x, y}, {huge, huge}}};
+      const double x = c.coin() ? greatest_double : 0x1p1000, y = small_integer(c);
+      return InPlane{{{-greatest_double, -greatest_double}, {x, y}},
+                     {{c.coin() ? x : -x, y}, {greatest_double, greatest_double}}};
     });
     add("typed_touch", [](DrawStream& c) -> Question {
       // As typed the one ends where the other begins.
