@@ -59,7 +59,7 @@ inline bool near_degenerate(std::string_view family) {
 /// The hard cases of full precision; all hard cases if none is named as one.
 template <class Row>
 std::vector<catalogue::HardCase<typename Row::Question>> near_misses() {
-  const auto all = Row::hard_cases();
+  const auto all = catalogue::hard_cases_of<Row>();
   auto chosen = all;
   std::erase_if(chosen, [](const auto& hard) { return !near_degenerate(hard.name); });
   return chosen.empty() ? all : chosen;

@@ -12,7 +12,7 @@ struct mandatory_number {
   using Question = std::tuple<Point2d>;
   using Answer = PointPlane<double>;
   using decision = catalogue::NoDecision;
-  static std::vector<catalogue::HardCase<Question>> hard_cases() { return {}; }
+  static void hard_cases(catalogue::HardCases<Question>&) {}
   static catalogue::Hooks<mandatory_number> hooks() { return {}; }
 
   static const catalogue::Metadata& metadata() {

@@ -19,7 +19,7 @@ struct LatticeLine {
   Vector3d way, across;
 
   static LatticeLine of(DrawStream& draws) {
-    const bool in_plane = draws.below(2) == 1;
+    const bool in_plane = draws.coin();
     Point3d origin = lattice_point_in_space(draws, 16);
     Vector3d way = lattice_normal(draws, 10), across = lattice_across(draws, way);
     if (in_plane) {
@@ -46,7 +46,7 @@ inline HalfwayNumber halfway_number(DrawStream& draws) {
 /// Nothing, or so little that no other digit of the number is near it.
 inline double hair(DrawStream& draws) {
   const double side = small_integer(draws, 1);
-  return std::ldexp(side, -100 - static_cast<int>(draws.below(900)));
+  return std::ldexp(side, -100 - integer_in(draws, 0, 899));
 }
 
 /// A multiple of 3, 4, 5 whose hypotenuse is an odd number of 54 digits: halfway between two doubles.
@@ -61,28 +61,19 @@ inline HalfwayStep halfway_step(DrawStream& draws) {
 /// -2^k, 0, 2^k ... : the greatest binades, where differences overflow, beside small numbers.
 inline double of_whole_range(DrawStream& draws) {
   const double n = small_integer(draws, 1);
-  return std::ldexp(n, draws.below(2) == 1 ? 1023 : static_cast<int>(draws.below(3)) - 1);
+  return std::ldexp(n, draws.coin() ? 1023 : integer_in(draws, -1, 1));
 }
 inline Point3d point_of_whole_range(DrawStream& draws) {
-  const double x = of_whole_range(draws), y = of_whole_range(draws);
-  return {x, y, of_whole_range(draws)};
+  return {of_whole_range(draws), of_whole_range(draws), of_whole_range(draws)};
 }
 /// Beside the least number.
 inline Point3d subnormal_point(DrawStream& draws) {
-  const auto number = [&draws] { return std::ldexp(small_integer(draws), -1074); };
-  const double x = number(), y = number();
-  return {x, y, number()};
+  const auto number = [&draws] { return subnormal(draws); };
+  return {number(), number(), number()};
 }
-inline Point3d typed_point(DrawStream& draws) {
-  const double x = typed(draws), y = typed(draws);
-  return {x, y, typed(draws)};
-}
+inline Point3d typed_point(DrawStream& draws) { return {typed(draws), typed(draws), typed(draws)}; }
 /// Each coordinate 0 or -0.
-inline Point3d zero_point(DrawStream& draws) {
-  const auto zero = [&draws] { return draws.below(2) == 1 ? -0.0 : 0.0; };
-  const double x = zero(), y = zero();
-  return {x, y, zero()};
-}
+inline Point3d zero_point(DrawStream& draws) { return {zero(draws), zero(draws), zero(draws)}; }
 
 /// A way of whole length, and two ways across it, which may be parallel or 0.
 struct WholeAcross {
@@ -91,29 +82,28 @@ struct WholeAcross {
 
   static WholeAcross of(DrawStream& draws) {
     const auto [n, length] = whole_normal(draws);
-    const double k = 1 + static_cast<double>(draws.below(64));
-    const Vector3d u = lattice_across(draws, n);
-    return {k * n, u, lattice_across(draws, n), k * length};
+    const double k = one_to(draws, 64);
+    return {k * n, lattice_across(draws, n), lattice_across(draws, n), k * length};
   }
 };
 
 /// A radius, or the sum of two, that just reaches so far, or a little more or less.
 inline double reaching(DrawStream& draws, double length) {
   const double off = small_integer(draws, 1);
-  return std::max(length + (draws.below(2) == 1 ? off : off * 0x1p-30), 0.0);
+  return std::max(length + (draws.coin() ? off : off * 0x1p-30), 0.0);
 }
 /// The same as two radii; either may be 0.
 struct Radii {
   double r, s;
 };
 inline Radii reaching_radii(DrawStream& draws, double length) {
-  const double sum = reaching(draws, length), part = std::floor(sum * static_cast<double>(draws.below(5)) / 4);
+  const double sum = reaching(draws, length), part = std::floor(sum * up_to(draws, 4) / 4);
   return {sum - part, part};
 }
 
 /// The double nearest to a length, or a few beside it.
 inline double near_length(DrawStream& draws, const Vector3d& v) {
-  return std::fabs(moved_by_ulps(std::sqrt(dot(v, v)), static_cast<int>(draws.below(5)) - 2));
+  return std::fabs(moved_by_ulps(std::sqrt(dot(v, v)), integer_in(draws, -2, 2)));
 }
 
 /// x / r is next to the root of 2: x^2 - 2 r^2 is 1 or -1 (Pell).

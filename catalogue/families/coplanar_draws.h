@@ -17,7 +17,7 @@ class CoplanarDraws {
   explicit CoplanarDraws(DrawStream& draws) : draws_(draws), plane_(LatticePlane::of(draws, 6)) {
     static constexpr std::array<Vector3d, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const std::size_t axis = draws.below(3), next = axis + 1 + draws.below(2);
-    if (draws.below(2) == 0) plane_.u = axes[axis], plane_.v = axes[next % 3];
+    if (!draws.coin()) plane_.u = axes[axis], plane_.v = axes[next % 3];
   }
 
   Triangle3d triangle() { return in_some_order({plane_.at(0, 0), plane_.at(12, 0), plane_.at(0, 12)}, draws_); }
@@ -46,7 +46,7 @@ class CoplanarDraws {
       case 0: return segment_of({{i, -out()}, {-out(), on_edge()}});  // across two edges, or past their corner
       case 1: return segment_of({{any(), j}, {any(), j}});            // along an edge, or one unit beside it
       case 2: {                                                       // at a corner, or one unit beside it
-        const double x = out(), y = out(), more = 1 + static_cast<double>(draws_.below(3));
+        const double x = out(), y = out(), more = one_to(draws_, 3);
         return segment_of({{x + j, -y}, {-more * x + j, more * y}});
       }
       case 3: return segment_of({{0, 0}, {any(), any()}});  // from a corner
@@ -65,21 +65,21 @@ class CoplanarDraws {
     Place a, b, c;
   };
 
-  double on_edge() { return 1 + static_cast<double>(draws_.below(11)); }
-  double out() { return 1 + static_cast<double>(draws_.below(12)); }
+  double on_edge() { return one_to(draws_, 11); }
+  double out() { return one_to(draws_, 12); }
   double any() { return small_integer(draws_, 20); }
   Place at_edge() {
     const double i = on_edge();
     return {i, std::array{0.0, 0.0, -1.0, 1.0}[draws_.below(4)]};
   }
   Place within() {
-    const std::uint64_t boundary = draws_.below(8) == 7 ? 1 : 0;
+    const std::uint64_t boundary = draws_.one_in(8) ? 1 : 0;
     const std::uint64_t i = 1 - boundary + draws_.below(10 + 3 * boundary);
     return {static_cast<double>(i), static_cast<double>(1 - boundary + draws_.below(11 + 2 * boundary - i))};
   }
   Point3d at(const Place& place) const { return plane_.at(place.i, place.j); }
   Segment3d segment_of(const Ends& p) {
-    return draws_.below(2) == 1 ? Segment3d{at(p.b), at(p.a)} : Segment3d{at(p.a), at(p.b)};
+    return draws_.coin() ? Segment3d{at(p.b), at(p.a)} : Segment3d{at(p.a), at(p.b)};
   }
   Triangle3d triangle_of(const Corners& p) { return in_some_order({at(p.a), at(p.b), at(p.c)}, draws_); }
 

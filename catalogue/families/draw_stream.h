@@ -25,6 +25,7 @@ class DrawStream {
   }
 
   bool one_in(std::uint64_t n) { return below(n) == n - 1; }
+  bool coin() { return one_in(2); }
   std::uint64_t any_bits() { return source_ == Source::seeded && !record_ ? next() : recorded_below(0); }
 
   /// The bytes taken so far by a recording stream.

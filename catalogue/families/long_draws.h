@@ -12,13 +12,10 @@ namespace touchstone::catalogue {
 /// All 53 bits, 1 <= |x| < 2.
 inline double long_number(DrawStream& draws) {
   const double x = 1 + std::ldexp(static_cast<double>(draws.below(std::uint64_t{1} << 52)), -52);
-  return draws.below(2) == 1 ? -x : x;
+  return either_sign(draws) * x;
 }
 
-inline Vector2d long_direction(DrawStream& draws) {
-  const double x = long_number(draws);
-  return {x, long_number(draws)};
-}
+inline Vector2d long_direction(DrawStream& draws) { return {long_number(draws), long_number(draws)}; }
 
 /// Three points on one line through the origin, the third between the others. The differences from the first are about
 /// as long as it, and none of them is a double: that is where an orientation is off most.
@@ -27,7 +24,7 @@ struct LongTriple {
 };
 inline LongTriple long_triple(DrawStream& draws) {
   const Vector2d v = long_direction(draws);
-  const int last = 1 + static_cast<int>(draws.below(3)), between = last + 1 + static_cast<int>(draws.below(4));
+  const int last = integer_in(draws, 1, 3), between = last + integer_in(draws, 1, 4);
   const double a = std::ldexp(-1, -last), b = std::ldexp(-1, -between);
   return {{v.x, v.y}, {a * v.x, a * v.y}, {b * v.x, b * v.y}};
 }

@@ -8,11 +8,10 @@
 namespace touchstone::catalogue {
 
 double integer(DrawStream& draws, int bits) {
-  const auto width = static_cast<int>(draws.below(8)) < 5
-                         ? std::min(bits, 3)
-                         : 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(bits)));
+  const auto width = integer_in(draws, 0, 7) < 5 ? std::min(bits, 3)
+                                                 : 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(bits)));
   const std::uint64_t size = draws.below(std::uint64_t{1} << width);
-  return draws.below(2) == 1 ? -static_cast<double>(size) : static_cast<double>(size);
+  return draws.coin() ? -static_cast<double>(size) : static_cast<double>(size);
 }
 
 double any_finite(DrawStream& draws) {
@@ -32,13 +31,13 @@ double typed(DrawStream& draws) {
                                                  1.0 / 3, 2.0 / 3,   0.6,  1.1,     3.3, 10,  12.5, 99.99,
                                                  100,     1000000.1, 1e-3, 3.14159, 0.9, 0.4, 0.8,  1e6};
   const double value = values[draws.below(values.size())];
-  return draws.below(4) == 3 ? -value : value;
+  return draws.one_in(4) ? -value : value;
 }
 
 double mixed_exponent(DrawStream& draws) {
-  const auto significand = static_cast<double>(draws.below(16));
-  const double sign = draws.below(2) == 1 ? -1 : 1;
-  const int exponent = static_cast<int>(draws.below(2095)) - 1074;  // 15 * 2^1020 is the greatest
+  const auto significand = up_to(draws, 15);
+  const double sign = either_sign(draws);
+  const int exponent = integer_in(draws, -1074, 1020);  // 15 * 2^1020 is the greatest
   return sign * std::ldexp(significand, exponent);
 }
 
@@ -51,13 +50,13 @@ int scale_exponent(DrawStream& draws) {
     case 12: return -537;
     case 13: return -1074;
     case 14: return 960;
-    case 15: return static_cast<int>(draws.below(1900)) - 1000;
+    case 15: return integer_in(draws, -1000, 899);
   }
 }
 
 double beside_half_an_ulp(DrawStream& draws, int first, int places) {
   const double bit = std::ldexp(1, first - static_cast<int>(draws.below(static_cast<std::uint64_t>(places))));
-  return draws.below(2) == 1 ? 0x1p-53 - bit : 0x1p-53 + bit;
+  return draws.coin() ? 0x1p-53 - bit : 0x1p-53 + bit;
 }
 
 std::size_t list_length(DrawStream& draws) {

@@ -20,7 +20,7 @@ inline std::array<Vector3d*, 3> each_of(HalfAxes3d& h) { return {&h.u, &h.v, &h.
 
 /// The coordinate axes times even integers, in any order.
 inline HalfAxes3d straight_half_axes(DrawStream& c) {
-  const auto length = [&c] { return 2 * static_cast<double>(1 + c.below(4)); };
+  const auto length = [&c] { return 2 * one_to(c, 4); };
   const double x = length(), y = length(), z = length();
   const Vector3d a{x, 0, 0}, b{0, y, 0}, d{0, 0, z};
   switch (c.below(3)) {
@@ -32,12 +32,11 @@ inline HalfAxes3d straight_half_axes(DrawStream& c) {
 
 /// At right angles to each other: a turn by an integer quaternion.
 inline HalfAxes3d turned_half_axes(DrawStream& c) {
-  const double a = 1 + static_cast<double>(c.below(3)), p = small_integer(c, 3), q = small_integer(c, 3),
-               r = small_integer(c, 3);
+  const double a = one_to(c, 3), p = small_integer(c, 3), q = small_integer(c, 3), r = small_integer(c, 3);
   HalfAxes3d h{{a * a + p * p - q * q - r * r, 2 * (p * q + a * r), 2 * (p * r - a * q)},
                {2 * (p * q - a * r), a * a - p * p + q * q - r * r, 2 * (q * r + a * p)},
                {2 * (p * r + a * q), 2 * (q * r - a * p), a * a - p * p - q * q + r * r}};
-  for (Vector3d* axis : each_of(h)) *axis = 2 * static_cast<double>(1 + c.below(3)) * *axis;
+  for (Vector3d* axis : each_of(h)) *axis = 2 * one_to(c, 3) * *axis;
   return h;
 }
 
@@ -51,8 +50,7 @@ inline HalfAxes3d skew_half_axes(DrawStream& c, int bits = 3) {
 
 /// Nearly dependent: the second differs from the first by little, the third from their plane.
 inline HalfAxes3d slanted_half_axes(DrawStream& c) {
-  const Vector3d u = 2.0 * lattice_normal(c, 20);
-  const Vector3d little = 2.0 * lattice_normal(c, 2);
+  const Vector3d u = 2.0 * lattice_normal(c, 20), little = 2.0 * lattice_normal(c, 2);
   const double k = small_integer(c, 2);
   const HalfAxes3d h{u, u + little, k * u + 2.0 * lattice_normal(c, 2)};
   return volume_of(h) == 0 ? HalfAxes3d{u, {2, 2 * u.x + 2, 0}, {0, 0, 2 * u.x * u.x + 2}} : h;
@@ -72,15 +70,26 @@ inline Obb3d lattice_obb(DrawStream& c) {
   return {lattice_point_in_space(c, 20), h};
 }
 
+inline HalfAxes3d ordinary_half_axes(DrawStream& c) {
+  const auto axis = [&c] { return Vector3d{ordinary(c), ordinary(c), ordinary(c)}; };
+  return {axis(), axis(), axis()};
+}
+
 /// center + (r u + s v + t w) / 2
 inline Point3d halves_along(const Obb3d& box, double r, double s, double t) {
   const auto& [u, v, w] = box.half_axes;
   return box.center + (r / 2 * u + (s / 2 * v + t / 2 * w));
 }
 
+/// Inside, or on the boundary.
+inline Point3d in_obb(const Obb3d& box, DrawStream& c) {
+  const double r = small_integer(c, 2), s = small_integer(c, 2);
+  return halves_along(box, r, s, small_integer(c, 2));
+}
+
 /// On the boundary: on a face, on an edge, or a corner.
 inline Point3d on_obb(const Obb3d& box, DrawStream& c) {
-  const double one = c.below(2) == 1 ? -2 : 2, other = small_integer(c, 2), third = small_integer(c, 2);
+  const double one = either_sign(c) * 2, other = small_integer(c, 2), third = small_integer(c, 2);
   switch (c.below(3)) {
     case 0: return halves_along(box, one, other, third);
     case 1: return halves_along(box, other, one, third);
@@ -115,7 +124,7 @@ inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, D
   if (largest == 0) return boxes;  // parallel
   static constexpr double gaps[] = {1, 1, 1, 1, 1, -1, -1, 0};
   const double gap = gaps[c.below(8)];
-  const int size = -std::ilogb(largest) - 2 - static_cast<int>(c.below(16));
+  const int size = -std::ilogb(largest) - 2 - integer_in(c, 0, 15);
   b.center = b.center + std::ldexp(gap, size) * n;
   return boxes;
 }
@@ -125,11 +134,9 @@ inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, D
 inline std::pair<Obb3d, Obb3d> beams_on_edge(DrawStream& c) {
   static constexpr double halves[] = {0.5e-4, 0.5e-3, 0.5e-5, 0.5e-6};
   const double half = halves[c.below(4)], length = 2 / half * scaled_up(c, 4, 8), more = 1 + half * half;
-  const double x = (1 - half * half) / more, y = 2 * half / more;
-  const double r = 1 + static_cast<double>(c.below(4)), s = 1 + static_cast<double>(c.below(4));
-  const double way = small_integer(c, 2), gap = std::ldexp(way, -static_cast<int>(c.below(20)));
-  const Obb3d below{{0, 0, 0}, {{length, 0, 0}, {0, r, r}, {0, -r, r}}};
-  return {below,
+  const double x = (1 - half * half) / more, y = 2 * half / more, r = one_to(c, 4), s = one_to(c, 4);
+  const double way = small_integer(c, 2), gap = std::ldexp(way, -integer_in(c, 0, 19));
+  return {{{0, 0, 0}, {{length, 0, 0}, {0, r, r}, {0, -r, r}}},
           {{small_integer(c, 4), 0, 2 * r + 2 * s + gap},
            {{length * x, length * y, 0}, {-s * y, s * x, s}, {s * y, -s * x, s}}}};
 }
@@ -138,7 +145,7 @@ inline std::pair<Obb3d, Obb3d> beams_on_edge(DrawStream& c) {
 /// halves of these.
 inline Obb3d alike(const Obb3d& a, DrawStream& c) {
   const auto [u, v, w] = a.half_axes;
-  Obb3d b{{}, c.below(2) == 1 ? HalfAxes3d{v, w, u} : HalfAxes3d{u, v, w}};
+  Obb3d b{{}, c.coin() ? HalfAxes3d{v, w, u} : HalfAxes3d{u, v, w}};
   for (Vector3d* axis : each_of(b.half_axes)) {
     static constexpr double factors[] = {1, 0.5, 2, -1};
     *axis = factors[c.below(4)] * *axis;
@@ -148,32 +155,12 @@ inline Obb3d alike(const Obb3d& a, DrawStream& c) {
   return b;
 }
 
-/// Each coordinate by its own power of two: past the lattice, past the filter's guard, below its absolute term.
-class Stretch {
- public:
-  explicit Stretch(DrawStream& c) {
-    static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, -355};
-    for (int& e : exponents_) e = exponents[c.below(7)];
-  }
-  template <class T>
-  void operator()(T& v) const {
-    v = {std::ldexp(v.x, exponents_[0]), std::ldexp(v.y, exponents_[1]), std::ldexp(v.z, exponents_[2])};
-  }
-  void operator()(Obb3d& box) const {
-    (*this)(box.center);
-    for (Vector3d* axis : each_of(box.half_axes)) (*this)(*axis);
-  }
-
- private:
-  std::array<int, 3> exponents_{};
-};
-
 /// A box around the origin, each half axis of its own size, from one end of the range to the other.
 inline Obb3d long_and_thin_obb(DrawStream& c) {
   Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
   for (Vector3d* axis : each_of(box.half_axes)) {
-    const int k = static_cast<int>(c.below(2000)) - 1080;
-    *axis = {std::ldexp(axis->x, k), std::ldexp(axis->y, k), std::ldexp(axis->z, k)};
+    const int k = integer_in(c, -1080, 919);
+    *axis = scaled(*axis, k);
   }
   return box;
 }

@@ -32,7 +32,7 @@ void exchange_two(Polygon2d& ring, DrawStream& c) {
 /// A rectangle, or one with a corner taken out, with every lattice point of its boundary as a vertex.
 Polygon2d lattice_boundary(DrawStream& c) {
   const auto a = static_cast<int>(1 + c.below(5)), b = static_cast<int>(1 + c.below(5));
-  const bool notched = c.below(2) == 1;
+  const bool notched = c.coin();
   std::vector<Point2d> corners{{0, 0}, {2.0 * a, 0}, {2.0 * a, 1.0 * b}};
   if (notched) corners.insert(corners.end(), {{1.0 * a, 1.0 * b}, {1.0 * a, 2.0 * b}});
   else corners.push_back({2.0 * a, 2.0 * b});
@@ -84,8 +84,8 @@ Polygon2d slit_frame(DrawStream& c) {
 
 /// Corners as people type them, 1e6 + 0.1 and tenths around it.
 Polygon2d typed_ring(DrawStream& c) {
-  const double where = c.below(2) == 1 ? 1e6 + 0.1 : 0.1;
-  Polygon2d ring = c.below(2) == 1 ? comb_ring(c) : star_ring(c);
+  const double where = c.coin() ? 1e6 + 0.1 : 0.1;
+  Polygon2d ring = c.coin() ? comb_ring(c) : star_ring(c);
   for (Point2d& p : ring.vertices) p = {where + p.x / 10, where + p.y / 10};
   return ring;
 }
@@ -108,8 +108,8 @@ Polygon2d long_ring(DrawStream& c) {
 Polygon2d untangled(DrawStream& c) {
   Polygon2d ring;
   for (std::uint64_t more = 4 + c.below(6); more > 0; --more) {
-    const double x = static_cast<double>(c.below(7));
-    ring.vertices.push_back({x, static_cast<double>(c.below(7))});
+    const double x = up_to(c, 6);
+    ring.vertices.push_back({x, up_to(c, 6)});
   }
   untangle(ring);
   return ring;
@@ -118,19 +118,19 @@ Polygon2d untangled(DrawStream& c) {
 /// Edges that become neighbours of a sweep only when two others end; they cross in the one ring, and in the other
 /// nothing does.
 Rings late_neighbours(DrawStream& c) {
-  if (c.below(2) == 0) return turned({{{0, 0}, {10, 10}, {10, 1}, {0, 8}, {1, 4}}}, c);
+  if (!c.coin()) return turned({{{0, 0}, {10, 10}, {10, 1}, {0, 8}, {1, 4}}}, c);
   return turned({{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {2, 1}, {1, 0}}}, c);
 }
 
 /// Chains of a sweep that grow at one end and at once at the other.
 Rings growing_chains(DrawStream& c) {
-  if (c.below(2) == 0) return turned({{{0, 2}, {2, 3}, {5, 6}, {4, 4}, {6, 1}}}, c);
+  if (!c.coin()) return turned({{{0, 2}, {2, 3}, {5, 6}, {4, 4}, {6, 1}}}, c);
   return turned({{{0, 1}, {3, 2}, {2, 1}, {3, 0}, {1, 1}}}, c);
 }
 
 /// A chain of a sweep that splits at its end; sides of pieces that are looked at twice.
 Rings split_chain(DrawStream& c) {
-  if (c.below(2) == 0) return turned({{{2, 0}, {1, 2}, {1, 3}, {0, 1}, {2, 6}, {4, 3}, {2, 2}, {5, 0}}}, c);
+  if (!c.coin()) return turned({{{2, 0}, {1, 2}, {1, 3}, {0, 1}, {2, 6}, {4, 3}, {2, 2}, {5, 0}}}, c);
   return turned({{{8.000000000000002, 0}, {8, 4}, {8, 8}, {0, 0}, {1, 0}, {2, 0}, {4, 0}}}, c);
 }
 
@@ -161,49 +161,46 @@ Polygon2d defective(DrawStream& c) {
 template <Polygon2d (*Ring)(DrawStream&)>
 Rings turned_ring(DrawStream& c) {
   Polygon2d ring = Ring(c);
-  if (c.below(2) == 1) {
+  if (c.coin()) {
     for (Point2d& p : ring.vertices) std::swap(p.x, p.y);
   }
   return {turned(ring, c)};
 }
 
-Polygon2d flat_vertices(DrawStream& c) {
-  const Polygon2d ring = simple_ring(c);
-  return with_flat_vertices(ring, c);
-}
+Polygon2d flat_vertices(DrawStream& c) { return with_flat_vertices(simple_ring(c), c); }
 
 Rings closed_ring(DrawStream& c) {
-  const Polygon2d ring = c.below(2) == 0 ? simple_ring(c) : flat_vertices(c);
+  const Polygon2d ring = c.coin() ? flat_vertices(c) : simple_ring(c);
   return {closed(turned(ring, c), c)};
 }
 
 /// Flat but for rounding, in many places.
 Polygon2d computed(DrawStream& c) {
-  Polygon2d ring = c.below(2) == 0 ? lattice_boundary(c) : c.below(2) == 0 ? strip(c) : flat_vertices(c);
+  Polygon2d ring = !c.coin() ? lattice_boundary(c) : c.coin() ? flat_vertices(c) : strip(c);
   compute(ring.vertices, c);
   return ring;
 }
 
 }  // namespace
 
-std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases() {
-  return {{"convex", turned_ring<convex_ring>},
-          {"star", turned_ring<star_ring>},
-          {"comb", turned_ring<comb_ring>},
-          {"flat_vertices", turned_ring<flat_vertices>},
-          {"lattice_boundary", turned_ring<lattice_boundary>},
-          {"strip", turned_ring<strip>},
-          {"spiral", turned_ring<spiral>},
-          {"slit_frame", turned_ring<slit_frame>},
-          {"typed_ring", turned_ring<typed_ring>},
-          {"long", turned_ring<long_ring>},
-          {"untangled", turned_ring<untangled>},
-          {"late_neighbours", late_neighbours},
-          {"growing_chains", growing_chains},
-          {"split_chain", split_chain},
-          {"defective", turned_ring<defective>},
-          {"computed", turned_ring<computed>},
-          {"closed_ring", closed_ring}};
+void simple_ring_cases(HardCases<std::tuple<Polygon2d>>& add) {
+  add("convex", turned_ring<convex_ring>);
+  add("star", turned_ring<star_ring>);
+  add("comb", turned_ring<comb_ring>);
+  add("flat_vertices", turned_ring<flat_vertices>);
+  add("lattice_boundary", turned_ring<lattice_boundary>);
+  add("strip", turned_ring<strip>);
+  add("spiral", turned_ring<spiral>);
+  add("slit_frame", turned_ring<slit_frame>);
+  add("typed_ring", turned_ring<typed_ring>);
+  add("long", turned_ring<long_ring>);
+  add("untangled", turned_ring<untangled>);
+  add("late_neighbours", late_neighbours);
+  add("growing_chains", growing_chains);
+  add("split_chain", split_chain);
+  add("defective", turned_ring<defective>);
+  add("computed", turned_ring<computed>);
+  add("closed_ring", closed_ring);
 }
 
 }  // namespace touchstone::catalogue

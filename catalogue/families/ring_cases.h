@@ -15,7 +15,7 @@ namespace touchstone::catalogue {
 /// between two parts; coordinates near 1e6 + 0.1; up to 200 vertices; as people type and compute them; with the first
 /// vertex once more at the end; and rings that are refused. All upright or lying, in either direction, from any vertex
 /// on.
-std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases();
+void simple_ring_cases(HardCases<std::tuple<Polygon2d>>& add);
 
 /// The polygon and its pieces.
 inline void draw_pieces(Drawing& drawing, const std::tuple<Polygon2d>& question,

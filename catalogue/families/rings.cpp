@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "catalogue/families/list_draws.h"
-#include "catalogue/families/numbers.h"
+#include "catalogue/families/plane_draws.h"
 #include "oracle/rings/simple.h"
 
 namespace touchstone::catalogue {
@@ -32,10 +32,7 @@ Polygon2d moved(Polygon2d ring, const Vector2d& by) {
   return ring;
 }
 
-Vector2d small_vector(DrawStream& draws) {
-  const double x = integer(draws, 24);
-  return {x, integer(draws, 24)};
-}
+Vector2d small_vector(DrawStream& draws) { return {integer(draws, 24), integer(draws, 24)}; }
 
 }  // namespace
 
@@ -59,15 +56,15 @@ Polygon2d convex_ring(DrawStream& draws) {
 Polygon2d long_convex_ring(DrawStream& draws) {
   double slope = 0;
   std::vector<Vector2d> edges = long_list(draws, [&slope](DrawStream& c) {
-    const double x = 1 + static_cast<double>(c.below(4));
-    slope += 1 + static_cast<double>(c.below(2));
+    const double x = one_to(c, 4);
+    slope += one_to(c, 2);
     return Vector2d{x, slope * x};
   });
   if (edges.size() < 2) edges.push_back({1, slope + 1});
   Polygon2d ring;
   Point2d p{0, 0};
   for (const Vector2d& edge : edges) ring.vertices.push_back(p), p = p + edge;
-  if (draws.below(2) == 1 || edges.size() > 16) {  // back by one edge
+  if (draws.coin() || edges.size() > 16) {  // back by one edge
     ring.vertices.push_back(p);
     return ring;
   }
@@ -111,7 +108,7 @@ Polygon2d simple_ring(DrawStream& draws) {
 Polygon2d turned(Polygon2d ring, DrawStream& draws) {
   const auto first = static_cast<std::ptrdiff_t>(draws.below(ring.size()));
   std::rotate(ring.vertices.begin(), ring.vertices.begin() + first, ring.vertices.end());
-  if (draws.below(2) == 1) std::reverse(ring.vertices.begin(), ring.vertices.end());
+  if (draws.coin()) std::reverse(ring.vertices.begin(), ring.vertices.end());
   return ring;
 }
 
@@ -127,7 +124,7 @@ Polygon2d with_flat_runs(Polygon2d ring, DrawStream& draws) {
   const auto fewest = static_cast<int>(3 - draws.below(3));
   Polygon2d fine;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const int parts = fewest + static_cast<int>(draws.below(2));
+    const int parts = fewest + integer_in(draws, 0, 1);
     const Vector2d step = 12.0 / parts * (ring.next(i) - ring[i]);
     for (int part = 0; part < parts; ++part) {
       fine.vertices.push_back({12 * ring[i].x + part * step.x, 12 * ring[i].y + part * step.y});
@@ -177,26 +174,48 @@ Polygon2d closed(Polygon2d ring, DrawStream& draws) {
   const bool from_zero = kind >= 5 && kind < 8;
   if (from_zero) ring = moved(ring, {-ring[0].x, -ring[0].y});
   const Point2d first = ring[0];
-  ring.vertices.push_back(from_zero ? Point2d{-0.0, draws.below(2) == 1 ? -0.0 : 0.0} : first);
+  ring.vertices.push_back(from_zero ? Point2d{-0.0, zero(draws)} : first);
   if (kind == 8) ring.vertices.push_back(first);
   return ring;
 }
 
+Point2d on_line_of_an_edge(const Polygon2d& ring, DrawStream& draws) {
+  const std::size_t i = draws.below(ring.size());
+  return along(ring[i], small_integer(draws), ring.next(i) - ring[i]);
+}
+
+std::tuple<Polygon2d, Point2d> needle_and_point(DrawStream& draws) {
+  const Point2d a = lattice_point(draws);
+  const Vector2d v = lattice_direction(draws, 40);
+  const double width = small_integer(draws, 1);
+  return {turned({{a, along(a, 4, v), {a.x + width, a.y + 1}}}, draws), beside(along(a, up_to(draws, 4), v), draws)};
+}
+
+Polygon2d nearly_flat_ring(DrawStream& draws) {
+  const Point2d p = lattice_point(draws, 40);
+  const double x = std::fabs(integer(draws, 40)) + 1, y = integer(draws, 40), off = small_integer(draws, 1);
+  return turned({{p, {p.x + x, p.y + y}, {p.x + 2 * x, p.y + 2 * y + off}, {p.x + x, p.y + 0x1p42}}}, draws);
+}
+
+Polygon2d typed_flat_ring(DrawStream& draws) {
+  const double x = typed(draws), y = typed(draws), far = typed(draws);
+  return turned({{{0, 0}, {x, y}, {2 * x, 2 * y}, {3 * x, 3 * y}, {far, -far}}}, draws);
+}
+
 Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws) {
   const std::size_t i = draws.below(ring.size());
-  return ring[i] + static_cast<double>(draws.below(9)) / 8 * (ring.next(i) - ring[i]);
+  return ring[i] + up_to(draws, 8) / 8 * (ring.next(i) - ring[i]);
 }
 
 Point2d beside(const Point2d& p, DrawStream& draws) {
-  const double x = small_integer(draws, 2), y = small_integer(draws, 2);
-  return {p.x + x, p.y + y};
+  return {p.x + small_integer(draws, 2), p.y + small_integer(draws, 2)};
 }
 
 std::tuple<Polygon2d, Point2d> beside_least_edge(DrawStream& draws) {
   const auto high = [](double y) { return std::ldexp(y, -1028); };  // 64: the least normal number
-  const double x = static_cast<double>(draws.below(65)) / 16, y = 16 * x + small_integer(draws, 4);
+  const double x = up_to(draws, 64) / 16, y = 16 * x + small_integer(draws, 4);
   const double top = static_cast<double>(65 + draws.below(1 << 13));
-  return {turned({{{0, 0}, {4, high(64)}, {draws.below(2) == 1 ? 0.0 : -3.0, high(top)}}}, draws), {x, high(y)}};
+  return {turned({{{0, 0}, {4, high(64)}, {draws.coin() ? 0.0 : -3.0, high(top)}}}, draws), {x, high(y)}};
 }
 
 void untangle(Polygon2d& ring) {

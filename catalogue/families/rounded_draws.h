@@ -19,10 +19,10 @@ struct RoundedTriple {
 /// stands, downwards when rotated by 180 degrees.
 inline RoundedTriple rounded_triple(DrawStream& draws, bool on_line) {
   constexpr double u = 0x1p-52;
-  const double least = std::ldexp(1, -107 - static_cast<int>(draws.below(200)));
+  const double least = std::ldexp(1, -107 - integer_in(draws, 0, 199));
   // (1 + dx)(1 + 2u + dy) - (1 + u - dy)(1 + u - dx) = (2 + 3u) dx + (2 + u) dy - u^2 is 0 for the greater two.
   const double dx = on_line ? 0x1p-106 * (1 + u) : least, dy = on_line ? 0x1p-106 * (1 - 3 * u) : least;
-  const double turned = draws.below(2) == 1 ? -1 : 1;
+  const double turned = either_sign(draws);
   return {{-turned * dx, -turned * dy}, {turned, -turned * (1 + u)}, {-turned * (1 + u), turned * (1 + 2 * u)}};
 }
 

@@ -21,14 +21,14 @@ inline Program many_answers(DrawStream& c) {
   while (p.there().size() < 17 || (p.there().size() < 64 && c.below(16) != 0)) p.start_with(body());
   for (std::uint64_t left = c.below(3); left > 0; --left) p.move(shifted(body(), 20, 0, 0));
   for (std::uint64_t left = 1 + c.below(2); left > 0; --left) {
-    const auto in_square = [&c] { return static_cast<double>(c.below(3)) / 2; };
+    const auto in_square = [&c] { return up_to(c, 2) / 2; };
     const double y = in_square(), z = in_square();
     switch (c.below(3)) {
       case 0: p.ask_in(body()); break;
       case 1: p.ask_at({0, y, z}); break;
       default: {
-        const double from = c.below(4) == 3 ? 0 : -16;
-        p.ask_along(c.below(2) == 1 ? Ray3d{{-from, y, z}, {-1, 0, 0}} : Ray3d{{from, y, z}, {2, 0, 0}});
+        const double from = c.one_in(4) ? 0 : -16;
+        p.ask_along(c.coin() ? Ray3d{{-from, y, z}, {-1, 0, 0}} : Ray3d{{from, y, z}, {2, 0, 0}});
       }
     }
   }
@@ -40,7 +40,7 @@ inline Program many_answers(DrawStream& c) {
 /// same double, or their products with reciprocals do. An index that is greater may come first.
 inline Program met_nearly_at_once(DrawStream& c) {
   Programming p(c);
-  const double n = std::ldexp(1, 2 + static_cast<int>(c.below(48))) + static_cast<double>(c.below(8));
+  const double n = power_of_two(c, 2, 49) + up_to(c, 7);
   const Point3d origin = lattice_point_of_box(c, 2);
   struct Axis {
     double Point3d::*position;
@@ -48,14 +48,14 @@ inline Program met_nearly_at_once(DrawStream& c) {
   };
   std::array<Axis, 3> axes{{{&Point3d::x, 0, 0}, {&Point3d::y, 0, 0}, {&Point3d::z, 0, 0}}};
   for (Axis& axis : axes) {
-    const double own = n + static_cast<double>(c.below(3)), factor = static_cast<double>(1 + c.below(3));
-    const double side = c.below(2) == 1 ? -factor : factor;
+    const double own = n + up_to(c, 2), factor = one_to(c, 3);
+    const double side = either_sign(c) * factor;
     axis.distance = side * (own - 1), axis.speed = side * own;
   }
   for (std::uint64_t left = 2 + c.below(6); left > 0; --left) {
     Aabb3d box{{-0x1p60, -0x1p60, -0x1p60}, {0x1p60, 0x1p60, 0x1p60}};
     const Axis& axis = axes[c.below(3)];
-    const double farther = c.below(4) == 3 ? small_integer(c, 1) : 0;
+    const double farther = c.one_in(4) ? small_integer(c, 1) : 0;
     Point3d& near_corner = axis.speed > 0 ? box.min : box.max;
     near_corner.*axis.position = origin.*axis.position + axis.distance + farther;
     p.start_with(box);

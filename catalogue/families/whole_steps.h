@@ -27,9 +27,9 @@ inline Step whole_step(DrawStream& draws) {
                                                                {4, 4, 7, 9},
                                                                {0, 8, 15, 17},
                                                                {2, 10, 11, 15}}};
-  const bool in_plane = draws.below(2) == 1;
+  const bool in_plane = draws.coin();
   const auto [x, y, z, length] = steps[draws.below(in_plane ? 4 : 9)];
-  const double k = 1 + static_cast<double>(draws.below(1 << 12));
+  const double k = one_to(draws, 1 << 12);
   return {{k * x, k * y, k * z}, k * length, in_plane};
 }
 

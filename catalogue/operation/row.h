@@ -24,7 +24,9 @@
 ///     add("whose it is", [](const auto&... q) { return ...; });
 ///   }
 ///   static const Metadata& metadata();               fields, pages, kind of judgement
-///   static std::vector<HardCase<Question>> hard_cases();
+///   static void hard_cases(HardCases<Question>& add) {        families that are hard on purpose:
+///     add("shared_end", [](DrawStream& c) -> Question { return ...; });
+///   }
 ///   struct decision { ... };                 decisions alone (below), or using decision = NoDecision;
 ///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.

@@ -157,7 +157,7 @@ struct RowOf {
   static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last, std::size_t list_length);
 
   static const std::vector<HardCase<Asked>>& hard_cases() {
-    static const std::vector<HardCase<Asked>> all = Row::hard_cases();
+    static const std::vector<HardCase<Asked>> all = hard_cases_of<Row>();
     return all;
   }
   static Question draw_hard_case(std::size_t which, DrawStream& draws) {

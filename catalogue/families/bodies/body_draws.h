@@ -19,10 +19,7 @@ Bodies drawn_bodies(DrawStream& c, const Draw& draw) {
   return list;
 }
 
-inline Bodyd lattice_body(DrawStream& c) {
-  const double m = lattice_mass(c);
-  return {m, lattice_velocity(c, 20)};
-}
+inline Bodyd lattice_body(DrawStream& c) { return {lattice_mass(c), lattice_velocity(c, 20)}; }
 inline Bodies lattice_bodies(DrawStream& c) { return drawn_bodies(c, lattice_body); }
 
 /// Each of which counts.
@@ -33,17 +30,17 @@ inline Bodies cancelling_bodies(DrawStream& c) {
   Bodies list;
   while (list.size() < 8 && c.below(4) != 0) {
     const Vector3d v = ordinary_vector(c);
-    const int k = static_cast<int>(c.below(40)) - 20;
+    const int k = integer_in(c, -20, 19);
     list.push_back({1, v}), list.push_back({std::ldexp(1, k), -std::ldexp(1, -k) * v});
   }
-  if (c.below(2) == 1) list.push_back({std::ldexp(1, -static_cast<int>(c.below(120))), ordinary_vector(c)});
+  if (c.coin()) list.push_back({std::ldexp(1, -integer_in(c, 0, 119)), ordinary_vector(c)});
   return list;
 }
 
 /// Heavy and slow next to light and fast.
 inline Bodies far_apart_bodies(DrawStream& c) {
   return drawn_bodies(c, [](DrawStream& d) {
-    const int k = static_cast<int>(d.below(1001)) - 500, l = static_cast<int>(d.below(1001)) - 500;
+    const int k = integer_in(d, -500, 500), l = integer_in(d, -500, 500);
     const double m = 1 + std::fabs(ordinary(d));
     return Bodyd{std::ldexp(m, k), std::ldexp(1, l) * ordinary_vector(d)};
   });
@@ -53,8 +50,8 @@ inline Bodies far_apart_bodies(DrawStream& c) {
 inline Bodies bodies_at_the_end(DrawStream& c) {
   return drawn_bodies(c, [](DrawStream& d) {
     const double m = 1 + std::fabs(ordinary(d));
-    const int k = static_cast<int>(d.below(60));
-    return Bodyd{std::ldexp(m, d.below(4) == 3 ? 500 + k / 4 : -520 - k), at_the_end_of_products(d)};
+    const int k = integer_in(d, 0, 59);
+    return Bodyd{std::ldexp(m, d.one_in(4) ? 500 + k / 4 : -520 - k), at_the_end_of_products(d)};
   });
 }
 
@@ -68,9 +65,9 @@ inline Bodies bodies_at_end_of_range(DrawStream& c) {
 /// A mass of 0 or less, somewhere.
 inline Bodies bodies_without_a_mass(DrawStream& c) {
   Bodies list = lattice_bodies(c);
-  const double mass = c.below(2) == 1 ? -0x1p-1074 : either_zero(c);
+  const double mass = c.coin() ? -0x1p-1074 : zero(c);
   list.push_back({mass, lattice_velocity(c, 4)});
-  while (list.size() < 12 && c.below(2) == 1) list.push_back(lattice_body(c));
+  while (list.size() < 12 && c.coin()) list.push_back(lattice_body(c));
   return list;
 }
 

@@ -15,23 +15,15 @@ struct Bounce {
 };
 
 inline Vector3d lattice_velocity(DrawStream& c, int bits = 26) {
-  const double x = integer(c, bits), y = integer(c, bits);
-  return {x, y, integer(c, bits)};
+  return {integer(c, bits), integer(c, bits), integer(c, bits)};
 }
-inline Vector3d ordinary_vector(DrawStream& c) {
-  const double x = ordinary(c), y = ordinary(c);
-  return {x, y, ordinary(c)};
-}
-inline double either_zero(DrawStream& c) { return c.below(2) == 1 ? -0.0 : 0.0; }
-inline Vector3d zero_vector(DrawStream& c) {
-  const double x = either_zero(c), y = either_zero(c);
-  return {x, y, either_zero(c)};
-}
+inline Vector3d ordinary_vector(DrawStream& c) { return {ordinary(c), ordinary(c), ordinary(c)}; }
+inline Vector3d zero_vector(DrawStream& c) { return {zero(c), zero(c), zero(c)}; }
 
 /// The normal along an axis, of any sign: zeros next to one number.
 inline Vector3d axis_normal(DrawStream& c) {
   Vector3d n = zero_vector(c);
-  const double length = 1 + static_cast<double>(c.below(8)), signed_length = c.below(2) == 1 ? -length : length;
+  const double length = one_to(c, 8), signed_length = either_sign(c) * length;
   switch (c.below(3)) {
     case 0: n.y = signed_length; break;
     case 1: n.x = signed_length; break;
@@ -40,10 +32,7 @@ inline Vector3d axis_normal(DrawStream& c) {
   return n;
 }
 
-inline Bounce lattice_bounce(DrawStream& c) {
-  const Vector3d v = lattice_velocity(c);
-  return {v, lattice_normal(c)};
-}
+inline Bounce lattice_bounce(DrawStream& c) { return {lattice_velocity(c), lattice_normal(c)}; }
 
 /// Along the plane: the velocity stays as it is, and both products that cancel are long.
 inline Bounce along_the_plane(DrawStream& c) {
@@ -54,7 +43,7 @@ inline Bounce along_the_plane(DrawStream& c) {
 /// Nearly along the plane: a long part along it, and a short one along the normal.
 inline Bounce grazing(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 10), across = lattice_across(c, n);
-  const double part = small_integer(c), size = std::ldexp(1, static_cast<int>(c.below(36)));
+  const double part = small_integer(c), size = power_of_two(c, 0, 35);
   return {size * across + part * n, n};
 }
 
@@ -65,46 +54,38 @@ inline Bounce straight(DrawStream& c) {
 
 inline Bounce across_an_axis(DrawStream& c) {
   const Vector3d n = axis_normal(c);
-  return {c.below(4) == 3 ? zero_vector(c) : ordinary_vector(c), n};
+  return {c.one_in(4) ? zero_vector(c) : ordinary_vector(c), n};
 }
 
 /// A normal of length 1e-200, 1e200 and beyond, or of subnormal numbers: its squares under- and overflow.
 inline Vector3d stretched_normal(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 20);
   constexpr int lengths[]{-664, 664, -540, 540, -1074, 1000};
-  const int length = lengths[c.below(6)], more = static_cast<int>(c.below(8));
+  const int length = lengths[c.below(6)], more = integer_in(c, 0, 7);
   return std::ldexp(1, length + more) * n;
 }
-inline Bounce stretched_bounce(DrawStream& c) {
-  const Vector3d v = lattice_velocity(c);
-  return {v, stretched_normal(c)};
-}
+inline Bounce stretched_bounce(DrawStream& c) { return {lattice_velocity(c), stretched_normal(c)}; }
 
 /// Full digits at an exponent where a product of two underflows in part, or squares overflow.
 inline double at_the_end(DrawStream& c, int exponent) { return std::ldexp(ordinary(c), exponent); }
 inline Vector3d at_the_end_of_products(DrawStream& c) {
-  const int size = 480 + static_cast<int>(c.below(70)), exponent = c.below(4) == 3 ? size : -size;
-  const double x = at_the_end(c, exponent), y = at_the_end(c, exponent);
-  return {x, y, at_the_end(c, exponent)};
+  const int size = integer_in(c, 480, 549), exponent = c.one_in(4) ? size : -size;
+  return {at_the_end(c, exponent), at_the_end(c, exponent), at_the_end(c, exponent)};
 }
 inline Bounce products_at_the_end(DrawStream& c) {
-  const Vector3d v = c.below(2) == 1 ? ordinary_vector(c) : at_the_end_of_products(c);
+  const Vector3d v = c.coin() ? ordinary_vector(c) : at_the_end_of_products(c);
   return {v, at_the_end_of_products(c)};
 }
 
 /// At a velocity at the end of the range: a component may go beyond it.
 inline Vector3d at_the_end_of_range(DrawStream& c) {
   const auto end = [&c] {
-    const double size = std::numeric_limits<double>::max() / static_cast<double>(1 + c.below(3));
-    return c.below(2) == 1 ? -size : size;
+    const double size = std::numeric_limits<double>::max() / one_to(c, 3);
+    return either_sign(c) * size;
   };
-  const double x = end(), y = end();
-  return {x, y, end()};
+  return {end(), end(), end()};
 }
-inline Bounce at_end_of_range(DrawStream& c) {
-  const Vector3d v = at_the_end_of_range(c);
-  return {v, lattice_normal(c, 3)};
-}
+inline Bounce at_end_of_range(DrawStream& c) { return {at_the_end_of_range(c), lattice_normal(c, 3)}; }
 
 /// With n = (1, b, 0), x - 2 (x + b y) / (1 + b^2) is an odd number of 54 digits, and 1 / (1 + b^2) less: near a tie
 /// by 2^-103 of it.
@@ -117,9 +98,6 @@ inline Bounce bounce_beside_a_tie(DrawStream& c) {
 }
 
 /// No normal.
-inline Bounce without_a_normal(DrawStream& c) {
-  const Vector3d v = lattice_velocity(c);
-  return {v, zero_vector(c)};
-}
+inline Bounce without_a_normal(DrawStream& c) { return {lattice_velocity(c), zero_vector(c)}; }
 
 }  // namespace touchstone::catalogue

@@ -34,10 +34,10 @@ inline Impacting lattice_impacts(DrawStream& c) {
   const std::uint64_t count = 1 + c.below(4);
   while (s.bodies.size() < count) {
     const double x = small_integer(c, 8), y = small_integer(c, 8), z = small_integer(c, 1);
-    const double radius = static_cast<double>(c.below(4)), w = lattice_inverse_mass(c);
+    const double radius = up_to(c, 3), w = lattice_inverse_mass(c);
     s.add({x, y, z}, radius, w, lattice_velocity(c, 4));
   }
-  while (s.walls.size() < 2 && c.below(3) == 2) {
+  while (s.walls.size() < 2 && c.one_in(3)) {
     const Vector3d n = lattice_normal(c, 2);
     s.walls.push_back({n, small_integer(c, 6)});
   }
@@ -48,13 +48,12 @@ inline Impacting lattice_impacts(DrawStream& c) {
 inline Impacting balls_head_on(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const auto [n, length] = whole_normal(c);
-  const double wait = static_cast<double>(c.below(5)) / 4, w = 1 + lattice_inverse_mass(c);
-  const double part = static_cast<double>(c.below(5)) / 4, other = lattice_inverse_mass(c);
-  const Vector3d v = n, u = c.below(2) == 1 ? Vector3d{0, 0, 0} : -1.0 * n;
+  const double wait = up_to(c, 4) / 4, w = 1 + lattice_inverse_mass(c);
+  const double part = up_to(c, 4) / 4, other = lattice_inverse_mass(c);
+  const Vector3d v = n, u = c.coin() ? Vector3d{0, 0, 0} : -1.0 * n;
   const double closing = validation::zero(u.x) && validation::zero(u.y) && validation::zero(u.z) ? 1 : 2;
-  const double speed = validation::zero(other) ? 1 : closing;
-  const double apart = 1 + wait * speed * s.timestep;
-  const double radius = moved_by_ulps((1 - part) * length, static_cast<int>(small_integer(c, 1)));
+  const double speed = validation::zero(other) ? 1 : closing, apart = 1 + wait * speed * s.timestep;
+  const double radius = ulps_apart(c, (1 - part) * length, 1);
   s.add({0, 0, 0}, part * length, w, v);
   s.add(Point3d{0, 0, 0} + apart * n, std::fabs(radius), other, u);
   return s;
@@ -65,12 +64,11 @@ inline Impacting grazing_balls(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const auto [n, length] = whole_normal(c);
   const Vector3d along = lattice_across(c, n);
-  const double part = static_cast<double>(c.below(5)) / 4, w = lattice_inverse_mass(c);
-  const double far = static_cast<double>(c.below(4)) / 4 * s.timestep;
-  const double radius = moved_by_ulps((1 - part) * length, static_cast<int>(small_integer(c, 1)));
+  const double part = up_to(c, 4) / 4, w = lattice_inverse_mass(c), far = up_to(c, 3) / 4 * s.timestep;
+  const double radius = ulps_apart(c, (1 - part) * length, 1);
   s.add(Point3d{0, 0, 0} + (-far) * along, part * length, 1 + lattice_inverse_mass(c), along);
   s.add(Point3d{0, 0, 0} + n, std::fabs(radius), w, {0, 0, 0});
-  if (c.below(4) == 3) s.walls.push_back({n, part * length * length});
+  if (c.one_in(4)) s.walls.push_back({n, part * length * length});
   return s;
 }
 
@@ -79,17 +77,16 @@ inline Impacting row_of_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const auto [n, length] = whole_normal(c);
   const std::uint64_t balls = 2 + c.below(4), moving = 1 + c.below(2);
-  const double speed = 1 + static_cast<double>(c.below(8));
-  const double gap = static_cast<double>(c.below(3)) / 4;
+  const double speed = one_to(c, 8), gap = up_to(c, 2) / 4;
   const bool alike = c.below(4) != 3;
   double place = 0;
   for (std::uint64_t i = 0; i < balls; ++i) {
-    const double w = alike ? 1 : 1 + static_cast<double>(c.below(4));
+    const double w = alike ? 1 : one_to(c, 4);
     const Vector3d v = speed * n;
     s.add(Point3d{0, 0, 0} + place * n, length / 2, w, i < moving ? v : Vector3d{0, 0, 0});
-    place += 1 + (i == 0 ? 0.5 : c.below(2) == 1 ? gap : 0);
+    place += 1 + (i == 0 ? 0.5 : c.coin() ? gap : 0);
   }
-  if (c.below(2) == 1) s.walls.push_back({-1.0 * n, (place + 1) * length * length});
+  if (c.coin()) s.walls.push_back({-1.0 * n, (place + 1) * length * length});
   s.bodies = shuffled(std::move(s.bodies), c);
   return s;
 }
@@ -98,16 +95,16 @@ inline Impacting row_of_impacts(DrawStream& c) {
 inline Impacting stacked_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const std::uint64_t height = 1 + c.below(3);
-  const double drop = static_cast<double>(c.below(3)) / 2, fall = -static_cast<double>(c.below(5));
+  const double drop = up_to(c, 2) / 2, fall = -up_to(c, 4);
   double top = drop;
   for (std::uint64_t i = 0; i < height; ++i) {
-    const double radius = 1 + static_cast<double>(c.below(3)), w = 1 + static_cast<double>(c.below(3));
-    const double aside = c.below(4) == 3 ? small_integer(c, 2) : 0.0;
-    const bool late = i + 1 == height && c.below(2) == 1;
+    const double radius = one_to(c, 3), w = one_to(c, 3);
+    const double aside = c.one_in(4) ? small_integer(c, 2) : 0.0;
+    const bool late = i + 1 == height && c.coin();
     s.add({0, top + radius + (late ? 0.5 : 0), 0}, radius, w, {aside, late ? fall - 2 : fall, 0});
     top += 2 * radius;
   }
-  const double stretch = 1 + static_cast<double>(c.below(4));
+  const double stretch = one_to(c, 4);
   if (c.below(8) != 7) s.walls.push_back({{0, stretch, 0}, 0});
   s.bodies = shuffled(std::move(s.bodies), c);
   return s;
@@ -117,9 +114,8 @@ inline Impacting stacked_impacts(DrawStream& c) {
 inline Impacting impact_in_a_corner(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const double x = small_integer(c, 20), y = small_integer(c, 20), z = small_integer(c, 20);
-  const double radius = static_cast<double>(c.below(5)), when = static_cast<double>(c.below(5)) / 4 * s.timestep;
-  const Vector3d v = lattice_velocity(c, 5);
-  const Vector3d meets{x, y, z};
+  const double radius = up_to(c, 4), when = up_to(c, 4) / 4 * s.timestep;
+  const Vector3d v = lattice_velocity(c, 5), meets{x, y, z};
   s.add(Point3d{x, y, z} + (-when) * v, radius, 1 + lattice_inverse_mass(c), v);
   const std::uint64_t walls = 2 + c.below(3);
   while (s.walls.size() < walls) {
@@ -127,7 +123,7 @@ inline Impacting impact_in_a_corner(DrawStream& c) {
     const double side = dot(wall.n, v) > 0 ? -1 : 1;
     const Vector3d n = side * wall.n;
     const double offset = radius * wall.length - dot(n, meets);
-    s.walls.push_back({n, moved_by_ulps(offset, static_cast<int>(small_integer(c, 1)))});
+    s.walls.push_back({n, ulps_apart(c, offset, 1)});
   }
   return s;
 }
@@ -136,14 +132,14 @@ inline Impacting impact_in_a_corner(DrawStream& c) {
 inline Impacting overlapping_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const std::uint64_t count = 2 + c.below(2);
-  const double x = integer(c, 10), y = integer(c, 10), radius = static_cast<double>(c.below(4));
+  const double x = integer(c, 10), y = integer(c, 10), radius = up_to(c, 3);
   const Vector3d v = lattice_velocity(c, 3);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const double aside = c.below(2) == 1 ? moved_by_ulps(x, static_cast<int>(small_integer(c, 2))) : x;
+    const double aside = c.coin() ? ulps_apart(c, x, 2) : x;
     const double w = lattice_inverse_mass(c), up = small_integer(c, 1), off = small_integer(c, 2);
     s.add({aside, y + off, 0}, radius, w, {v.x, v.y + up, v.z});
   }
-  if (c.below(4) == 3) s.walls.push_back({{0, 2, 0}, small_integer(c, 3) - 2 * y});
+  if (c.one_in(4)) s.walls.push_back({{0, 2, 0}, small_integer(c, 3) - 2 * y});
   return s;
 }
 
@@ -152,13 +148,13 @@ inline Impacting immovable_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const std::uint64_t count = 1 + c.below(4);
   const Vector3d v = lattice_velocity(c, 5);
-  const double small = static_cast<double>(c.below(3)), w = 1 + lattice_inverse_mass(c);
+  const double small = up_to(c, 2), w = 1 + lattice_inverse_mass(c);
   s.add({0, 0, 0}, small, w, v);
   constexpr Point3d places[]{{3, 4, 0}, {-3, 4, 0}, {0, 0, 5}, {0, 5, 0}, {0, -3, 4}};
   for (std::uint64_t i = 0; i < count; ++i) {
     const Point3d at = places[c.below(5)];
-    const double radius = 1 + static_cast<double>(c.below(3));
-    s.add(at, radius, either_zero(c), {});
+    const double radius = one_to(c, 3);
+    s.add(at, radius, zero(c), {});
   }
   return s;
 }
@@ -170,13 +166,13 @@ inline Impacting impacts_of_particles(DrawStream& c) {
   const std::uint64_t count = 1 + c.below(3);
   for (std::uint64_t i = 0; i < count; ++i) {
     const Vector3d across = lattice_across(c, n), v = lattice_velocity(c, 4);
-    const Point3d on = Point3d{0, 0, 0} + (c.below(2) == 1 ? across : Vector3d{0, 0, 0});
+    const Point3d on = Point3d{0, 0, 0} + (c.coin() ? across : Vector3d{0, 0, 0});
     const double beyond = small_integer(c, 2), w = lattice_inverse_mass(c);
-    const double none = either_zero(c);
+    const double none = zero(c);
     s.add(on + beyond * n, none, w, v);
   }
-  s.walls.push_back({n, either_zero(c)});
-  if (c.below(2) == 1) s.add({0, 5, 0}, 4, 1, lattice_velocity(c, 4));
+  s.walls.push_back({n, zero(c)});
+  if (c.coin()) s.add({0, 5, 0}, 4, 1, lattice_velocity(c, 4));
   return s;
 }
 
@@ -185,11 +181,11 @@ inline Impacting caught_bullets(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const double fast = scaled_up(c, 12, 12);
   const Vector3d n = lattice_normal(c, 2);
-  const double before = 1 + static_cast<double>(c.below(8)), aside = small_integer(c, 3);
-  s.add(Point3d{aside, 0, 0} + (-before) * n, static_cast<double>(c.below(2)) / 8, 1, fast * n);
+  const double before = one_to(c, 8), aside = small_integer(c, 3);
+  s.add(Point3d{aside, 0, 0} + (-before) * n, up_to(c, 1) / 8, 1, fast * n);
   const double w = lattice_inverse_mass(c);
   s.add({0, 0, 0}, 0.5, w, lattice_velocity(c, 2));
-  if (c.below(2) == 1) s.walls.push_back({-1.0 * n, small_integer(c, 4) + 8});
+  if (c.coin()) s.walls.push_back({-1.0 * n, small_integer(c, 4) + 8});
   return s;
 }
 
@@ -197,12 +193,12 @@ inline Impacting caught_bullets(DrawStream& c) {
 inline Impacting slanted_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const Vector3d n = lattice_normal(c, 3);
-  const double radius = static_cast<double>(1 + c.below(4)), high = static_cast<double>(c.below(6));
+  const double radius = one_to(c, 4), high = up_to(c, 5);
   const Vector3d v = lattice_velocity(c, 4), across = lattice_across(c, n);
   s.add(Point3d{0, 0, 0} + high * n, radius, 1 + lattice_inverse_mass(c), v);
-  if (c.below(2) == 1) s.add(Point3d{8, 8, 8} + high * n, radius, lattice_inverse_mass(c), v);
+  if (c.coin()) s.add(Point3d{8, 8, 8} + high * n, radius, lattice_inverse_mass(c), v);
   s.walls.push_back({n, small_integer(c, 4)});
-  if (c.below(2) == 1) s.walls.push_back({across.x == 0 && across.y == 0 && across.z == 0 ? n : across, 6});
+  if (c.coin()) s.walls.push_back({across.x == 0 && across.y == 0 && across.z == 0 ? n : across, 6});
   return s;
 }
 
@@ -211,10 +207,9 @@ inline Impacting slanted_impacts(DrawStream& c) {
 inline Impacting broken_racks(DrawStream& c) {
   Impacting s = empty_impacting(c);
   constexpr Vector3d mirrored[]{{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}};
-  const double high = 1 + static_cast<double>(c.below(2)), radius = 1, speed = 1 + static_cast<double>(c.below(8));
+  const double high = one_to(c, 2), radius = 1, speed = one_to(c, 8);
   const std::uint64_t balls = 2 + c.below(3), first = c.below(2);
-  const double far = 1 + static_cast<double>(c.below(4)), w = 1 + static_cast<double>(c.below(3));
-  const double lower = c.below(4) == 3 ? 0x1p-30 : 0;
+  const double far = one_to(c, 4), w = one_to(c, 3), lower = c.one_in(4) ? 0x1p-30 : 0;
   s.add({-far, 0, 0}, radius, 1, {speed, 0, 0});
   for (std::uint64_t i = 0; i < balls; ++i) {
     const Vector3d& m = mirrored[(first * 2 + i) % 4];
@@ -232,14 +227,14 @@ inline Impacting broken_racks(DrawStream& c) {
 /// A ball between two walls, or two heavy balls, near each other: it collides as often as the step is long.
 inline Impacting to_and_fro(DrawStream& c) {
   Impacting s = empty_impacting(c);
-  const double room = static_cast<double>(1 + c.below(4)), times = static_cast<double>(c.below(40));
-  const double speed = times * room / s.timestep / 2, w = c.below(2) == 1 ? 1 : 0x1p20;
-  s.restitution = c.below(2) == 1 ? 1 : 0.5;
-  const double aside = static_cast<double>(c.below(2));
+  const double room = one_to(c, 4), times = up_to(c, 39);
+  const double speed = times * room / s.timestep / 2, w = c.coin() ? 1 : 0x1p20;
+  s.restitution = c.coin() ? 1 : 0.5;
+  const double aside = up_to(c, 1);
   s.add({room / 4, 0, 0}, 0, w, {speed, aside, 0});
-  const bool heavy = c.below(2) == 1;
+  const bool heavy = c.coin();
   if (heavy) {
-    const double other = lattice_inverse_mass(c, 2), nearer = static_cast<double>(c.below(2));
+    const double other = lattice_inverse_mass(c, 2), nearer = up_to(c, 1);
     s.add({-4, 0, 0}, 4, 1, {0, 0, 0});
     s.add({room + 4, 0, 0}, 4, other, {-nearer, 0, 0});
   } else {
@@ -253,22 +248,20 @@ inline Impacting to_and_fro(DrawStream& c) {
 /// Pairs far from each other that meet at one moment, or so little apart that only many digits tell.
 inline Impacting equal_moments(DrawStream& c) {
   Impacting s = empty_impacting(c);
-  const double x = 2 + static_cast<double>(c.below(3)), y = static_cast<double>(c.below(2));
-  const double w = lattice_inverse_mass(c);
-  const double speed = 1 + static_cast<double>(c.below(8)), far = 0x1p10;
-  const double other_speed = moved_by_ulps(speed, static_cast<int>(small_integer(c, 1)));
+  const double x = 2 + up_to(c, 2), y = up_to(c, 1), w = lattice_inverse_mass(c);
+  const double speed = one_to(c, 8), far = 0x1p10, other_speed = ulps_apart(c, speed, 1);
   s.add({0, 0, 0}, 1, 1, {speed, 0, 0});
   s.add({x, y, 0}, 1, w, {0, 0, 0});
   s.add({far, 0, 0}, 1, 1, {0, other_speed, 0});
   s.add({far, x, y}, 1, w, {0, 0, 0});
-  if (c.below(2) == 1) s.walls.push_back({{0, -1, 0}, far});
+  if (c.coin()) s.walls.push_back({{0, -1, 0}, far});
   s.bodies = shuffled(std::move(s.bodies), c);
   return s;
 }
 
 /// The numbers of another family, with the inverse mass of each body as many times as great, or less.
 inline Impacting unequal_impacts(DrawStream& c) {
-  Impacting s = c.below(2) == 1 ? broken_racks(c) : row_of_impacts(c);
+  Impacting s = c.coin() ? broken_racks(c) : row_of_impacts(c);
   constexpr int ratios[]{0, 40, -53, 107, -400, 900};
   for (StepBodyd& body : s.bodies) body.inverse_mass = std::ldexp(body.inverse_mass, ratios[c.below(6)]);
   return s;
@@ -285,7 +278,7 @@ inline Impacting full_digit_impacts(DrawStream& c) {
     const Vector3d aside = ordinary_vector(c);
     s.add({2 * x, 2 * y, 2 * z}, radius, w, -2.0 * Vector3d{x, y, z} + aside);
   }
-  if (c.below(2) == 1) {
+  if (c.coin()) {
     const Vector3d n = not_zero(ordinary_vector(c));
     s.walls.push_back({n, 1 + ordinary(c)});
   }
@@ -294,7 +287,7 @@ inline Impacting full_digit_impacts(DrawStream& c) {
 
 /// Positions, velocities, radii, a timestep or normals at the ends of the range.
 inline Impacting impacts_at_the_ends(DrawStream& c) {
-  Impacting s = c.below(2) == 1 ? balls_head_on(c) : impact_in_a_corner(c);
+  Impacting s = c.coin() ? balls_head_on(c) : impact_in_a_corner(c);
   constexpr double timesteps[]{0x1p-1074, 0x1p1023, 0x1p-600, 0x1p500};
   const std::uint64_t which = c.below(5);
   for (StepBodyd& body : s.bodies) {
@@ -314,16 +307,16 @@ inline Impacting impacts_at_the_ends(DrawStream& c) {
 inline Impacting many_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   s.timestep = 1;
-  const double gap = 1 + static_cast<double>(c.below(2));
+  const double gap = one_to(c, 2);
   double place = 0;
   const auto ball = [&](DrawStream& d) {
-    const double speed = place == 0 ? 4 : d.below(8) == 7 ? -1 : 0;
+    const double speed = place == 0 ? 4 : d.one_in(8) ? -1 : 0;
     const StepBodyd body{1, {speed, 0, 0}, {{(2 + gap) * place, 0, 0}, 1}};
     place += 1;
     return body;
   };
   s.bodies = long_list(c, ball, 24);
-  s.restitution = c.below(2) == 1 ? 0 : 1;
+  s.restitution = c.coin() ? 0 : 1;
   return s;
 }
 
@@ -333,13 +326,13 @@ inline Impacting impacts_of_many_walls(DrawStream& c) {
   const double vx = small_integer(c, 3), vz = small_integer(c, 3);
   s.add({0, 2, 0}, 1, 1, {vx, -2, vz});
   const auto far = [](DrawStream& d) {
-    const double distance = 40 + static_cast<double>(d.below(8));
+    const double distance = 40 + up_to(d, 7);
     return Plane3d{{0, 1, 0}, distance};
   };
   s.walls = long_list(c, far, 200);
   const std::size_t late = late_index(s.walls.size(), c);
   s.walls[late] = {{0, 1, 0}, 0};
-  if (c.below(2) == 1) s.walls.back() = {{1, 1, 0}, 1};
+  if (c.coin()) s.walls.back() = {{1, 1, 0}, 1};
   return s;
 }
 
@@ -349,13 +342,13 @@ inline Impacting refused_impacts(DrawStream& c) {
   const Vector3d n = zero_vector(c);
   StepBodyd& body = s.bodies[c.below(s.bodies.size())];
   switch (c.below(7)) {
-    case 0: s.timestep = either_zero(c); break;
-    case 1: s.timestep = c.below(2) == 1 ? -0x1p-1074 : -1; break;
-    case 2: s.restitution = c.below(2) == 1 ? -0x1p-1074 : 0x1.0000000000001p0; break;
+    case 0: s.timestep = zero(c); break;
+    case 1: s.timestep = c.coin() ? -0x1p-1074 : -1; break;
+    case 2: s.restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
     case 3: s.walls.push_back({n, small_integer(c)}); break;
-    case 4: body.inverse_mass = c.below(2) == 1 ? -0x1p-1074 : -1; break;
-    case 5: body.sphere.radius = c.below(2) == 1 ? -0x1p-1074 : -1; break;
-    default: body.inverse_mass = 0, body.velocity = {0, 0, c.below(2) == 1 ? 0x1p-1074 : 1};
+    case 4: body.inverse_mass = c.coin() ? -0x1p-1074 : -1; break;
+    case 5: body.sphere.radius = c.coin() ? -0x1p-1074 : -1; break;
+    default: body.inverse_mass = 0, body.velocity = {0, 0, c.coin() ? 0x1p-1074 : 1};
   }
   return s;
 }

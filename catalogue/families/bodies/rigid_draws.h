@@ -15,16 +15,14 @@ struct RigidMeeting {
 
 /// L L^T of a triangular L, of integers with a positive diagonal: positive definite, however near to not being so.
 inline Inertiad lattice_inertia(DrawStream& c, int most = 4) {
-  const double p = 1 + static_cast<double>(c.below(8)), q = 1 + static_cast<double>(c.below(8)),
-               r = 1 + static_cast<double>(c.below(8));
+  const double p = one_to(c, 8), q = one_to(c, 8), r = one_to(c, 8);
   const double s = small_integer(c, most), t = small_integer(c, most), u = small_integer(c, most);
   const double xy = p * s, xz = p * t, yz = s * t + q * u;
   return {{p * p, xy, xz}, {xy, s * s + q * q, yz}, {xz, yz, t * t + u * u + r * r}};
 }
 /// Of a ball, or a box along the axes.
 inline Inertiad straight_inertia(DrawStream& c) {
-  const double x = lattice_mass(c), y = c.below(2) == 1 ? lattice_mass(c) : x,
-               z = c.below(2) == 1 ? lattice_mass(c) : x;
+  const double x = lattice_mass(c), y = c.coin() ? lattice_mass(c) : x, z = c.coin() ? lattice_mass(c) : x;
   return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
 }
 /// Full digits, and a diagonal that outweighs the rest.
@@ -45,7 +43,7 @@ RigidMeeting with_weights(DrawStream& c, const Meeting& m, const Draw& draw_iner
   const Inertiad a = draw_inertia(c), b = draw_inertia(c);
   return {rigid_body(masses.first, a, m.a), rigid_body(masses.second, b, m.b), m.point, m.normal};
 }
-inline Inertiad usual_inertia(DrawStream& c) { return c.below(2) == 1 ? straight_inertia(c) : lattice_inertia(c); }
+inline Inertiad usual_inertia(DrawStream& c) { return c.coin() ? straight_inertia(c) : lattice_inertia(c); }
 
 inline RigidMeeting lattice_rigid(DrawStream& c) {
   const Meeting m = lattice_meeting(c, 6);
@@ -99,9 +97,9 @@ inline RigidMeeting stretched_rigid(DrawStream& c) {
 }
 /// Masses, lengths and times in units of their own.
 inline RigidMeeting rigid_in_far_units(DrawStream& c) {
-  RigidMeeting r = c.below(2) == 1 ? ordinary_rigid(c) : lattice_rigid(c);
-  const int of_mass = static_cast<int>(c.below(400)) - 200, of_length = static_cast<int>(c.below(300)) - 150,
-            of_time = static_cast<int>(c.below(400)) - 200;
+  RigidMeeting r = c.coin() ? ordinary_rigid(c) : lattice_rigid(c);
+  const int of_mass = integer_in(c, -200, 199), of_length = integer_in(c, -150, 149),
+            of_time = integer_in(c, -200, 199);
   const auto longer = [](auto& v, int k) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
   for (RigidBodyd* body : {&r.a, &r.b}) {
     body->mass = std::ldexp(body->mass, of_mass);
@@ -115,7 +113,7 @@ inline RigidMeeting rigid_in_far_units(DrawStream& c) {
 inline RigidMeeting rigid_at_end_of_range(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   r.a.velocity = at_the_end_of_range(c);
-  if (c.below(2) == 1) r.b.angular_velocity = at_the_end_of_range(c);
+  if (c.coin()) r.b.angular_velocity = at_the_end_of_range(c);
   return r;
 }
 /// At both positions the impulse only pushes; elastic.
@@ -131,19 +129,19 @@ inline RigidMeeting rigid_beside_a_tie(DrawStream& c) {
 /// Not positive definite, by as little as there is.
 inline RigidMeeting without_an_inertia(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
-  Inertiad& i = c.below(2) == 1 ? r.a.inertia : r.b.inertia;
-  const double k = 1 + static_cast<double>(c.below(1 << 20));
+  Inertiad& i = c.coin() ? r.a.inertia : r.b.inertia;
+  const double k = one_to(c, 1 << 20);
   switch (c.below(4)) {
     case 0: i = {{1, k, 0}, {k, k * k, 0}, {0, 0, 1}}; break;
     case 1: i = {{k, 0, 0}, {0, -k, 0}, {0, 0, -1}}; break;
-    case 2: i = {{either_zero(c), 0, 0}, {0, 1, 0}, {0, 0, k}}; break;
+    case 2: i = {{zero(c), 0, 0}, {0, 1, 0}, {0, 0, k}}; break;
     default: i = {{1, 1, 1}, {1, 2, 3}, {1, 3, 5}};
   }
   return r;
 }
 inline RigidMeeting rigid_without_a_mass(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
-  if (c.below(2) == 1) r.a.mass = either_zero(c);
+  if (c.coin()) r.a.mass = zero(c);
   else r.b.mass = -r.b.mass;
   return r;
 }

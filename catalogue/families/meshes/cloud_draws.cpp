@@ -17,8 +17,7 @@ using Points = std::vector<Point3d>;
 Point3d times(double factor, const Point3d& p) { return {factor * p.x, factor * p.y, factor * p.z}; }
 
 Point3d on_grid(DrawStream& c, int most) {
-  const double x = small_integer(c, most), y = small_integer(c, most);
-  return {x, y, small_integer(c, most)};
+  return {small_integer(c, most), small_integer(c, most), small_integer(c, most)};
 }
 
 /// x y z, y z x or z x y.
@@ -34,9 +33,9 @@ Point3d axes_turned(const Point3d& p, DrawStream& c) {
 Point3d on_a_sphere(DrawStream& c) {
   static constexpr std::array<Point3d, 4> octant{{{0, 0, 9}, {1, 4, 8}, {4, 4, 7}, {3, 6, 6}}};
   const Point3d p = axes_turned(octant[c.below(4)], c);
-  const double x = c.below(2) == 1 ? -p.x : p.x, y = c.below(2) == 1 ? -p.y : p.y;
-  const Point3d q{x, y, c.below(2) == 1 ? -p.z : p.z};
-  return c.below(2) == 1 ? Point3d{q.y, q.x, q.z} : q;
+  const double x = c.coin() ? -p.x : p.x, y = c.coin() ? -p.y : p.y;
+  const Point3d q{x, y, c.coin() ? -p.z : p.z};
+  return c.coin() ? Point3d{q.y, q.x, q.z} : q;
 }
 
 Points few(DrawStream& c) {
@@ -48,7 +47,7 @@ Points few(DrawStream& c) {
 Points all_equal(DrawStream& c) {
   const Point3d p = lattice_point_in_space(c);
   Points points(1 + c.below(6), p);
-  if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
+  if (points[0].y == 0 && c.coin()) points.back().y = -0.0;
   return points;
 }
 
@@ -90,7 +89,7 @@ Points one_beside_a_plane(DrawStream& c) {
 
 /// Where the lattices end on which determinants need 53 and 123 bits.
 Points planes_at_a_seam(DrawStream& c) {
-  const int bits = (c.below(2) == 1 ? 36 : 13) + static_cast<int>(c.below(5));
+  const int bits = (c.coin() ? 36 : 13) + integer_in(c, 0, 4);
   Points points = tilted(c, bits, 12);
   for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
     const Vector3d off{small_integer(c, 1), small_integer(c, 1), small_integer(c, 1)};
@@ -102,7 +101,7 @@ Points planes_at_a_seam(DrawStream& c) {
 }
 
 Points small_grid(DrawStream& c) {
-  const int most = 1 + static_cast<int>(c.below(2));
+  const int most = integer_in(c, 1, 2);
   return one_by_one(c, 24, [most](DrawStream& d) { return on_grid(d, most); });
 }
 
@@ -126,25 +125,17 @@ Points between_corners(DrawStream& c) {
   for (std::uint64_t more = 1 + c.below(12); more > 0; --more) {
     const Point3d p = points[c.below(corners)], q = points[c.below(corners)], r = points[c.below(corners)];
     const Point3d middle{(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
-    if (c.below(2) == 1) points.push_back(middle);
+    if (c.coin()) points.push_back(middle);
     else points.push_back({(middle.x + r.x) / 2, (middle.y + r.y) / 2, (middle.z + r.z) / 2});
   }
   return shuffled(points, c);
 }
 
-Points repeated(DrawStream& c) {
-  Points points = lattice_polyhedron(c).vertices;
-  for (std::uint64_t more = 1 + c.below(8); more > 0; --more) {
-    const Point3d again = points[c.below(points.size())];
-    points.push_back(again);
-  }
-  return shuffled(points, c);
-}
+Points repeated(DrawStream& c) { return shuffled(with_repeated(lattice_polyhedron(c).vertices, 8, c), c); }
 
 Points mapped(DrawStream& c) {
   Meshd mesh = lattice_polyhedron(c);
-  Point3d unused{0, 0, 0};
-  map_linearly(mesh, unused, c);
+  map_linearly(c, mesh);
   return mesh.vertices;
 }
 
@@ -152,15 +143,14 @@ Points tiny_beside_huge(DrawStream& c) {
   return one_by_one(c, 12, [](DrawStream& d) {
     static constexpr std::array<int, 5> exponents{0, 60, -60, 1000, -1074};
     const Point3d p = lattice_point_in_space(d, 10);
-    const int k = exponents[d.below(5)];
-    return Point3d{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+    return scaled(p, exponents[d.below(5)]);
   });
 }
 
 Points subnormal(DrawStream& c) {
   Points points = tilted(c, 20, 12);
   points.push_back(lattice_point_in_space(c, 20));
-  for (Point3d& p : points) p = {std::ldexp(p.x, -1074), std::ldexp(p.y, -1074), std::ldexp(p.z, -1074)};
+  for (Point3d& p : points) p = scaled(p, -1074);
   return points;
 }
 
@@ -170,7 +160,7 @@ Points long_plane(DrawStream& c) {
     const double x = ordinary(d), y = ordinary(d);
     return Point3d{x, y, -(x + y)};
   });
-  if (c.below(2) == 1) points.push_back(on_grid(c, 1));
+  if (c.coin()) points.push_back(on_grid(c, 1));
   return points;
 }
 
@@ -187,9 +177,9 @@ Points computed(DrawStream& c) {
 std::uint64_t many(DrawStream& c) { return 32 + c.below(12); }
 
 Points many_on_a_grid(DrawStream& c) {
-  const int most = 2 + static_cast<int>(c.below(40)), inner = 1 + most / 3;
+  const int most = integer_in(c, 2, 41), inner = 1 + most / 3;
   Points points;
-  for (std::uint64_t left = many(c); left > 0; --left) points.push_back(on_grid(c, c.below(4) == 3 ? most : inner));
+  for (std::uint64_t left = many(c); left > 0; --left) points.push_back(on_grid(c, c.one_in(4) ? most : inner));
   return points;
 }
 
@@ -199,7 +189,7 @@ Points many_cospherical(DrawStream& c) {
   const double factor = 2 + 2 * static_cast<double>(c.below(1 << 20));
   for (std::uint64_t left = many(c); left > 0; --left) {
     const Point3d p = on_a_sphere(c);
-    points.push_back(times(c.below(4) == 3 ? factor : factor / 2, p));
+    points.push_back(times(c.one_in(4) ? factor : factor / 2, p));
   }
   return points;
 }
@@ -211,10 +201,10 @@ Points many_beside_faces(DrawStream& c) {
     for (const double y : {-0.1, 0.9})
       for (const double z : {-0.2, 0.8}) points.push_back({x, y, z});
   for (std::uint64_t left = many(c); left > 0; --left) {
-    const double u = static_cast<double>(c.below(100)) / 100, v = static_cast<double>(c.below(100)) / 100;
+    const double u = up_to(c, 99) / 100, v = up_to(c, 99) / 100;
     const int ulps = static_cast<int>(small_integer(c, 1));
-    const double on = moved_by_ulps(c.below(2) == 1 ? 0.7 : -0.3, ulps);
-    points.push_back(c.below(5) == 4 ? Point3d{on, u - 0.1, v - 0.2} : Point3d{u - 0.3, v - 0.1, 0.3});
+    const double on = moved_by_ulps(c.coin() ? 0.7 : -0.3, ulps);
+    points.push_back(c.one_in(5) ? Point3d{on, u - 0.1, v - 0.2} : Point3d{u - 0.3, v - 0.1, 0.3});
   }
   return shuffled(points, c);
 }
@@ -222,7 +212,7 @@ Points many_beside_faces(DrawStream& c) {
 /// As thin as a leaf, or as a hair, tilted: far points are not fat enough.
 Points many_in_a_leaf(DrawStream& c) {
   Points points;
-  const int thickness = static_cast<int>(c.below(30));
+  const int thickness = integer_in(c, 0, 29);
   for (std::uint64_t left = many(c); left > 0; --left) {
     const double x = small_integer(c, 100), y = small_integer(c, 100);
     points.push_back({x, y, x + y + std::ldexp(small_integer(c, 1), -thickness)});
@@ -232,41 +222,49 @@ Points many_in_a_leaf(DrawStream& c) {
 
 /// All bits, far from the origin or around it; most points near the middle.
 Points many_random(DrawStream& c) {
-  const double where = c.below(2) == 1 ? 100 : 0;
+  const double where = c.coin() ? 100 : 0;
   Points points;
   for (std::uint64_t left = many(c); left > 0; --left) {
-    const double size = c.below(4) == 3 ? 1 : 0.5, x = size * ordinary(c), y = size * ordinary(c);
+    const double size = c.one_in(4) ? 1 : 0.5, x = size * ordinary(c), y = size * ordinary(c);
     points.push_back({where + x, y, size * ordinary(c)});
   }
   return points;
 }
 
+/// As a question.
+template <Points (*draw)(DrawStream&)>
+std::tuple<Points> asked(DrawStream& c) {
+  return {draw(c)};
+}
+
 }  // namespace
 
-const std::array<Cloud, cloud_count>& all_clouds() {
-  static constexpr std::array<Cloud, cloud_count> all{{{"few", few},
-                                                       {"all_equal", all_equal},
-                                                       {"collinear", collinear},
-                                                       {"across_an_axis", across_an_axis},
-                                                       {"in_a_tilted_plane", in_a_tilted_plane},
-                                                       {"one_beside_a_plane", one_beside_a_plane},
-                                                       {"planes_at_a_seam", planes_at_a_seam},
-                                                       {"small_grid", small_grid},
-                                                       {"cospherical", cospherical},
-                                                       {"prism", prism},
-                                                       {"between_corners", between_corners},
-                                                       {"repeated", repeated},
-                                                       {"mapped", mapped},
-                                                       {"tiny_beside_huge", tiny_beside_huge},
-                                                       {"subnormal", subnormal},
-                                                       {"long_plane", long_plane},
-                                                       {"computed", computed},
-                                                       {"many_on_a_grid", many_on_a_grid},
-                                                       {"many_cospherical", many_cospherical},
-                                                       {"many_beside_faces", many_beside_faces},
-                                                       {"many_in_a_leaf", many_in_a_leaf},
-                                                       {"many_random", many_random}}};
-  return all;
+void cloud_cases(HardCases<std::tuple<Points>>& add) {
+  add("few", asked<few>);
+  add("all_equal", asked<all_equal>);
+  add("collinear", asked<collinear>);
+  add("across_an_axis", asked<across_an_axis>);
+  add("in_a_tilted_plane", asked<in_a_tilted_plane>);
+  add("one_beside_a_plane", asked<one_beside_a_plane>);
+  add("planes_at_a_seam", asked<planes_at_a_seam>);
+  add("small_grid", asked<small_grid>);
+  add("cospherical", asked<cospherical>);
+  add("prism", asked<prism>);
+  add("between_corners", asked<between_corners>);
+  add("repeated", asked<repeated>);
+  add("mapped", asked<mapped>);
+  add("tiny_beside_huge", asked<tiny_beside_huge>);
+  add("subnormal", asked<subnormal>);
+  add("long_plane", asked<long_plane>);
+}
+
+void large_cloud_cases(HardCases<std::tuple<Points>>& add) {
+  add("computed", asked<computed>);
+  add("many_on_a_grid", asked<many_on_a_grid>);
+  add("many_cospherical", asked<many_cospherical>);
+  add("many_beside_faces", asked<many_beside_faces>);
+  add("many_in_a_leaf", asked<many_in_a_leaf>);
+  add("many_random", asked<many_random>);
 }
 
 }  // namespace touchstone::catalogue

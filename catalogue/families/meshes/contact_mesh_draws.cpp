@@ -22,9 +22,9 @@ Meshd cube_in_hollow(DrawStream& draws) {
   for (long i = 0; i < 27; ++i)
     if (i != 13) cells.push_back({i % 3, i / 3 % 3, i / 9});
   Meshd mesh = cube_surface(cells), inner = cube_surface({{0, 0, 0}});
-  const double at = 12 + 3 * static_cast<double>(draws.below(4)), size = draws.below(2) == 1 ? 1 : 0.25;
+  const double at = 12 + 3 * up_to(draws, 3), size = draws.coin() ? 1 : 0.25;
   for (Point3d& p : inner.vertices) p = {at + size * p.x, at + size * p.y, at + size * p.z};
-  if (draws.below(2) == 1) std::swap(mesh, inner);
+  if (draws.coin()) std::swap(mesh, inner);
   return together(mesh, inner);
 }
 
@@ -59,7 +59,7 @@ Meshd flat_part(DrawStream& draws) {
   }
   if (draws.below(3) == 0) return mesh;
   Point3d& moved = mesh.vertices[draws.below(mesh.vertices.size())];
-  if (draws.below(2) == 0) moved = plane.point(draws);
+  if (!draws.coin()) moved = plane.point(draws);
   else moved = along(moved, small_integer(draws, 2), lattice_normal(draws, 6));
   return mesh;
 }
@@ -70,19 +70,19 @@ Meshd folded_flap(DrawStream& draws) {
   mesh.vertices.push_back(along(plane.at(1, 1), 4, lattice_normal(draws, 6)));
   mesh.faces.assign(tetrahedron.begin(), tetrahedron.end());
   const double i = small_integer(draws, 4), j = small_integer(draws, 4);
-  const Point3d tip = draws.below(3) == 2 ? along(plane.at(i, j), 1, lattice_normal(draws, 6)) : plane.at(i, j);
+  const Point3d tip = draws.one_in(3) ? along(plane.at(i, j), 1, lattice_normal(draws, 6)) : plane.at(i, j);
   mesh.vertices.push_back(tip);
-  mesh.faces.push_back(draws.below(2) == 1 ? Face{1, 0, 4} : Face{0, 1, 4});
+  mesh.faces.push_back(draws.coin() ? Face{1, 0, 4} : Face{0, 1, 4});
   return mesh;
 }
 
 Meshd touching_solids(DrawStream& draws) {
   Meshd mesh{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {tetrahedron.begin(), tetrahedron.end()}};
-  const Point3d at = draws.below(4) == 3 ? between_vertices(mesh, draws) : on_a_face_plane(mesh, draws);
+  const Point3d at = draws.one_in(4) ? between_vertices(mesh, draws) : on_a_face_plane(mesh, draws);
   Meshd other{{at}, {tetrahedron.begin(), tetrahedron.end()}};
   static constexpr Vector3d outwards[]{{12, 12, 0}, {12, 0, 12}, {0, 12, 12}};
   for (const Vector3d& v : outwards) {
-    const Vector3d drawn = draws.below(2) == 1 ? 6.0 * lattice_normal(draws, 2) : v;
+    const Vector3d drawn = draws.coin() ? 6.0 * lattice_normal(draws, 2) : v;
     other.vertices.push_back(at + drawn);
   }
   return together(mesh, other);
@@ -93,7 +93,7 @@ Meshd fans_at_a_vertex(DrawStream& draws) {
   const auto count = static_cast<Index>(4 + draws.below(5));
   for (Index i = 0; i < count; ++i) {
     const double x = small_integer(draws, 1), y = small_integer(draws, 1), z = small_integer(draws, 1);
-    const double size = 1 + static_cast<double>(draws.below(3));
+    const double size = one_to(draws, 3);
     mesh.vertices.push_back({size * x, size * y, size * z});
   }
   for (std::uint64_t left = 4 + draws.below(2); left > 0; --left) {
@@ -108,11 +108,11 @@ Meshd convex_at_a_vertex(DrawStream& draws) {
   Meshd mesh{{{0, 0, 0}}, {}};
   for (const double side : {12.0, -12.0}) {
     const auto first = static_cast<Index>(mesh.vertices.size());
-    const auto length = [&draws, side] { return side * static_cast<double>(1 + draws.below(3)); };
+    const auto length = [&draws, side] { return side * one_to(draws, 3); };
     const double x = length(), y = length(), z = length();
     mesh.vertices.insert(mesh.vertices.end(), {{x, 0, 0}, {0, y, 0}, {0, 0, z}});
     // In the octant of negative numbers the same faces are turned inside out.
-    const bool turned = (side < 0) != (draws.below(4) == 3);
+    const bool turned = (side < 0) != (draws.one_in(4));
     const std::array<Index, 4> at{0, first, first + 1, first + 2};
     for (Face face : tetrahedron) {
       if (turned) std::swap(face.b, face.c);
@@ -123,15 +123,15 @@ Meshd convex_at_a_vertex(DrawStream& draws) {
 }
 
 Meshd nested_shells(DrawStream& draws) {
-  if (draws.below(4) == 3) return cube_in_hollow(draws);
+  if (draws.one_in(4)) return cube_in_hollow(draws);
   const Meshd shape = around_the_mean(lattice_polyhedron(draws));
   Meshd mesh;
   for (std::uint64_t left = 1 + draws.below(4); left > 0; --left) {
-    const double size = 1 + static_cast<double>(draws.below(4));
+    const double size = one_to(draws, 4);
     Meshd shell = shape;
-    const Vector3d away = draws.below(4) == 3 ? 48.0 * lattice_normal(draws, 4) : Vector3d{0, 0, 0};
+    const Vector3d away = draws.one_in(4) ? 48.0 * lattice_normal(draws, 4) : Vector3d{0, 0, 0};
     for (Point3d& p : shell.vertices) p = Point3d{size * p.x, size * p.y, size * p.z} + away;
-    if (draws.below(3) == 2) turn_inside_out(shell);
+    if (draws.one_in(3)) turn_inside_out(shell);
     mesh = together(mesh, shell);
   }
   return mesh;
@@ -139,7 +139,7 @@ Meshd nested_shells(DrawStream& draws) {
 
 Meshd with_repeated_vertices(const Meshd& mesh, DrawStream& draws) {
   Meshd repeated = mesh;
-  const bool all = draws.below(2) == 0;
+  const bool all = !draws.coin();
   for (Face& f : repeated.faces) {
     if (!all && draws.below(4) != 3) continue;
     for (Index* corner : {&f.a, &f.b, &f.c}) {
@@ -167,9 +167,7 @@ Meshd reported_faces(DrawStream& draws) {
 }
 
 Meshd with_stretched_axes(Meshd mesh, DrawStream& draws) {
-  static constexpr int exponents[]{0, 60, 255, -170, 300, -300};
-  const int x = exponents[draws.below(6)], y = exponents[draws.below(6)], z = exponents[draws.below(6)];
-  for (Point3d& p : mesh.vertices) p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+  Stretch{draws}(mesh);
   return mesh;
 }
 

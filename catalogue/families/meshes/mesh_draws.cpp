@@ -40,7 +40,7 @@ Meshd lattice_polyhedron(DrawStream& draws) {
   Meshd mesh = lattice_hull(drawn_points(draws));
   if (mesh.faces.empty()) mesh = lattice_hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
   mesh = relisted(mesh, draws);
-  if (draws.below(4) == 3) turn_inside_out(mesh);
+  if (draws.one_in(4)) turn_inside_out(mesh);
   return mesh;
 }
 
@@ -88,7 +88,7 @@ Meshd with_flat_vertex(const Meshd& mesh, DrawStream& draws) {
   const auto added = static_cast<Index>(mesh.vertices.size());
   const Face face = mesh.faces[draws.below(mesh.faces.size())];
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
-  if (draws.below(2) == 0) {
+  if (!draws.coin()) {
     result.vertices.push_back({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3});
     std::replace(result.faces.begin(), result.faces.end(), face, Face{face.a, face.b, added});
     result.faces.push_back({face.b, face.c, added});
@@ -131,20 +131,10 @@ Point3d between_vertices(const Meshd& mesh, DrawStream& draws) {
   return middle(mesh.vertices[first], mesh.vertices[second]);
 }
 
-void map_linearly(Meshd& mesh, Point3d& point, DrawStream& draws) {
-  Whole rows[3];
-  for (Whole& row : rows) {
-    for (long& entry : row) entry = static_cast<long>(small_integer(draws, 4));
-  }
-  if (dot(rows[0], cross(rows[1], rows[2])) == 0) return;
-  const auto image = [&rows](const Point3d& p) {
-    const auto row = [&p](const Whole& r) {
-      return static_cast<double>(r[0]) * p.x + static_cast<double>(r[1]) * p.y + static_cast<double>(r[2]) * p.z;
-    };
-    return Point3d{row(rows[0]), row(rows[1]), row(rows[2])};
-  };
-  for (Point3d& vertex : mesh.vertices) vertex = image(vertex);
-  point = image(point);
+LinearMap::LinearMap(DrawStream& draws) {
+  std::array<Vector3d, 3> rows{};
+  for (Vector3d& row : rows) row = {small_integer(draws, 4), small_integer(draws, 4), small_integer(draws, 4)};
+  if (dot(rows[0], cross(rows[1], rows[2])) != 0) rows_ = rows;
 }
 
 Meshd broken(Meshd mesh, DrawStream& draws) {
@@ -165,6 +155,12 @@ Meshd broken(Meshd mesh, DrawStream& draws) {
       for (const Face& f : faces) mesh.faces.push_back({f.a + count, f.b + count, f.c + count});
     }
   }
+  return mesh;
+}
+
+Meshd tetrahedron_over(const std::array<Point3d, 4>& corners) {
+  Meshd mesh{{corners.begin(), corners.end()}, {}};
+  make_tetrahedron(mesh);
   return mesh;
 }
 

@@ -42,7 +42,7 @@ Meshd shells(const Meshd& shape, DrawStream& draws) {
     const double size = 2 * static_cast<double>(parts.size() + 1);
     Meshd shell = shape;
     for (Point3d& p : shell.vertices) p = {size * p.x, size * p.y, size * p.z};
-    if (draws.below(2) == 1) turn_inside_out(shell);
+    if (draws.coin()) turn_inside_out(shell);
     parts.push_back(shell);
   }
   return in_one_mesh(shuffled(parts, draws));
@@ -62,7 +62,7 @@ BodyInRecess body_in_recess(DrawStream& draws) {
   }
   drawn.body = unit_body(draws);
   const double size = std::array{3.0, 6.0, 4.0, 9.0}[draws.below(4)];
-  const auto off = [&draws] { return draws.below(2) == 1 ? 3 * small_integer(draws, 2) : 0.0; };
+  const auto off = [&draws] { return draws.coin() ? 3 * small_integer(draws, 2) : 0.0; };
   const double x = off(), y = off(), z = off();
   const auto& [at_x, at_y, at_z] = drawn.middle;
   for (Point3d& p : drawn.body.vertices) p = {at_x + x + size * p.x, at_y + y + size * p.y, at_z + z + size * p.z};
@@ -72,9 +72,9 @@ BodyInRecess body_in_recess(DrawStream& draws) {
 Meshd crossing_boxes(DrawStream& draws) {
   std::vector<Meshd> boxes;
   for (std::uint64_t left = 2 + draws.below(2); left > 0; --left) {
-    const auto from = [&draws] { return 12 * static_cast<double>(draws.below(3)); };
+    const auto from = [&draws] { return 12 * up_to(draws, 2); };
     const double x = from(), y = from(), z = from();
-    const auto to = [&draws] { return 36 + 12 * static_cast<double>(draws.below(3)); };
+    const auto to = [&draws] { return 36 + 12 * up_to(draws, 2); };
     const double u = to(), v = to(), w = to();
     boxes.push_back(box_mesh({x, y, z}, {u, v, w}));
   }
@@ -85,8 +85,8 @@ Meshd with_unnamed_vertices(Meshd mesh, const Point3d& place, DrawStream& draws)
   for (std::uint64_t left = 1 + draws.below(3); left > 0; --left) {
     const auto far = [&draws] { return 1200 * small_integer(draws, 2); };
     const double x = far(), y = far(), z = far();
-    const Meshd vertex{{draws.below(2) == 1 ? Point3d{x, y, z} : place}, {}};
-    mesh = draws.below(2) == 1 ? together(vertex, mesh) : together(mesh, vertex);
+    const Meshd vertex{{draws.coin() ? Point3d{x, y, z} : place}, {}};
+    mesh = draws.coin() ? together(vertex, mesh) : together(mesh, vertex);
   }
   return mesh;
 }

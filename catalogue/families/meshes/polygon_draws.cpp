@@ -41,7 +41,7 @@ Corners united(Corners a, Corners b, std::size_t first) {
 Meshd cubes_of_a_layer(DrawStream& draws) {
   std::vector<Whole> cells{{0, 0, 0}};
   for (long i = 1; i < 9; ++i) {
-    if (draws.below(2) == 1) cells.push_back({i % 3, i / 3, 0});
+    if (draws.coin()) cells.push_back({i % 3, i / 3, 0});
   }
   return cube_surface(cells);
 }
@@ -121,7 +121,7 @@ Meshd with_broken_polygons(Meshd mesh, DrawStream& draws) {
 }
 
 Meshd solid_of_polygons(DrawStream& draws) {
-  Meshd mesh = draws.below(3) == 2 ? lattice_solid(draws) : cubes_of_a_layer(draws);
+  Meshd mesh = draws.one_in(3) ? lattice_solid(draws) : cubes_of_a_layer(draws);
   for (std::uint64_t more = draws.below(3); more > 0; --more) mesh = with_flat_vertex(mesh, draws);
   return with_polygons(mesh, draws);
 }

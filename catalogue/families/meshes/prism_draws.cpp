@@ -24,7 +24,7 @@ Polygon2d simple_or_square(Polygon2d ring) {
 Polygon2d ring_on_small_lattice(DrawStream& draws) {
   Polygon2d ring;
   for (std::uint64_t left = 4 + draws.below(7); left > 0; --left) {
-    const auto x = static_cast<double>(draws.below(5)), y = static_cast<double>(draws.below(5));
+    const auto x = up_to(draws, 4), y = up_to(draws, 4);
     const Point2d p{x, y};
     if (std::find(ring.vertices.begin(), ring.vertices.end(), p) == ring.vertices.end()) ring.vertices.push_back(p);
   }
@@ -59,8 +59,7 @@ Meshd prism_over(const Polygon2d& ring, const Vector2d& slope, double height, Dr
 
 Meshd prism_on_small_lattice(DrawStream& draws) {
   const Polygon2d ring = ring_on_small_lattice(draws);
-  const double x = small_integer(draws, 2), y = small_integer(draws, 2);
-  return prism_over(ring, {x, y}, 4, draws);
+  return prism_over(ring, {small_integer(draws, 2), small_integer(draws, 2)}, 4, draws);
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ namespace {
 const std::vector<Face> faces_with_dent{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}};
 
 Point3d drawn_point(DrawStream& draws, int most) {
-  const double x = 12 * small_integer(draws, most), y = 12 * small_integer(draws, most);
-  return {x, y, 12 * small_integer(draws, most)};
+  return {12 * small_integer(draws, most), 12 * small_integer(draws, most), 12 * small_integer(draws, most)};
 }
 
 std::vector<Whole> block(long x, long y, long z) {
@@ -34,7 +33,7 @@ std::vector<Whole> around_the_middle(long height) {
 std::vector<Whole> drawn_cells(DrawStream& draws) {
   std::vector<Whole> cells{{0, 0, 0}};
   for (const Whole& cell : block(3, 2, 2)) {
-    if (draws.below(2) == 1) cells.push_back(cell);
+    if (draws.coin()) cells.push_back(cell);
   }
   return cells;
 }
@@ -42,7 +41,7 @@ std::vector<Whole> drawn_cells(DrawStream& draws) {
 /// Multiples of 12 stay such.
 Meshd shell_in_shell(DrawStream& draws) {
   Meshd outer = lattice_polyhedron(draws), inner = outer;
-  const double factor = 2 + static_cast<double>(draws.below(3));
+  const double factor = 2 + up_to(draws, 2);
   const Point3d at = drawn_point(draws, 2);
   for (Point3d& p : outer.vertices) p = {factor * p.x, factor * p.y, factor * p.z};
   for (Point3d& p : inner.vertices) p = {p.x + at.x, p.y + at.y, p.z + at.z};
@@ -57,7 +56,7 @@ Meshd drawn_solid(DrawStream& draws) {
     case 3: return cube_surface(drawn_cells(draws));
     case 4: return shell_in_shell(draws);
     default:
-      return draws.below(4) == 3 ? cube_surface(around_the_middle(3)) : dented_tetrahedron(48, drawn_point(draws, 3));
+      return draws.one_in(4) ? cube_surface(around_the_middle(3)) : dented_tetrahedron(48, drawn_point(draws, 3));
   }
 }
 
@@ -95,7 +94,7 @@ Meshd sheets_at_a_vertex(DrawStream& draws) {
   for (std::uint64_t left = 1 + draws.below(3); left > 0; --left) {
     const auto count = static_cast<Index>(mesh.vertices.size());
     std::array<Index, 4> at{static_cast<Index>(draws.below(count)), count, count + 1, count + 2};
-    if (draws.below(3) == 2) at[1] = (at[0] + 1) % count;
+    if (draws.one_in(3)) at[1] = (at[0] + 1) % count;
     for (int i = 0; i < 3; ++i) mesh.vertices.push_back(drawn_point(draws, 4));
     const auto [a, b, c, d] = at;
     for (const Face& face : {Face{a, c, b}, Face{a, b, d}, Face{a, d, c}, Face{b, c, d}}) mesh.faces.push_back(face);
@@ -154,7 +153,7 @@ Meshd with_face_listed_twice(Meshd mesh, DrawStream& draws) {
   }
   Face again = face;
   for (std::uint64_t left = draws.below(3); left > 0; --left) again = {again.b, again.c, again.a};
-  if (draws.below(2) == 1) std::swap(again.b, again.c);
+  if (draws.coin()) std::swap(again.b, again.c);
   mesh.faces.insert(mesh.faces.end(), {face, again});
   return mesh;
 }
@@ -172,6 +171,13 @@ Meshd opened(Meshd mesh, DrawStream& draws) {
       mesh.vertices.push_back(mesh.vertices[face.a]);
       mesh.faces[which].a = static_cast<Index>(mesh.vertices.size() - 1);
   }
+  return mesh;
+}
+
+Meshd ordinary_solid(DrawStream& draws) {
+  Meshd mesh;
+  while (mesh.vertices.size() < 5) mesh.vertices.push_back({ordinary(draws), ordinary(draws), ordinary(draws)});
+  make_solid(mesh);
   return mesh;
 }
 

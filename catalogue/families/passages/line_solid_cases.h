@@ -19,27 +19,24 @@ struct Course {
 
 /// Through x, or to it, or away from it: x is at t = 1 / 2, 1, 2, -1 or so, exactly.
 inline Course course_through(DrawStream& c, const Point3d& x, const Vector3d& v) {
-  const double before = small_integer(c, 2) + 1, length = 1 + static_cast<double>(c.below(3));
+  const double before = small_integer(c, 2) + 1, length = one_to(c, 3);
   return {x + (-before) * v, length * v};
 }
 
 /// Many lengths of the direction away, where small differences cancel.
 inline Course course_from_afar(DrawStream& c, const Point3d& x, const Vector3d& v) {
-  const double far = std::ldexp(1, 20 + static_cast<int>(c.below(24)));
-  const bool long_way = c.below(2) == 1;
+  const double far = power_of_two(c, 20, 43);
+  const bool long_way = c.coin();
   return {x + (-far) * v, (long_way ? 2 * far : 1) * v};
 }
 
 /// Any size of direction, past every guard.
-inline Vector3d of_any_size(DrawStream& c, const Vector3d& v) {
-  const int k = static_cast<int>(c.below(2040)) - 1060;
-  return {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
-}
+inline Vector3d of_any_size(DrawStream& c, const Vector3d& v) { return scaled(v, integer_in(c, -1060, 979)); }
 
 /// The question in space, or the same without z.
 template <class Row, class Solid>
 typename Row::Question in_either(DrawStream& c, const Course& course, const Solid& solid) {
-  return Row::of(course, solid, c.below(2) == 1);
+  return Row::of(course, solid, c.coin());
 }
 
 }  // namespace touchstone::catalogue

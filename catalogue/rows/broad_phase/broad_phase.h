@@ -39,213 +39,174 @@ struct broad_phase : signatures::broad_phase {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"small_grid", [](DrawStream& c) -> Question { return any_program(c, small_box, 6, 12); }},
-        {"lattice_that_touches", [](DrawStream& c) -> Question { return any_program(c, cell, 12, 12); }},
-        {"beside_by_ulps",
-         [](DrawStream& c) -> Question {
-           const auto end = [](DrawStream& d) { return 1 + static_cast<double>(d.below(4)) * 0x1p-52; };
-           return any_program(
-               c,
-               [&end](DrawStream& d) {
-                 Aabb3d box{{end(d), 0, 0}, {end(d), 1, 1}};
-                 if (d.below(2) == 1) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
-                 put_in_order(box);
-                 return box;
-               },
-               6, 8);
-         }},
-        {"flat_and_zero",
-         [](DrawStream& c) -> Question {
-           return any_program(
-               c,
-               [](DrawStream& d) {
-                 static constexpr std::array ends{0.0, -0.0, 0x1p-1074, -0x1p-1074};
-                 const auto end = [&d] { return ends[d.below(4)]; };
-                 const double x = end(), y = end(), z = end(), u = end(), v = end();
-                 Aabb3d box{{x, y, z}, {u, v, end()}};
-                 put_in_order(box);
-                 return box;
-               },
-               6, 8);
-         }},
-        {"to_the_ends",
-         [](DrawStream& c) -> Question {
-           // Planes and halves of space, as boxes that reach to the greatest number.
-           return any_program(
-               c,
-               [](DrawStream& d) {
-                 Aabb3d box{{-greatest_number, -greatest_number, -greatest_number},
-                            {greatest_number, greatest_number, greatest_number}};
-                 double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[d.below(3)];
-                 const double at = small_integer(d, 2);
-                 if (d.below(2) == 0) box.min.*axis = at;
-                 if (d.below(2) == 0) box.max.*axis = box.min.*axis == at ? at : greatest_number;
-                 return box;
-               },
-               4, 8);
-         }},
-        {"there_and_back",
-         [](DrawStream& c) -> Question {
-           Programming p(c);
-           const std::size_t bodies = 2 + c.below(3);
-           while (p.there().size() < bodies) p.start_with(cell(c));
-           const auto any = [&c] { return cell(c); };
-           while (c.below(4) != 0) {
-             p.any_query(any);
-             p.move(shifted(cell(c), 100, 0, 0));
-             p.any_query(any);
-             p.move(cell(c));
-           }
-           p.ask();
-           return p.program();
-         }},
-        {"first_ones_removed",
-         [](DrawStream& c) -> Question {
-           // Places in the list of those that are there are no indices any more.
-           Programming p(c);
-           const std::size_t bodies = 2 + c.below(6);
-           while (p.there().size() < bodies) p.start_with(small_box(c));
-           for (std::size_t left = 1 + c.below(3); left > 0; --left) p.remove();
-           p.ask();
-           for (std::size_t left = c.below(3); left > 0; --left) p.insert(small_box(c));
-           p.ask();
-           return p.program();
-         }},
-        {"all_removed",
-         [](DrawStream& c) -> Question {
-           Programming p(c);
-           const std::size_t bodies = c.below(4);
-           while (p.there().size() < bodies) p.start_with(cell(c));
-           while (!p.there().empty()) p.remove();
-           p.ask();
-           for (std::size_t left = c.below(4); left > 0; --left) p.insert(cell(c));
-           p.ask();
-           return p.program();
-         }},
-        {"many_moves",
-         [](DrawStream& c) -> Question {
-           // One body goes farther and farther, and others stay.
-           Programming p(c);
-           const std::size_t bodies = 1 + c.below(4);
-           while (p.there().size() < bodies) p.start_with(cell(c));
-           const double step = static_cast<double>(1 + c.below(3));
-           double at = 0;
-           for (std::size_t left = 4 + c.below(28); left > 0; --left) {
-             p.move(shifted(cell(c), at += step, 0, 0));
-             if (c.below(4) == 1) p.ask_in({{at - 1, 0, 0}, {at + 1, 1, 1}});
-           }
-           p.ask_along({{0, 0, 0}, {1, 0, 0}});
-           p.ask();
-           return p.program();
-         }},
-        {"on_one_plane",
-         [](DrawStream& c) -> Question {
-           const double height = small_integer(c);
-           const auto flat = [height](DrawStream& d) {
-             Aabb3d box = small_box(d);
-             box.min.z = box.max.z = height;
-             return box;
-           };
-           return any_program(c, flat, 8, 8);
-         }},
-        {"one_over_all",
-         [](DrawStream& c) -> Question {
-           Programming p(c);
-           const auto any = [&c] { return cell(c); };
-           const double end = c.below(2) == 1 ? greatest_number : 0x1p60;
-           p.start_with({{-end, -end, -end}, {end, end, end}});
-           for (std::size_t left = c.below(8); left > 0; --left) p.start_with(cell(c));
-           p.any_query(any);
-           p.move(cell(c));
-           p.any_query(any);
-           p.ask();
-           return p.program();
-         }},
-        {"duplicates",
-         [](DrawStream& c) -> Question {
-           const Aabb3d one = small_box(c);
-           return any_program(
-               c, [&one](DrawStream& d) { return d.below(4) == 3 ? small_box(d) : one; }, 6, 8);
-         }},
-        {"along_faces",
-         [](DrawStream& c) -> Question {
-           // Along lines of the lattice: through corners, along edges and faces, or beside all of them.
-           Programming p(c);
-           for (std::size_t left = 1 + c.below(8); left > 0; --left) p.start_with(cell(c));
-           for (std::size_t left = 1 + c.below(3); left > 0; --left) {
-             const auto at = [&c] { return static_cast<double>(c.below(6)) - 1; };
-             const auto step = [&c] { return std::array{0.0, 1.0, -0.0, -1.0}[c.below(4)]; };
-             const double x = at(), y = at(), z = at(), u = step(), v = step();
-             p.ask_along(repaired({{x, y, z}, {u, v, step()}}));
-           }
-           return p.program();
-         }},
-        {"met_at_once",
-         [](DrawStream& c) -> Question {
-           // Boxes that begin where the ray is at an integer t, on an axis each; between them, perhaps, some others.
-           Programming p(c);
-           const Point3d o = lattice_point_of_box(c, 6);
-           const auto speed = [&c] {
-             const double size = static_cast<double>(1 + c.below(7));
-             return c.below(2) == 1 ? -size : size;
-           };
-           const double u = speed(), v = speed(), w = speed();
-           for (std::size_t left = 2 + c.below(6); left > 0; --left) {
-             const double t = static_cast<double>(c.below(3)), more = 8 + static_cast<double>(c.below(3));
-             const auto entered = [t](double from, double by) { return from + t * by; };
-             Aabb3d box{{entered(o.x, u), entered(o.y, v), entered(o.z, w)},
-                        {entered(o.x, u), entered(o.y, v), entered(o.z, w)}};
-             double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[c.below(3)];
-             for (double Point3d::*other : {&Point3d::x, &Point3d::y, &Point3d::z})
-               if (other != axis) box.min.*other -= more, box.max.*other += more;
-             const double by = axis == &Point3d::x ? u : axis == &Point3d::y ? v : w;
-             // In two steps: g++ 12 writes into a copy where the conditional is written before ".*" itself.
-             Point3d& far_corner = by > 0 ? box.max : box.min;
-             far_corner.*axis += by > 0 ? more : -more;
-             p.start_with(box);
-           }
-           p.ask_along({o, {u, v, w}});
-           return p.program();
-         }},
-        {"reciprocals",
-         [](DrawStream& c) -> Question {
-           // Quotients beyond the range or below it, and products of 1e30.
-           static constexpr std::array sizes{1.0, 1e30, 1e-30, 0x1p-1074, 0x1p-1022, 0x1p1000, greatest_number};
-           const auto number = [&c] {
-             const double size = sizes[c.below(sizes.size())];
-             return size * small_integer(c, 2);
-           };
-           Programming p(c);
-           for (std::size_t left = 1 + c.below(4); left > 0; --left) {
-             const double x = number(), y = number(), z = number(), u = number(), v = number();
-             Aabb3d box{{x, y, z}, {u, v, number()}};
-             put_in_order(box);
-             p.start_with(box);
-           }
-           for (std::size_t left = 1 + c.below(2); left > 0; --left) {
-             const double x = number(), y = number(), z = number(), u = number(), v = number();
-             p.ask_along(repaired({{x, y, z}, {u, v, number()}}));
-           }
-           return p.program();
-         }},
-        {"many_bodies", [](DrawStream& c) -> Question { return any_program(c, wide_box, 80, 4); }, /*unscaled=*/true},
-        {"long_program", [](DrawStream& c) -> Question { return any_program(c, small_box, 4, 80); }, /*unscaled=*/true},
-        {"many_answers", many_answers, /*unscaled=*/true},
-        {"met_nearly_at_once", met_nearly_at_once, /*unscaled=*/true},
-        {"perhaps_not_there",
-         [](DrawStream& c) -> Question {
-           // An index beyond all others, of a removed body, or a valid one.
-           Question question = any_program(c, small_box, 4, 6);
-           auto& [boxes, commands] = question;
-           const auto body = static_cast<Index>(c.below(6));
-           const auto place = commands.begin() + static_cast<std::ptrdiff_t>(c.below(commands.size()));
-           if (c.below(2) == 1) commands.insert(place, Remove{body});
-           else commands.insert(place, Moved{body, small_box(c)});
-           return question;
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("small_grid", [](DrawStream& c) -> Question { return any_program(c, small_box, 6, 12); });
+    add("lattice_that_touches", [](DrawStream& c) -> Question { return any_program(c, cell, 12, 12); });
+    add("beside_by_ulps", [](DrawStream& c) -> Question {
+      return any_program(
+          c,
+          [](DrawStream& d) {
+            const auto end = [&d] { return 1 + up_to(d, 3) * 0x1p-52; };
+            Aabb3d box{{end(), 0, 0}, {end(), 1, 1}};
+            if (d.coin()) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
+            put_in_order(box);
+            return box;
+          },
+          6, 8);
+    });
+    add("flat_and_zero", [](DrawStream& c) -> Question {
+      const auto end = [](DrawStream& d) { return std::array{0.0, -0.0, 0x1p-1074, -0x1p-1074}[d.below(4)]; };
+      return any_program(
+          c, [&end](DrawStream& d) { return box_of(d, end); }, 6, 8);
+    });
+    add("to_the_ends", [](DrawStream& c) -> Question {
+      // Planes and halves of space, as boxes that reach to the greatest number.
+      return any_program(
+          c,
+          [](DrawStream& d) {
+            Aabb3d box = box_from_to(-greatest_number, greatest_number);
+            double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[d.below(3)];
+            const double at = small_integer(d, 2);
+            if (!d.coin()) box.min.*axis = at;
+            if (!d.coin()) box.max.*axis = box.min.*axis == at ? at : greatest_number;
+            return box;
+          },
+          4, 8);
+    });
+    add("there_and_back", [](DrawStream& c) -> Question {
+      Programming p(c);
+      p.start_with(2 + c.below(3), cell);
+      const auto any = [&c] { return cell(c); };
+      while (c.below(4) != 0) {
+        p.any_query(any);
+        p.move(shifted(cell(c), 100, 0, 0));
+        p.any_query(any);
+        p.move(cell(c));
+      }
+      p.ask();
+      return p.program();
+    });
+    add("first_ones_removed", [](DrawStream& c) -> Question {
+      // Places in the list of those that are there are no indices any more.
+      Programming p(c);
+      p.start_with(2 + c.below(6), small_box);
+      for (std::size_t left = 1 + c.below(3); left > 0; --left) p.remove();
+      p.ask();
+      for (std::size_t left = c.below(3); left > 0; --left) p.insert(small_box(c));
+      p.ask();
+      return p.program();
+    });
+    add("all_removed", [](DrawStream& c) -> Question {
+      Programming p(c);
+      p.start_with(c.below(4), cell);
+      while (!p.there().empty()) p.remove();
+      p.ask();
+      for (std::size_t left = c.below(4); left > 0; --left) p.insert(cell(c));
+      p.ask();
+      return p.program();
+    });
+    add("many_moves", [](DrawStream& c) -> Question {
+      // One body goes farther and farther, and others stay.
+      Programming p(c);
+      p.start_with(1 + c.below(4), cell);
+      const double step = one_to(c, 3);
+      double at = 0;
+      for (std::size_t left = 4 + c.below(28); left > 0; --left) {
+        p.move(shifted(cell(c), at += step, 0, 0));
+        if (c.below(4) == 1) p.ask_in({{at - 1, 0, 0}, {at + 1, 1, 1}});
+      }
+      p.ask_along({{0, 0, 0}, {1, 0, 0}});
+      p.ask();
+      return p.program();
+    });
+    add("on_one_plane", [](DrawStream& c) -> Question {
+      const double height = small_integer(c);
+      const auto flat = [height](DrawStream& d) {
+        Aabb3d box = small_box(d);
+        box.min.z = box.max.z = height;
+        return box;
+      };
+      return any_program(c, flat, 8, 8);
+    });
+    add("one_over_all", [](DrawStream& c) -> Question {
+      Programming p(c);
+      const auto any = [&c] { return cell(c); };
+      const double end = c.coin() ? greatest_number : 0x1p60;
+      p.start_with(box_from_to(-end, end));
+      for (std::size_t left = c.below(8); left > 0; --left) p.start_with(cell(c));
+      p.any_query(any);
+      p.move(cell(c));
+      p.any_query(any);
+      p.ask();
+      return p.program();
+    });
+    add("duplicates", [](DrawStream& c) -> Question {
+      const Aabb3d one = small_box(c);
+      return any_program(
+          c, [&one](DrawStream& d) { return d.one_in(4) ? small_box(d) : one; }, 6, 8);
+    });
+    add("along_faces", [](DrawStream& c) -> Question {
+      // Along lines of the lattice: through corners, along edges and faces, or beside all of them.
+      Programming p(c);
+      for (std::size_t left = 1 + c.below(8); left > 0; --left) p.start_with(cell(c));
+      for (std::size_t left = 1 + c.below(3); left > 0; --left) {
+        const auto at = [&c] { return up_to(c, 5) - 1; };
+        const auto step = [&c] { return std::array{0.0, 1.0, -0.0, -1.0}[c.below(4)]; };
+        p.ask_along(repaired({{at(), at(), at()}, {step(), step(), step()}}));
+      }
+      return p.program();
+    });
+    add("met_at_once", [](DrawStream& c) -> Question {
+      // Boxes that begin where the ray is at an integer t, on an axis each; between them, perhaps, some others.
+      Programming p(c);
+      const Point3d o = lattice_point_of_box(c, 6);
+      const auto speed = [&c] {
+        const double size = one_to(c, 7);
+        return either_sign(c) * size;
+      };
+      const Vector3d v{speed(), speed(), speed()};
+      for (std::size_t left = 2 + c.below(6); left > 0; --left) {
+        const double t = up_to(c, 2), more = 8 + up_to(c, 2);
+        Aabb3d box{o + t * v, o + t * v};
+        double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[c.below(3)];
+        for (double Point3d::*other : {&Point3d::x, &Point3d::y, &Point3d::z})
+          if (other != axis) box.min.*other -= more, box.max.*other += more;
+        const double by = axis == &Point3d::x ? v.x : axis == &Point3d::y ? v.y : v.z;
+        // In two steps: g++ 12 writes into a copy where the conditional is written before ".*" itself.
+        Point3d& far_corner = by > 0 ? box.max : box.min;
+        far_corner.*axis += by > 0 ? more : -more;
+        p.start_with(box);
+      }
+      p.ask_along({o, v});
+      return p.program();
+    });
+    add("reciprocals", [](DrawStream& c) -> Question {
+      // Quotients beyond the range or below it, and products of 1e30.
+      static constexpr std::array sizes{1.0, 1e30, 1e-30, 0x1p-1074, 0x1p-1022, 0x1p1000, greatest_number};
+      const auto number = [](DrawStream& d) {
+        const double size = sizes[d.below(sizes.size())];
+        return size * small_integer(d, 2);
+      };
+      Programming p(c);
+      for (std::size_t left = 1 + c.below(4); left > 0; --left) p.start_with(box_of(c, number));
+      for (std::size_t left = 1 + c.below(2); left > 0; --left)
+        p.ask_along(repaired({{number(c), number(c), number(c)}, {number(c), number(c), number(c)}}));
+      return p.program();
+    });
+    add.unscaled("many_bodies", [](DrawStream& c) -> Question { return any_program(c, wide_box, 80, 4); });
+    add.unscaled("long_program", [](DrawStream& c) -> Question { return any_program(c, small_box, 4, 80); });
+    add.unscaled("many_answers", many_answers);
+    add.unscaled("met_nearly_at_once", met_nearly_at_once);
+    add("perhaps_not_there", [](DrawStream& c) -> Question {
+      // An index beyond all others, of a removed body, or a valid one.
+      Question question = any_program(c, small_box, 4, 6);
+      auto& [boxes, commands] = question;
+      const auto body = static_cast<Index>(c.below(6));
+      const auto place = commands.begin() + static_cast<std::ptrdiff_t>(c.below(commands.size()));
+      if (c.coin()) commands.insert(place, Remove{body});
+      else commands.insert(place, Moved{body, small_box(c)});
+      return question;
+    });
   }
 
   /// Two boxes that touch at a corner: moves the one's.
@@ -351,6 +312,7 @@ struct broad_phase : signatures::broad_phase {
 
  private:
   static constexpr double greatest_number = std::numeric_limits<double>::max();
+  static Aabb3d box_from_to(double min, double max) { return {{min, min, min}, {max, max, max}}; }
 
   /// The bodies that are there at the last query, and it; where nothing is asked, at the end.
   static std::pair<::touchstone::reference::IndexedBoxes<double>, std::optional<Commandd>> at_last_query(

@@ -27,39 +27,31 @@ struct explicit_line : signatures::explicit_line {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_line",
-         [](DrawStream& c) -> Question {
-           const double slope = integer(c, 20), intercept = integer(c, 26), x = integer(c, 26);
-           return {slope, intercept, {x, slope * x + intercept}};
-         }},
-        {"beside_line",
-         [](DrawStream& c) -> Question {
-           const double slope = integer(c, 20), intercept = integer(c, 26), x = integer(c, 26);
-           return {slope, intercept, {x, slope * x + intercept + small_integer(c, 1)}};
-         }},
-        {"flat",
-         [](DrawStream& c) -> Question {
-           const double intercept = integer(c, 53);
-           return {0.0, intercept, {integer(c, 53), c.below(2) == 1 ? intercept : integer(c, 53)}};
-         }},
-        {"through_origin",
-         [](DrawStream& c) -> Question {
-           const double slope = integer(c, 26), x = integer(c, 26);
-           return {slope, 0.0, {x, slope * x}};
-         }},
-        {"rounded_on_line",
-         [](DrawStream& c) -> Question {
-           const double slope = typed(c), intercept = typed(c), x = typed(c);
-           return {slope, intercept, {x, slope * x + intercept}};
-         }},
-        {"cancelling",
-         [](DrawStream& c) -> Question {
-           const double slope = ordinary(c), x = ordinary(c);
-           return {slope, -(slope * x), {x, c.below(2) == 1 ? std::fma(slope, x, -(slope * x)) : 0.0}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_line", [](DrawStream& c) -> Question {
+      const double slope = integer(c, 20), intercept = integer(c, 26), x = integer(c, 26);
+      return {slope, intercept, {x, slope * x + intercept}};
+    });
+    add("beside_line", [](DrawStream& c) -> Question {
+      const double slope = integer(c, 20), intercept = integer(c, 26), x = integer(c, 26);
+      return {slope, intercept, {x, slope * x + intercept + small_integer(c, 1)}};
+    });
+    add("flat", [](DrawStream& c) -> Question {
+      const double intercept = integer(c, 53);
+      return {0.0, intercept, {integer(c, 53), c.coin() ? intercept : integer(c, 53)}};
+    });
+    add("through_origin", [](DrawStream& c) -> Question {
+      const double slope = integer(c, 26), x = integer(c, 26);
+      return {slope, 0.0, {x, slope * x}};
+    });
+    add("rounded_on_line", [](DrawStream& c) -> Question {
+      const double slope = typed(c), intercept = typed(c), x = typed(c);
+      return {slope, intercept, {x, slope * x + intercept}};
+    });
+    add("cancelling", [](DrawStream& c) -> Question {
+      const double slope = ordinary(c), x = ordinary(c);
+      return {slope, -(slope * x), {x, c.coin() ? std::fma(slope, x, -(slope * x)) : 0.0}};
+    });
   }
 
   /// The slope is a ratio of lengths: it keeps its value.

@@ -29,62 +29,51 @@ struct implicit_circle : signatures::implicit_circle {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_circle",
-         [](DrawStream& c) -> Question {
-           const auto& t = triples[c.below(std::size(triples))];
-           const double k = 1 + static_cast<double>(c.below(1 << 15)), flip = c.below(2) == 1 ? -1 : 1;
-           const Point2d center = lattice_point(c);
-           const bool swapped = c.below(2) == 1;
-           const double dx = k * t[swapped ? 1 : 0], dy = flip * k * t[swapped ? 0 : 1];
-           return {{center, k * t[2]}, {center.x + dx, center.y + dy}};
-         }},
-        {"beside_circle",
-         [](DrawStream& c) -> Question {
-           const auto& t = triples[c.below(std::size(triples))];
-           const double k = 1 + static_cast<double>(c.below(1 << 15));
-           const Point2d center = lattice_point(c);
-           return {{center, k * t[2]}, {center.x + k * t[0] + small_integer(c, 1), center.y - k * t[1]}};
-         }},
-        {"radius_zero",
-         [](DrawStream& c) -> Question {
-           const Point2d center = lattice_point(c);
-           return {{center, 0.0}, {center.x + small_integer(c, 1), center.y + small_integer(c, 1)}};
-         }},
-        {"point_at_centre",
-         [](DrawStream& c) -> Question {
-           const Point2d center = lattice_point(c, 53);
-           return {{center, std::fabs(integer(c, 53))}, center};
-         }},
-        {"axis_point",
-         [](DrawStream& c) -> Question {
-           const Point2d center = lattice_point(c, 50);
-           const double r = std::fabs(integer(c, 50));
-           return {{center, r}, {c.below(2) == 1 ? center.x - r : center.x + r, center.y}};
-         }},
-        {"rounded_on_circle",
-         [](DrawStream& c) -> Question {
-           const double r = std::fabs(typed(c)), u = 8 * ordinary(c);
-           const Point2d center{typed(c), typed(c)};
-           return {{center, r}, {center.x + r * std::cos(u), center.y + r * std::sin(u)}};
-         }},
-        {"on_long_circle",
-         [](DrawStream& c) -> Question {
-           // A multiple of 3, 4, 5 whose squares do not fit a double.
-           const double w = std::ldexp(1, 49) + static_cast<double>(c.below(std::uint64_t{1} << 49));
-           const Point2d p{c.below(2) == 1 ? -3 * w : 3 * w, c.below(2) == 1 ? -4 * w : 4 * w};
-           return {{{0, 0}, 5 * w}, c.below(2) == 1 ? Point2d{p.y, p.x} : p};
-         }},
-        {"past_half_the_bound",
-         [](DrawStream& c) -> Question {
-           // Outside by the height alone. Rounded upwards the distance along x shrinks to 1, and the radius' square
-           // grows: by 3 units in the last place of 1 together, where the filter's bound is 5. That takes FTZ, which
-           // loses the height's square, without DAZ, which would lose the centre's x.
-           return {{{-0x1p-1074, 0.0}, 1 + 0x1p-52},
-                   {-(1 + 0x1p-52), std::ldexp(1, -512 - static_cast<int>(c.below(25)))}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_circle", [](DrawStream& c) -> Question {
+      const auto& t = triples[c.below(std::size(triples))];
+      const double k = one_to(c, 1 << 15), flip = either_sign(c);
+      const Point2d center = lattice_point(c);
+      const bool swapped = c.coin();
+      const double dx = k * t[swapped ? 1 : 0], dy = flip * k * t[swapped ? 0 : 1];
+      return {{center, k * t[2]}, {center.x + dx, center.y + dy}};
+    });
+    add("beside_circle", [](DrawStream& c) -> Question {
+      const auto& t = triples[c.below(std::size(triples))];
+      const double k = one_to(c, 1 << 15);
+      const Point2d center = lattice_point(c);
+      return {{center, k * t[2]}, {center.x + k * t[0] + small_integer(c, 1), center.y - k * t[1]}};
+    });
+    add("radius_zero", [](DrawStream& c) -> Question {
+      const Point2d center = lattice_point(c);
+      return {{center, 0.0}, {center.x + small_integer(c, 1), center.y + small_integer(c, 1)}};
+    });
+    add("point_at_centre", [](DrawStream& c) -> Question {
+      const Point2d center = lattice_point(c, 53);
+      return {{center, std::fabs(integer(c, 53))}, center};
+    });
+    add("axis_point", [](DrawStream& c) -> Question {
+      const Point2d center = lattice_point(c, 50);
+      const double r = std::fabs(integer(c, 50));
+      return {{center, r}, {c.coin() ? center.x - r : center.x + r, center.y}};
+    });
+    add("rounded_on_circle", [](DrawStream& c) -> Question {
+      const double r = std::fabs(typed(c)), u = 8 * ordinary(c);
+      const Point2d center{typed(c), typed(c)};
+      return {{center, r}, {center.x + r * std::cos(u), center.y + r * std::sin(u)}};
+    });
+    add("on_long_circle", [](DrawStream& c) -> Question {
+      // A multiple of 3, 4, 5 whose squares do not fit a double.
+      const double w = std::ldexp(1, 49) + static_cast<double>(c.below(std::uint64_t{1} << 49));
+      const Point2d p{c.coin() ? -3 * w : 3 * w, c.coin() ? -4 * w : 4 * w};
+      return {{{0, 0}, 5 * w}, c.coin() ? Point2d{p.y, p.x} : p};
+    });
+    add("past_half_the_bound", [](DrawStream& c) -> Question {
+      // Outside by the height alone. Rounded upwards the distance along x shrinks to 1, and the radius' square
+      // grows: by 3 units in the last place of 1 together, where the filter's bound is 5. That takes FTZ, which
+      // loses the height's square, without DAZ, which would lose the centre's x.
+      return {{{-0x1p-1074, 0.0}, 1 + 0x1p-52}, {-(1 + 0x1p-52), std::ldexp(1, -512 - integer_in(c, 0, 24))}};
+    });
   }
 
   /// Legs and hypotenuse of right triangles with integer sides: points on circles, exactly.

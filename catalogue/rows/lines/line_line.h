@@ -33,63 +33,48 @@ struct line_line : signatures::line_line {
     }
   };
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"crossing_on_lattice",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-           return {{along(p, small_integer(c, 4), u), along(p, 5, u)},
-                   {along(p, small_integer(c, 4), v), along(p, 5, v)}};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           const auto [d, q] = quotient_beside_tie(c);
-           return {{{0, 0}, {0, d}}, {{2 * d, d + 1}, {2 * d - 1, d + 1 + q}}};
-         }},
-        {"parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c), q = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, along(p, 1 + static_cast<double>(c.below(8)), v)},
-                   {q, along(q, -1 - static_cast<double>(c.below(8)), v)}};
-         }},
-        {"same",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)},
-                   {along(p, small_integer(c, 4), v), along(p, 5, v)}};
-         }},
-        {"shared_point",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 50);
-           return {{p, lattice_point(c, 50)}, {lattice_point(c, 50), p}};
-         }},
-        {"axis_parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
-           const Line2d across{p, {p.x + 1 + static_cast<double>(c.below(8)), p.y}};
-           return c.below(2) == 1 ? Question{across, {q, {q.x + 1, q.y}}} : Question{across, {q, {q.x, q.y + 1}}};
-         }},
-        {"zero_length",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           return {{p, p}, {p, along(p, 1, lattice_direction(c))}};
-         }},
-        {"nearly_parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p{ordinary(c), ordinary(c)}, q{ordinary(c), ordinary(c)};
-           const Vector2d v{ordinary(c), ordinary(c)};
-           return {{p, along(p, 1, v)}, {q, along(q, ordinary(c), v)}};
-         }},
-        {"past_half_the_bound",
-         [](DrawStream& c) -> Question {
-           // Parallel: the second line is the other side of the triple, rotated by 180 degrees.
-           const auto [p0, p1, p] = rounded_triple(c, true);
-           return {{p0, p1}, {{-p.x, -p.y}, {-p0.x, -p0.y}}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("crossing_on_lattice", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c);
+      const Vector2d u = lattice_direction(c), v = lattice_direction(c);
+      return {{along(p, small_integer(c, 4), u), along(p, 5, u)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      const auto [d, q] = quotient_beside_tie(c);
+      return {{{0, 0}, {0, d}}, {{2 * d, d + 1}, {2 * d - 1, d + 1 + q}}};
+    });
+    add("parallel", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c), q = lattice_point(c);
+      const Vector2d v = lattice_direction(c);
+      return {{p, along(p, one_to(c, 8), v)}, {q, along(q, -one_to(c, 8), v)}};
+    });
+    add("same", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      return {{p, along(p, one_to(c, 4), v)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
+    });
+    add("shared_point", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 50);
+      return {{p, lattice_point(c, 50)}, {lattice_point(c, 50), p}};
+    });
+    add("axis_parallel", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
+      const Line2d across{p, {p.x + one_to(c, 8), p.y}};
+      return c.coin() ? Question{across, {q, {q.x + 1, q.y}}} : Question{across, {q, {q.x, q.y + 1}}};
+    });
+    add("zero_length", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c);
+      return {{p, p}, {p, along(p, 1, lattice_direction(c))}};
+    });
+    add("nearly_parallel", [](DrawStream& c) -> Question {
+      const Point2d p{ordinary(c), ordinary(c)}, q{ordinary(c), ordinary(c)};
+      const Vector2d v{ordinary(c), ordinary(c)};
+      return {{p, along(p, 1, v)}, {q, along(q, ordinary(c), v)}};
+    });
+    add("past_half_the_bound", [](DrawStream& c) -> Question {
+      // Parallel: the second line is the other side of the triple, rotated by 180 degrees.
+      const auto [p0, p1, p] = rounded_triple(c, true);
+      return {{p0, p1}, {{-p.x, -p.y}, {-p0.x, -p0.y}}};
+    });
   }
 
   /// Two times the diagonal, by points whose differences have to be rounded; moves the first point of a.

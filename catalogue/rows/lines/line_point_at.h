@@ -28,60 +28,44 @@ struct line_point_at : signatures::line_point_at {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"lattice",
-         [](DrawStream& c) -> Question {
-           const Point2d origin = lattice_point(c);
-           return {{origin, lattice_direction(c)}, integer(c, 20)};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           const BesideTie x = beside_tie(c);
-           return {{{x.rest, 1}, {x.v, 1}}, x.t};
-         }},
-        {"at_zero",
-         [](DrawStream& c) -> Question {
-           const Point2d origin = lattice_point(c, 53);
-           return {{origin, lattice_direction(c, 53)}, 0.0};
-         }},
-        {"cancelling",
-         [](DrawStream& c) -> Question {
-           const double t = ordinary(c);
-           const Vector2d direction{ordinary(c), 1.0};
-           return {{{-(t * direction.x), -t}, direction}, t};
-         }},
-        {"halfway",
-         [](DrawStream& c) -> Question {
-           const double x = 0x1p52 + static_cast<double>(c.below(16));
-           return {{{x, -x}, {1.0, static_cast<double>(c.below(4))}}, 0.5 + integer(c, 3)};
-         }},
-        {"typed_parameter",
-         [](DrawStream& c) -> Question {
-           return {{{typed(c), typed(c)}, {typed(c), typed(c)}}, typed(c)};
-         }},
-        {"overflowing",
-         [](DrawStream& c) -> Question {
-           // The product is 2^1024 to 1.5 * 2^1024, the origin takes 2^1023 to 2^1024 of it away.
-           const double dx = last_binade(c), longer = 1 + std::ldexp(static_cast<double>(c.below(1024)), -11);
-           const double t = 0x1p1023 / dx * longer * 2, x = -last_binade(c);
-           const double sign = c.below(2) == 0 ? 1 : -1;
-           return {{{sign * x, integer(c, 53)}, {sign * dx, 1.0}}, t};
-         }},
-        {"far_apart",
-         [](DrawStream& c) -> Question {
-           const Point2d origin{ordinary(c), ordinary(c)};
-           const double far = std::ldexp(1, -static_cast<int>(c.below(128)));
-           return {{origin, {far * ordinary(c), far * ordinary(c)}}, ordinary(c)};
-         }},
-        {"at_end_of_range",
-         [](DrawStream& c) -> Question {
-           const auto [x, dx] = beside_last_double(c);
-           const auto [y, dy] = beside_last_double(c);
-           const int k = static_cast<int>(c.below(64));
-           return {{{x, y}, {std::ldexp(dx, -k), std::ldexp(dy, -k)}}, std::ldexp(2, k)};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("lattice", [](DrawStream& c) -> Question {
+      return {{lattice_point(c), lattice_direction(c)}, integer(c, 20)};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      const BesideTie x = beside_tie(c);
+      return {{{x.rest, 1}, {x.v, 1}}, x.t};
+    });
+    add("at_zero", [](DrawStream& c) -> Question { return {{lattice_point(c, 53), lattice_direction(c, 53)}, 0.0}; });
+    add("cancelling", [](DrawStream& c) -> Question {
+      const double t = ordinary(c);
+      const Vector2d direction{ordinary(c), 1.0};
+      return {{{-(t * direction.x), -t}, direction}, t};
+    });
+    add("halfway", [](DrawStream& c) -> Question {
+      const double x = 0x1p52 + up_to(c, 15);
+      return {{{x, -x}, {1.0, up_to(c, 3)}}, 0.5 + integer(c, 3)};
+    });
+    add("typed_parameter", [](DrawStream& c) -> Question {
+      return {{{typed(c), typed(c)}, {typed(c), typed(c)}}, typed(c)};
+    });
+    add("overflowing", [](DrawStream& c) -> Question {
+      // The product is 2^1024 to 1.5 * 2^1024, the origin takes 2^1023 to 2^1024 of it away.
+      const double dx = last_binade(c), longer = 1 + std::ldexp(up_to(c, 1023), -11);
+      const double t = 0x1p1023 / dx * longer * 2, x = -last_binade(c), sign = either_sign(c);
+      return {{{sign * x, integer(c, 53)}, {sign * dx, 1.0}}, t};
+    });
+    add("far_apart", [](DrawStream& c) -> Question {
+      const Point2d origin{ordinary(c), ordinary(c)};
+      const double far = std::ldexp(1, -integer_in(c, 0, 127));
+      return {{origin, {far * ordinary(c), far * ordinary(c)}}, ordinary(c)};
+    });
+    add("at_end_of_range", [](DrawStream& c) -> Question {
+      const auto [x, dx] = beside_last_double(c);
+      const auto [y, dy] = beside_last_double(c);
+      const int k = integer_in(c, 0, 63);
+      return {{{x, y}, {std::ldexp(dx, -k), std::ldexp(dy, -k)}}, std::ldexp(2, k)};
+    });
   }
 
   /// 2^1023 to the greatest double.
@@ -91,8 +75,8 @@ struct line_point_at : signatures::line_point_at {
   /// An origin and a direction, one axis of each. Twice the direction is (2^52 + q) 2^972, beyond the range; the origin
   /// leaves of it the greatest double and k quarters of a unit in its last place: where k >= 2, infinity is nearest.
   static std::pair<double, double> beside_last_double(DrawStream& c) {
-    const double k = 4 - static_cast<double>(c.below(17)), q = static_cast<double>(c.below(std::uint64_t{1} << 49));
-    const double sign = c.below(2) == 0 ? 1 : -1;
+    const double k = 4 - up_to(c, 16), q = static_cast<double>(c.below(std::uint64_t{1} << 49));
+    const double sign = either_sign(c);
     return {-sign * std::ldexp(4 - k + 8 * q, 969), sign * std::ldexp(0x1p52 + q, 971)};
   }
 

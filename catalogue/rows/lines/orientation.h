@@ -32,64 +32,50 @@ struct orientation : signatures::orientation {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"collinear",
-         [](DrawStream& c) -> Question {
-           const Point2d p0 = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {p0, along(p0, small_integer(c), v), along(p0, small_integer(c), v)};
-         }},
-        {"beside_line",
-         [](DrawStream& c) -> Question {
-           const Point2d p0 = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const Point2d p = along(p0, small_integer(c), v);
-           return {p0, along(p0, 1 + static_cast<double>(c.below(8)), v), {p.x, p.y + small_integer(c, 1)}};
-         }},
-        {"coincident",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 53), q = lattice_point(c, 53);
-           switch (c.below(4)) {
-             case 0: return {p, p, p};
-             case 1: return {p, p, q};
-             case 2: return {p, q, p};
-             default: return {p, q, q};
-           }
-         }},
-        {"axis_parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 53);
-           const double x = integer(c, 53), y = integer(c, 53);
-           return c.below(2) == 1 ? Question{p, {p.x, y}, {p.x, x}} : Question{p, {x, p.y}, {y, p.y}};
-         }},
-        {"rounded_on_line",
-         [](DrawStream& c) -> Question {
-           const Point2d p0{ordinary(c), ordinary(c)}, p1{ordinary(c), ordinary(c)};
-           return {p0, p1, along(p0, ordinary(c), p1 - p0)};
-         }},
-        {"typed_on_line",
-         [](DrawStream& c) -> Question {
-           const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
-           return {{0.0, 0.0}, {k * x, k * y}, {x, y}};
-         }},
-        {"far_ends",
-         [](DrawStream& c) -> Question {
-           const Point2d p0 = lattice_point(c);
-           const Vector2d v = lattice_direction(c, 8);
-           return {p0, along(p0, std::ldexp(1, 18), v), along(p0, -std::ldexp(1, 17), v)};
-         }},
-        {"long_collinear",
-         [](DrawStream& c) -> Question {
-           const auto [first, last, between] = long_triple(c);
-           return c.below(2) == 1 ? Question{first, between, last} : Question{first, last, between};
-         }},
-        {"past_half_the_bound",
-         [](DrawStream& c) -> Question {
-           const auto [p0, p1, p] = rounded_triple(c, c.below(2) == 1);
-           return c.below(2) == 1 ? Question{p0, p1, p} : Question{p0, p, p1};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("collinear", [](DrawStream& c) -> Question {
+      const auto [p0, v] = lattice_line(c);
+      return {p0, along(p0, small_integer(c), v), along(p0, small_integer(c), v)};
+    });
+    add("beside_line", [](DrawStream& c) -> Question {
+      const auto [p0, v] = lattice_line(c);
+      const Point2d p = along(p0, small_integer(c), v);
+      return {p0, along(p0, one_to(c, 8), v), {p.x, p.y + small_integer(c, 1)}};
+    });
+    add("coincident", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 53), q = lattice_point(c, 53);
+      switch (c.below(4)) {
+        case 0: return {p, p, p};
+        case 1: return {p, p, q};
+        case 2: return {p, q, p};
+        default: return {p, q, q};
+      }
+    });
+    add("axis_parallel", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 53);
+      const double x = integer(c, 53), y = integer(c, 53);
+      return c.coin() ? Question{p, {p.x, y}, {p.x, x}} : Question{p, {x, p.y}, {y, p.y}};
+    });
+    add("rounded_on_line", [](DrawStream& c) -> Question {
+      const Point2d p0{ordinary(c), ordinary(c)}, p1{ordinary(c), ordinary(c)};
+      return {p0, p1, along(p0, ordinary(c), p1 - p0)};
+    });
+    add("typed_on_line", [](DrawStream& c) -> Question {
+      const double x = typed(c), y = typed(c), k = up_to(c, 3);
+      return {{0.0, 0.0}, {k * x, k * y}, {x, y}};
+    });
+    add("far_ends", [](DrawStream& c) -> Question {
+      const auto [p0, v] = lattice_line(c, 26, 8);
+      return {p0, along(p0, std::ldexp(1, 18), v), along(p0, -std::ldexp(1, 17), v)};
+    });
+    add("long_collinear", [](DrawStream& c) -> Question {
+      const auto [first, last, between] = long_triple(c);
+      return c.coin() ? Question{first, between, last} : Question{first, last, between};
+    });
+    add("past_half_the_bound", [](DrawStream& c) -> Question {
+      const auto [p0, p1, p] = rounded_triple(c, c.coin());
+      return c.coin() ? Question{p0, p1, p} : Question{p0, p, p1};
+    });
   }
 
   struct decision {

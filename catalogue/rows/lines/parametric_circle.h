@@ -28,44 +28,33 @@ struct parametric_circle : signatures::parametric_circle {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"at_zero",
-         [](DrawStream& c) -> Question {
-           return {{lattice_point(c, 53), std::fabs(integer(c, 53))}, c.below(2) == 1 ? -0.0 : 0.0};
-         }},
-        {"radius_zero",
-         [](DrawStream& c) -> Question {
-           return {{lattice_point(c, 53), 0.0}, integer(c, 53)};
-         }},
-        {"near_quarter_turns",
-         [](DrawStream& c) -> Question {
-           static constexpr double quarter = 0x1.921fb54442d18p+0;  // the double nearest to pi / 2
-           const double turns = small_integer(c, 64);
-           return {{lattice_point(c), 1 + static_cast<double>(c.below(64))}, turns * quarter};
-         }},
-        {"huge_angle",
-         [](DrawStream& c) -> Question {
-           const double u = 1 + static_cast<double>(c.below(1 << 20));
-           const int exponent = static_cast<int>(c.below(1000));
-           return {{lattice_point(c), 1 + static_cast<double>(c.below(64))}, std::ldexp(u, exponent)};
-         }},
-        {"tiny_angle",
-         [](DrawStream& c) -> Question {
-           const double u = small_integer(c);
-           const int exponent = -static_cast<int>(c.below(1070));
-           return {{lattice_point(c), 1 + static_cast<double>(c.below(64))}, std::ldexp(u, exponent)};
-         }},
-        {"cancelling",
-         [](DrawStream& c) -> Question {
-           const double r = 1 + static_cast<double>(c.below(1 << 20)), u = 8 * ordinary(c);
-           return {{{-r * std::cos(u), -r * std::sin(u)}, r}, u};
-         }},
-        {"typed_angle",
-         [](DrawStream& c) -> Question {
-           return {{{typed(c), typed(c)}, std::fabs(typed(c))}, typed(c)};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("at_zero", [](DrawStream& c) -> Question {
+      return {{lattice_point(c, 53), std::fabs(integer(c, 53))}, zero(c)};
+    });
+    add("radius_zero", [](DrawStream& c) -> Question { return {{lattice_point(c, 53), 0.0}, integer(c, 53)}; });
+    add("near_quarter_turns", [](DrawStream& c) -> Question {
+      static constexpr double quarter = 0x1.921fb54442d18p+0;  // the double nearest to pi / 2
+      const double turns = small_integer(c, 64);
+      return {{lattice_point(c), one_to(c, 64)}, turns * quarter};
+    });
+    add("huge_angle", [](DrawStream& c) -> Question {
+      const double u = one_to(c, 1 << 20);
+      const int exponent = integer_in(c, 0, 999);
+      return {{lattice_point(c), one_to(c, 64)}, std::ldexp(u, exponent)};
+    });
+    add("tiny_angle", [](DrawStream& c) -> Question {
+      const double u = small_integer(c);
+      const int exponent = -integer_in(c, 0, 1069);
+      return {{lattice_point(c), one_to(c, 64)}, std::ldexp(u, exponent)};
+    });
+    add("cancelling", [](DrawStream& c) -> Question {
+      const double r = one_to(c, 1 << 20), u = 8 * ordinary(c);
+      return {{{-r * std::cos(u), -r * std::sin(u)}, r}, u};
+    });
+    add("typed_angle", [](DrawStream& c) -> Question {
+      return {{{typed(c), typed(c)}, std::fabs(typed(c))}, typed(c)};
+    });
   }
 
   /// The angle is no length: it keeps its value.

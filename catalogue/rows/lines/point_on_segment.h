@@ -34,70 +34,53 @@ struct point_on_segment : signatures::point_on_segment {
     }
   };
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_segment",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
-           return {along(a, k, v), {a, along(a, n, v)}};
-         }},
-        {"at_end",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c, 53), b = lattice_point(c, 53);
-           return {c.below(2) == 1 ? b : a, {a, b}};
-         }},
-        {"collinear_beyond",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {along(a, 2 + static_cast<double>(c.below(8)), v), {a, along(a, 1, v)}};
-         }},
-        {"axis_parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c, 50);
-           const double length = integer(c, 50), at = c.below(2) == 1 ? length : integer(c, 50);
-           const bool upright = c.below(2) == 1;
-           return upright ? Question{{a.x, a.y + at}, {a, {a.x, a.y + length}}}
-                          : Question{{a.x + at, a.y}, {a, {a.x + length, a.y}}};
-         }},
-        {"zero_length",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c, 53);
-           return {{a.x + small_integer(c, 1), a.y + small_integer(c, 1)}, {a, a}};
-         }},
-        {"beside_segment",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const Point2d p = along(a, static_cast<double>(c.below(4)), v);
-           return {{p.x + small_integer(c, 1), p.y}, {a, along(a, 4, v)}};
-         }},
-        {"on_long_segment",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c, 45);
-           const Vector2d v = lattice_direction(c, 45);
-           const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
-           return {along(a, k, v), {a, along(a, n, v)}};
-         }},
-        {"rounded_on_segment",
-         [](DrawStream& c) -> Question {
-           const Segment2d s{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
-           const double t = ordinary(c);
-           return {along(s.a, t, s.b - s.a), s};
-         }},
-        {"typed_on_segment",
-         [](DrawStream& c) -> Question {
-           const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
-           return {{x, y}, {{0.0, 0.0}, {k * x, k * y}}};
-         }},
-        {"on_long_line",
-         [](DrawStream& c) -> Question {
-           const auto [first, last, between] = long_triple(c);
-           return {between, {first, last}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_segment", [](DrawStream& c) -> Question {
+      const auto [a, v] = lattice_line(c);
+      const double n = one_to(c, 8), k = up_to(c, 8);
+      return {along(a, k, v), {a, along(a, n, v)}};
+    });
+    add("at_end", [](DrawStream& c) -> Question {
+      const Point2d a = lattice_point(c, 53), b = lattice_point(c, 53);
+      return {c.coin() ? b : a, {a, b}};
+    });
+    add("collinear_beyond", [](DrawStream& c) -> Question {
+      const auto [a, v] = lattice_line(c);
+      return {along(a, 2 + up_to(c, 7), v), {a, along(a, 1, v)}};
+    });
+    add("axis_parallel", [](DrawStream& c) -> Question {
+      const Point2d a = lattice_point(c, 50);
+      const double length = integer(c, 50), at = c.coin() ? length : integer(c, 50);
+      const bool upright = c.coin();
+      return upright ? Question{{a.x, a.y + at}, {a, {a.x, a.y + length}}}
+                     : Question{{a.x + at, a.y}, {a, {a.x + length, a.y}}};
+    });
+    add("zero_length", [](DrawStream& c) -> Question {
+      const Point2d a = lattice_point(c, 53);
+      return {{a.x + small_integer(c, 1), a.y + small_integer(c, 1)}, {a, a}};
+    });
+    add("beside_segment", [](DrawStream& c) -> Question {
+      const auto [a, v] = lattice_line(c);
+      const Point2d p = along(a, up_to(c, 3), v);
+      return {{p.x + small_integer(c, 1), p.y}, {a, along(a, 4, v)}};
+    });
+    add("on_long_segment", [](DrawStream& c) -> Question {
+      const auto [a, v] = lattice_line(c, 45, 45);
+      const double n = one_to(c, 8), k = up_to(c, 8);
+      return {along(a, k, v), {a, along(a, n, v)}};
+    });
+    add("rounded_on_segment", [](DrawStream& c) -> Question {
+      const Segment2d s{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+      return {along(s.a, ordinary(c), s.b - s.a), s};
+    });
+    add("typed_on_segment", [](DrawStream& c) -> Question {
+      const double x = typed(c), y = typed(c), k = up_to(c, 3);
+      return {{x, y}, {{0.0, 0.0}, {k * x, k * y}}};
+    });
+    add("on_long_line", [](DrawStream& c) -> Question {
+      const auto [first, last, between] = long_triple(c);
+      return {between, {first, last}};
+    });
   }
 
   static std::optional<PointOnSegment<mpq_class>> as_open_sets(const PointOnSegment<mpq_class>& truth,

@@ -32,87 +32,64 @@ struct ray_segment : signatures::ray_segment {
     }
   };
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"crossing_on_lattice",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-           return {{along(p, small_integer(c, 4), u), u},
-                   {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
-         }},
-        {"through_end",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, v}, {along(p, small_integer(c, 4), v), lattice_point(c)}};
-         }},
-        {"origin_on_segment",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, lattice_direction(c)},
-                   {along(p, -static_cast<double>(c.below(4)), v), along(p, static_cast<double>(c.below(4)), v)}};
-         }},
-        {"collinear",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, v}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
-         }},
-        {"ends_at_origin",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 40);
-           const Vector2d v = lattice_direction(c);
-           return {{p, v}, {along(p, -1 - static_cast<double>(c.below(4)), v), p}};
-         }},
-        {"parallel",
-         [](DrawStream& c) -> Question {
-           const Vector2d v = lattice_direction(c);
-           const Point2d q = lattice_point(c);
-           return {{lattice_point(c), v}, {q, along(q, small_integer(c), v)}};
-         }},
-        {"axis_parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
-           const Vector2d across{c.below(2) == 1 ? -1.0 : 1.0, 0.0};
-           return c.below(2) == 1 ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
-                                  : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
-         }},
-        {"zero_length",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const Point2d q = along(p, small_integer(c, 2), v);
-           return {{p, v}, {q, q}};
-         }},
-        {"zero_direction",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           return {{p, {0, 0}}, {p, lattice_point(c)}};
-         }},
-        {"through_far_end",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 45);
-           const Vector2d v = lattice_direction(c, 45);
-           return {{p, v}, {along(p, small_integer(c), v), lattice_point(c, 45)}};
-         }},
-        {"nearly_touching",
-         [](DrawStream& c) -> Question {
-           const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
-           return {ray, {along(ray.origin, ordinary(c), ray.direction), {ordinary(c), ordinary(c)}}};
-         }},
-        {"nearly_collinear",
-         [](DrawStream& c) -> Question {
-           const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
-           return {ray, {along(ray.origin, ordinary(c), ray.direction), along(ray.origin, ordinary(c), ray.direction)}};
-         }},
-        {"end_on_long_line",
-         [](DrawStream& c) -> Question {
-           const auto [first, last, between] = long_triple(c);
-           return {{first, Vector2d{-first.x, -first.y}}, {last, along(last, 0.125, long_direction(c))}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("crossing_on_lattice", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c);
+      const Vector2d u = lattice_direction(c), v = lattice_direction(c);
+      return {{along(p, small_integer(c, 4), u), u}, {along(p, -one_to(c, 4), v), along(p, 1, v)}};
+    });
+    add("through_end", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      return {{p, v}, {along(p, small_integer(c, 4), v), lattice_point(c)}};
+    });
+    add("origin_on_segment", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      return {{p, lattice_direction(c)}, {along(p, -up_to(c, 3), v), along(p, up_to(c, 3), v)}};
+    });
+    add("collinear", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      return {{p, v}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
+    });
+    add("ends_at_origin", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c, 40);
+      return {{p, v}, {along(p, -one_to(c, 4), v), p}};
+    });
+    add("parallel", [](DrawStream& c) -> Question {
+      const Vector2d v = lattice_direction(c);
+      const Point2d q = lattice_point(c);
+      return {{lattice_point(c), v}, {q, along(q, small_integer(c), v)}};
+    });
+    add("axis_parallel", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
+      const Vector2d across{either_sign(c), 0.0};
+      return c.coin() ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
+                      : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
+    });
+    add("zero_length", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      const Point2d q = along(p, small_integer(c, 2), v);
+      return {{p, v}, {q, q}};
+    });
+    add("zero_direction", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c);
+      return {{p, {0, 0}}, {p, lattice_point(c)}};
+    });
+    add("through_far_end", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c, 45, 45);
+      return {{p, v}, {along(p, small_integer(c), v), lattice_point(c, 45)}};
+    });
+    add("nearly_touching", [](DrawStream& c) -> Question {
+      const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+      return {ray, {along(ray.origin, ordinary(c), ray.direction), {ordinary(c), ordinary(c)}}};
+    });
+    add("nearly_collinear", [](DrawStream& c) -> Question {
+      const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+      return {ray, {along(ray.origin, ordinary(c), ray.direction), along(ray.origin, ordinary(c), ray.direction)}};
+    });
+    add("end_on_long_line", [](DrawStream& c) -> Question {
+      const auto [first, last, between] = long_triple(c);
+      return {{first, Vector2d{-first.x, -first.y}}, {last, along(last, 0.125, long_direction(c))}};
+    });
   }
 
   /// An open segment does not have its ends, an open ray not its origin.

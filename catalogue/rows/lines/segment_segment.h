@@ -30,93 +30,68 @@ struct segment_segment : signatures::segment_segment {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"crossing_on_lattice",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-           return {{along(p, -1 - static_cast<double>(c.below(4)), u), along(p, 1, u)},
-                   {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
-         }},
-        {"shared_end",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 50);
-           const Segment2d a{p, lattice_point(c, 50)}, b{lattice_point(c, 50), p};
-           return c.below(2) == 1 ? Question{a, {b.b, b.a}} : Question{a, b};
-         }},
-        {"end_on_segment",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const Segment2d a{p, along(p, 1 + static_cast<double>(c.below(8)), v)};
-           return {a, {along(p, static_cast<double>(c.below(9)), v), lattice_point(c)}};
-         }},
-        {"collinear",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, along(p, small_integer(c), v)}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
-         }},
-        {"collinear_end_to_end",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const double k = 1 + static_cast<double>(c.below(4));
-           return {{p, along(p, k, v)}, {along(p, k, v), along(p, k + small_integer(c, 4), v)}};
-         }},
-        {"coincident",
-         [](DrawStream& c) -> Question {
-           const Segment2d a{lattice_point(c, 50), lattice_point(c, 50)};
-           return {a, c.below(2) == 1 ? Segment2d{a.b, a.a} : a};
-         }},
-        {"parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c), q = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)}, {q, along(q, small_integer(c, 4), v)}};
-         }},
-        {"axis_parallel",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
-           const double length = integer(c, 50), other = integer(c, 50);
-           const Segment2d across{p, {p.x + length, p.y}};
-           return c.below(2) == 1 ? Question{across, {{q.x, p.y}, {q.x + other, p.y}}}
-                                  : Question{across, {q, {q.x, q.y + other}}};
-         }},
-        {"zero_length",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c);
-           const Segment2d point{p, p};
-           const Segment2d other{along(p, small_integer(c, 2), v),
-                                 along(p, c.below(2) == 1 ? 0 : small_integer(c, 2), v)};
-           return c.below(2) == 1 ? Question{other, point} : Question{point, other};
-         }},
-        {"end_on_long_segment",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 45);
-           const Vector2d v = lattice_direction(c, 45);
-           const Segment2d a{p, along(p, 1 + static_cast<double>(c.below(8)), v)};
-           return {a, {along(p, static_cast<double>(c.below(9)), v), lattice_point(c, 45)}};
-         }},
-        {"nearly_touching",
-         [](DrawStream& c) -> Question {
-           const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
-           return {a, {along(a.a, ordinary(c), a.b - a.a), {ordinary(c), ordinary(c)}}};
-         }},
-        {"nearly_collinear",
-         [](DrawStream& c) -> Question {
-           const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
-           const Vector2d v = a.b - a.a;
-           return {a, {along(a.a, ordinary(c), v), along(a.a, ordinary(c), v)}};
-         }},
-        {"end_on_long_line",
-         [](DrawStream& c) -> Question {
-           const auto [first, last, between] = long_triple(c);
-           return {{first, last}, {between, along(between, 0.125, long_direction(c))}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("crossing_on_lattice", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c);
+      const Vector2d u = lattice_direction(c), v = lattice_direction(c);
+      return {{along(p, -one_to(c, 4), u), along(p, 1, u)}, {along(p, -one_to(c, 4), v), along(p, 1, v)}};
+    });
+    add("shared_end", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 50);
+      const Segment2d a{p, lattice_point(c, 50)}, b{lattice_point(c, 50), p};
+      return c.coin() ? Question{a, {b.b, b.a}} : Question{a, b};
+    });
+    add("end_on_segment", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      return {{p, along(p, one_to(c, 8), v)}, {along(p, up_to(c, 8), v), lattice_point(c)}};
+    });
+    add("collinear", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      return {{p, along(p, small_integer(c), v)}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
+    });
+    add("collinear_end_to_end", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      const double k = one_to(c, 4);
+      return {{p, along(p, k, v)}, {along(p, k, v), along(p, k + small_integer(c, 4), v)}};
+    });
+    add("coincident", [](DrawStream& c) -> Question {
+      const Segment2d a{lattice_point(c, 50), lattice_point(c, 50)};
+      return {a, c.coin() ? Segment2d{a.b, a.a} : a};
+    });
+    add("parallel", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c), q = lattice_point(c);
+      const Vector2d v = lattice_direction(c);
+      return {{p, along(p, one_to(c, 4), v)}, {q, along(q, small_integer(c, 4), v)}};
+    });
+    add("axis_parallel", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
+      const double length = integer(c, 50), other = integer(c, 50);
+      const Segment2d across{p, {p.x + length, p.y}};
+      return c.coin() ? Question{across, {{q.x, p.y}, {q.x + other, p.y}}} : Question{across, {q, {q.x, q.y + other}}};
+    });
+    add("zero_length", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c);
+      const Segment2d point{p, p};
+      const Segment2d other{along(p, small_integer(c, 2), v), along(p, c.coin() ? 0 : small_integer(c, 2), v)};
+      return c.coin() ? Question{other, point} : Question{point, other};
+    });
+    add("end_on_long_segment", [](DrawStream& c) -> Question {
+      const auto [p, v] = lattice_line(c, 45, 45);
+      return {{p, along(p, one_to(c, 8), v)}, {along(p, up_to(c, 8), v), lattice_point(c, 45)}};
+    });
+    add("nearly_touching", [](DrawStream& c) -> Question {
+      const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+      return {a, {along(a.a, ordinary(c), a.b - a.a), {ordinary(c), ordinary(c)}}};
+    });
+    add("nearly_collinear", [](DrawStream& c) -> Question {
+      const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+      const Vector2d v = a.b - a.a;
+      return {a, {along(a.a, ordinary(c), v), along(a.a, ordinary(c), v)}};
+    });
+    add("end_on_long_line", [](DrawStream& c) -> Question {
+      const auto [first, last, between] = long_triple(c);
+      return {{first, last}, {between, along(between, 0.125, long_direction(c))}};
+    });
   }
 
   /// Open segments do not have their ends.

@@ -41,195 +41,136 @@ struct convex_distance : signatures::convex_distance {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"lattice",
-         [](DrawStream& c) -> Question {
-           const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
-           return {a, shifted(b, 12.0 * lattice_normal(c, 4))};
-         }},
-        {"feature_to_feature",
-         [](DrawStream& c) -> Question {
-           const double n = 1 + static_cast<double>(c.below(4));
-           return aimed(c, n);
-         }},
-        {"touching", [](DrawStream& c) -> Question { return aimed(c, 0); }},
-        {"an_ulp_apart",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = aimed(c, 0);
-           const double far = small_integer(c, 1), side = small_integer(c, 1);
-           for (Meshd* mesh : {&a, &b})
-             for (Point3d& p : mesh->vertices) p.x += std::ldexp(far, 20);
-           for (Point3d& p : b.vertices) p.x = std::nextafter(p.x, p.x + side);
-           return {a, b};
-         }},
-        {"reflected",
-         [](DrawStream& c) -> Question {
-           // Each face of one is parallel to one of the other: two of them face each other, aside by a little.
-           const Meshd a = lattice_polyhedron(c);
-           const auto [p, out] = face_of(a, c);
-           const Vector3d aside = lattice_across(c, out);
-           const double height = static_cast<double>(c.below(3));
-           return {a, reflected(a, p + 0.5 * (height * out + aside))};
-         }},
-        {"parallel_edges",
-         [](DrawStream& c) -> Question {
-           // Roofs whose ridges face each other; one may be a little askew.
-           const double from = small_integer(c), to = small_integer(c), height = static_cast<double>(c.below(4));
-           const double side = small_integer(c, 1), askew = c.below(2) == 1 ? 0x1p-40 * side : side;
-           const Meshd a = roof({0, 0, 0}, {8, 0, 0}, -8), b = roof({from, 0, height}, {to + 9, askew, height}, 8);
-           return {a, b};
-         }},
-        {"nested",
-         [](DrawStream& c) -> Question {
-           Meshd a = lattice_polyhedron(c);
-           const Meshd b = lattice_polyhedron(c);
-           for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
-           return c.below(2) == 1 ? Question{a, b} : Question{b, a};
-         }},
-        {"flat_vertices",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = aimed(c, 1);
-           return {with_flat_vertex(a, c), with_flat_vertex(b, c)};
-         }},
-        {"repeated_vertices",
-         [](DrawStream& c) -> Question {
-           // Vertices of no face where others are, with an index below or above these.
-           const auto [a, b] = c.below(2) == 1 ? aimed(c, 1) : Question{lattice_polyhedron(c), lattice_polyhedron(c)};
-           return {with_repeated_vertex(a, c), with_repeated_vertex(shifted(b, {0, 0, 24}), c)};
-         }},
-        {"needles",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = aimed(c, 1);
-           const double length = scaled_up(c, 8, 60), other = scaled_up(c, 8, 60);
-           for (Point3d& p : a.vertices) p.x = p.x * length;
-           for (Point3d& p : b.vertices) p.y = p.y * other;
-           return {a, b};
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           // Each axis by its own power of two: past the filter's guards, and below them.
-           auto [a, b] = aimed(c, 1);
-           static constexpr int exponents[] = {0, 60, 500, 1010, -170, -900};
-           const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
-           for (Meshd* mesh : {&a, &b})
-             for (Point3d& p : mesh->vertices) p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
-           return {a, b};
-         }},
-        {"mapped",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = aimed(c, 1);
-           Meshd all{a.vertices, {}};
-           all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
-           Point3d none{0, 0, 0};
-           map_linearly(all, none, c);
-           const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
-           std::copy(all.vertices.begin(), middle, a.vertices.begin());
-           std::copy(middle, all.vertices.end(), b.vertices.begin());
-           return {a, b};
-         }},
-        {"rounded",
-         [](DrawStream& c) -> Question {
-           // A corner of b where one of a is, as far as doubles can tell; or anywhere.
-           const Meshd a = tetrahedron_of(c, ordinary_point_in_space), b = tetrahedron_of(c, ordinary_point_in_space);
-           return {a, c.below(2) == 0 ? shifted(b, a.vertices[0] - b.vertices[0]) : b};
-         }},
-        {"full_mantissa",
-         [](DrawStream& c) -> Question {
-           // One corner of each in the plane of a face of the other.
-           const LongPlane plane = LongPlane::of(c);
-           Meshd a{{plane.point(c), plane.point(c), plane.point(c)}, {}}, b{{plane.point(c), plane.point(c)}, {}};
-           a.vertices.push_back(ordinary_point_in_space(c));
-           b.vertices.push_back(ordinary_point_in_space(c)), b.vertices.push_back(ordinary_point_in_space(c));
-           make_tetrahedron(a), make_tetrahedron(b);
-           return {a, b};
-         }},
-        {"rounding",
-         [](DrawStream& c) -> Question {
-           // The foot of b's corner on a diagonal edge is half an odd step along: x is halfway between two doubles.
-           const double x = halfway_number(c).most, odd = 1 + 2 * static_cast<double>(c.below(8));
-           const Point3d end{x + odd, 0, hair(c)};
-           Meshd a{{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}, {}};
-           Meshd b{{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}, {}};
-           make_tetrahedron(a), make_tetrahedron(b);
-           return {a, b};
-         }},
-        {"rounding_of_distance",
-         [](DrawStream& c) -> Question {
-           const HalfwayStep step = halfway_step(c);
-           Meshd a{{{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}, {0, 0, 4}}, {}};
-           const Point3d end{step.x, step.y, -hair(c)};
-           Meshd b{{end, {2 * step.x, step.y, 0}, {step.x, 2 * step.y, 0}, {step.x, step.y, -4}}, {}};
-           make_tetrahedron(a), make_tetrahedron(b);
-           return {a, b};
-         }},
-        {"far_apart",
-         [](DrawStream& c) -> Question {
-           // One of them is as large as its distance.
-           const Meshd a = lattice_polyhedron(c);
-           const Vector3d off = 96.0 * lattice_normal(c, 2);
-           Meshd b = shifted(lattice_polyhedron(c), off);
-           const int places = c.below(2) == 1 ? 1000 : 60;
-           for (Point3d& p : b.vertices)
-             p = {std::ldexp(p.x, places), std::ldexp(p.y, places), std::ldexp(p.z, places)};
-           return c.below(2) == 1 ? Question{b, a} : Question{a, b};
-         }},
-        {"typed",
-         [](DrawStream& c) -> Question {
-           const Meshd a = tetrahedron_of(c, typed_point), b = tetrahedron_of(c, typed_point);
-           return {a, b};
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = aimed(c, 1);
-           for (Meshd* mesh : {&a, &b})
-             for (Point3d& p : mesh->vertices)
-               p = {std::ldexp(p.x, -1074), std::ldexp(p.y, -1074), std::ldexp(p.z, -1074)};
-           return {a, b};
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           const Meshd a = tetrahedron_of(c, point_of_whole_range), b = tetrahedron_of(c, point_of_whole_range);
-           return {a, b};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const Point3d p = zero_point(c), q = zero_point(c);
-           const double far = small_integer(c, 2);
-           Meshd a{{p, {-1, q.y, q.z}, {q.x, -1, p.z}, {p.x, p.y, -1}}, {}}, b = reflected(a, {far / 2, p.y, p.z});
-           make_tetrahedron(a), make_tetrahedron(b);
-           return {a, b};
-         }},
-        {"broken",
-         [](DrawStream& c) -> Question {
-           const auto [a, b] = aimed(c, 1);
-           if (c.below(2) == 0) return {broken(a, c), b};
-           return {a, broken(b, c)};
-         }},
-        {"late_vertices",
-         [](DrawStream& c) -> Question {
-           const Meshd a = with_late_corners(c), b = with_late_corners(c);
-           return {a, shifted(b, 2048.0 * lattice_normal(c, 4))};
-         },
-         /*unscaled=*/true},
-        {"named_mesh",
-         [](DrawStream& c) -> Question {
-           const Meshd& a = named_mesh(c);
-           const Point3d p = on_a_face_plane(a, c);
-           Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
-           make_tetrahedron(b);
-           const Point3d to = p + 12.0 * lattice_normal(c, 3);
-           b = shifted(b, to - Point3d{0, 0, 0});
-           return c.below(2) == 1 ? Question{b, a} : Question{a, b};
-         },
-         /*unscaled=*/true},
-        {"polygons",
-         [](DrawStream& c) -> Question {
-           const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
-           return {asked, shifted(b, 12.0 * lattice_normal(c, 4))};
-         },
-         /*unscaled=*/true}};
+  static void hard_cases(HardCases<Question>& add) {
+    add("lattice", [](DrawStream& c) -> Question {
+      const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+      return {a, shifted(b, 12.0 * lattice_normal(c, 4))};
+    });
+    add("feature_to_feature", [](DrawStream& c) -> Question { return aimed(c, one_to(c, 4)); });
+    add("touching", [](DrawStream& c) -> Question { return aimed(c, 0); });
+    add("an_ulp_apart", [](DrawStream& c) -> Question {
+      auto [a, b] = aimed(c, 0);
+      const double far = small_integer(c, 1), side = small_integer(c, 1);
+      for (Meshd* mesh : {&a, &b})
+        for (Point3d& p : mesh->vertices) p.x += std::ldexp(far, 20);
+      for (Point3d& p : b.vertices) p.x = std::nextafter(p.x, p.x + side);
+      return {a, b};
+    });
+    add("reflected", [](DrawStream& c) -> Question {
+      // Each face of one is parallel to one of the other: two of them face each other, aside by a little.
+      const Meshd a = lattice_polyhedron(c);
+      const auto [p, out] = face_of(a, c);
+      const Vector3d aside = lattice_across(c, out);
+      return {a, reflected(a, p + 0.5 * (up_to(c, 2) * out + aside))};
+    });
+    add("parallel_edges", [](DrawStream& c) -> Question {
+      // Roofs whose ridges face each other; one may be a little askew.
+      const double from = small_integer(c), to = small_integer(c), height = up_to(c, 3);
+      const double side = small_integer(c, 1), askew = c.coin() ? 0x1p-40 * side : side;
+      return {roof({0, 0, 0}, {8, 0, 0}, -8), roof({from, 0, height}, {to + 9, askew, height}, 8)};
+    });
+    add("nested", [](DrawStream& c) -> Question {
+      Meshd a = lattice_polyhedron(c);
+      const Meshd b = lattice_polyhedron(c);
+      for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
+      return in_either_order(c, b, a);
+    });
+    add("flat_vertices", [](DrawStream& c) -> Question {
+      auto [a, b] = aimed(c, 1);
+      return {with_flat_vertex(a, c), with_flat_vertex(b, c)};
+    });
+    add("repeated_vertices", [](DrawStream& c) -> Question {
+      // Vertices of no face where others are, with an index below or above these.
+      const auto [a, b] = c.coin() ? aimed(c, 1) : Question{lattice_polyhedron(c), lattice_polyhedron(c)};
+      return {with_repeated_vertex(a, c), with_repeated_vertex(shifted(b, {0, 0, 24}), c)};
+    });
+    add("needles", [](DrawStream& c) -> Question {
+      auto [a, b] = aimed(c, 1);
+      const double length = scaled_up(c, 8, 60), other = scaled_up(c, 8, 60);
+      for (Point3d& p : a.vertices) p.x = p.x * length;
+      for (Point3d& p : b.vertices) p.y = p.y * other;
+      return {a, b};
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      auto [a, b] = aimed(c, 1);
+      Stretch{c, {0, 60, 500, 1010, -170, -900}}(a, b);
+      return {a, b};
+    });
+    add("mapped", [](DrawStream& c) -> Question {
+      auto [a, b] = aimed(c, 1);
+      map_linearly(c, a, b);
+      return {a, b};
+    });
+    add("rounded", [](DrawStream& c) -> Question {
+      // A corner of b where one of a is, as far as doubles can tell; or anywhere.
+      const Meshd a = tetrahedron_of(c, ordinary_point_in_space), b = tetrahedron_of(c, ordinary_point_in_space);
+      return {a, c.coin() ? b : shifted(b, a.vertices[0] - b.vertices[0])};
+    });
+    add("full_mantissa", [](DrawStream& c) -> Question {
+      // One corner of each in the plane of a face of the other.
+      const LongPlane plane = LongPlane::of(c);
+      const auto on = [&] { return plane.point(c); };
+      const auto off = [&] { return ordinary_point_in_space(c); };
+      const Point3d p = on(), q = on(), r = on(), s = on(), t = on(), u = off();
+      return {tetrahedron_over({p, q, r, u}), tetrahedron_over({s, t, off(), off()})};
+    });
+    add("rounding", [](DrawStream& c) -> Question {
+      // The foot of b's corner on a diagonal edge is half an odd step along: x is halfway between two doubles.
+      const double x = halfway_number(c).most, odd = 1 + 2 * up_to(c, 7);
+      const Point3d end{x + odd, 0, hair(c)};
+      return {tetrahedron_over({{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}}),
+              tetrahedron_over({{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}})};
+    });
+    add("rounding_of_distance", [](DrawStream& c) -> Question {
+      const HalfwayStep step = halfway_step(c);
+      const Point3d end{step.x, step.y, -hair(c)};
+      return {tetrahedron_over({{{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}, {0, 0, 4}}}),
+              tetrahedron_over({{end, {2 * step.x, step.y, 0}, {step.x, 2 * step.y, 0}, {step.x, step.y, -4}}})};
+    });
+    add("far_apart", [](DrawStream& c) -> Question {
+      // One of them is as large as its distance.
+      const Meshd a = lattice_polyhedron(c);
+      const Vector3d off = 96.0 * lattice_normal(c, 2);
+      Meshd b = shifted(lattice_polyhedron(c), off);
+      const int places = c.coin() ? 1000 : 60;
+      for (Point3d& p : b.vertices) p = scaled(p, places);
+      return in_either_order(c, a, b);
+    });
+    add("typed", [](DrawStream& c) -> Question {
+      return {tetrahedron_of(c, typed_point), tetrahedron_of(c, typed_point)};
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      auto [a, b] = aimed(c, 1);
+      for (Meshd* mesh : {&a, &b})
+        for (Point3d& p : mesh->vertices) p = scaled(p, -1074);
+      return {a, b};
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      return {tetrahedron_of(c, point_of_whole_range), tetrahedron_of(c, point_of_whole_range)};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const Point3d p = zero_point(c), q = zero_point(c);
+      const double far = small_integer(c, 2);
+      const Meshd a = tetrahedron_over({{p, {-1, q.y, q.z}, {q.x, -1, p.z}, {p.x, p.y, -1}}});
+      return {a, reflected(a, {far / 2, p.y, p.z})};
+    });
+    add("broken", [](DrawStream& c) -> Question {
+      const auto [a, b] = aimed(c, 1);
+      return c.coin() ? Question{a, broken(b, c)} : Question{broken(a, c), b};
+    });
+    add.unscaled("late_vertices", [](DrawStream& c) -> Question {
+      const Meshd a = with_late_corners(c), b = with_late_corners(c);
+      return {a, shifted(b, 2048.0 * lattice_normal(c, 4))};
+    });
+    add.unscaled("named_mesh", [](DrawStream& c) -> Question {
+      const Meshd &a = named_mesh(c), b = tetrahedron_over({{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}});
+      const Point3d p = on_a_face_plane(a, c), to = p + 12.0 * lattice_normal(c, 3);
+      return in_either_order(c, a, shifted(b, to - Point3d{0, 0, 0}));
+    });
+    add.unscaled("polygons", [](DrawStream& c) -> Question {
+      const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
+      return {c.one_in(6) ? with_broken_polygons(a, c) : a, shifted(b, 12.0 * lattice_normal(c, 4))};
+    });
   }
 
   static void repair(Question& question) {
@@ -276,10 +217,6 @@ struct convex_distance : signatures::convex_distance {
   }
 
  private:
-  static Meshd shifted(Meshd mesh, const Vector3d& by) {
-    for (Point3d& p : mesh.vertices) p = p + by;
-    return mesh;
-  }
   static Meshd reflected(Meshd mesh, const Point3d& in) {
     for (Point3d& p : mesh.vertices) p = {2 * in.x - p.x, 2 * in.y - p.y, 2 * in.z - p.z};
     return mesh;
@@ -301,7 +238,7 @@ struct convex_distance : signatures::convex_distance {
 
   static Meshd with_repeated_vertex(Meshd mesh, DrawStream& c) {
     const Point3d again = mesh.vertices[c.below(mesh.vertices.size())];
-    if (c.below(2) == 1) {
+    if (c.coin()) {
       mesh.vertices.push_back(again);
       return mesh;
     }
@@ -313,17 +250,7 @@ struct convex_distance : signatures::convex_distance {
   /// Below or above a ridge.
   static Meshd roof(const Point3d& from, const Point3d& to, double height) {
     const double z = from.z + height;
-    Meshd mesh{{from, to, {from.x, -8, z}, {from.x, 8, z}}, {}};
-    make_tetrahedron(mesh);
-    return mesh;
-  }
-
-  template <class Draw>
-  static Meshd tetrahedron_of(DrawStream& c, const Draw& draw) {
-    Meshd mesh;
-    for (int i = 0; i < 4; ++i) mesh.vertices.push_back(draw(c));
-    make_tetrahedron(mesh);
-    return mesh;
+    return tetrahedron_over({{from, to, {from.x, -8, z}, {from.x, 8, z}}});
   }
 
   /// Many vertices of no face, and a tetrahedron around them whose corners are among the last.

@@ -53,7 +53,7 @@ struct ray_aabb : signatures::ray_aabb {
     });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() { return line_box_cases<ray_aabb>(); }
+  static void hard_cases(HardCases<Question>& add) { line_box_cases<ray_aabb>(add); }
 
   static void repair(Question& question) {
     std::visit([](auto& q) { put_in_order(std::get<1>(q)); }, question);

@@ -39,7 +39,7 @@ struct ray_plane : signatures::ray_plane {
     return {{from, to - from}, plane};
   }
 
-  static std::vector<HardCase<Question>> hard_cases() { return line_plane_cases<ray_plane>(); }
+  static void hard_cases(HardCases<Question>& add) { line_plane_cases<ray_plane>(add); }
 
   /// From one unit in front of x + y + z = 3 along it: moves x and y of the direction.
   static Question map_centre() { return {{{2, 1, 1}, {1, -1, 0}}, {{1, 1, 1}, -3}}; }

@@ -52,7 +52,7 @@ struct ray_sphere : signatures::ray_sphere {
     });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() { return line_ball_cases<ray_sphere>(); }
+  static void hard_cases(HardCases<Question>& add) { line_ball_cases<ray_sphere>(add); }
 
   static void repair(Question& question) {
     std::visit([](auto& q) { std::get<1>(q).radius = std::fabs(std::get<1>(q).radius); }, question);

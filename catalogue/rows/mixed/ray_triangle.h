@@ -45,122 +45,87 @@ struct ray_triangle : signatures::ray_triangle {
     });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"crossing", crossing},
-        {"small_lattice",
-         [](DrawStream& c) -> Question {
-           const Point3d p = small_lattice_point(c), q = small_lattice_point(c), a = small_lattice_point(c),
-                         b = small_lattice_point(c);
-           return {from_to(p, q), {a, b, small_lattice_point(c)}};
-         }},
-        {"through_edge",
-         [](DrawStream& c) -> Question {
-           const LatticePlane edge = LatticePlane::of(c);  // along u, through the origin; v across
-           const double i = small_integer(c, 3), j = small_integer(c, 3);
-           const Triangle3d t{edge.at(i, 0), edge.at(j, 0), lattice_point_in_space(c)};
-           return {ray_to(c, edge.origin, edge.v), t};
-         }},
-        {"along_edge",
-         [](DrawStream& c) -> Question {
-           const LatticePlane edge = LatticePlane::of(c);
-           const double i = small_integer(c), j = small_integer(c), k = small_integer(c), l = small_integer(c);
-           return {from_to(edge.at(i, 0), edge.at(j, 0)), {edge.at(k, 0), edge.at(l, 0), lattice_point_in_space(c)}};
-         }},
-        {"coplanar",
-         [](DrawStream& c) -> Question {
-           const LatticePlane plane = LatticePlane::of(c);
-           const Point3d p = plane.point(c), q = plane.point(c);
-           return {from_to(p, q), plane.triangle(c)};
-         }},
-        {"parallel",
-         [](DrawStream& c) -> Question {
-           const LatticePlane plane = LatticePlane::of(c);
-           const Vector3d off = lattice_normal(c);
-           const Point3d p = plane.point(c) + off, q = plane.point(c) + off;
-           return {from_to(p, q), plane.triangle(c)};
-         }},
-        {"starts_on_triangle",
-         [](DrawStream& c) -> Question {
-           const LatticePlane plane = LatticePlane::of(c);
-           const Triangle3d t = plane.triangle(c);
-           return {{plane.origin, lattice_normal(c)}, t};
-         }},
-        {"no_area",
-         [](DrawStream& c) -> Question {
-           const LatticePlane line = LatticePlane::of(c);
-           const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-           const Triangle3d t{line.at(i, 0), line.at(j, 0), line.at(k, 0)};
-           const Vector3d way = c.below(2) == 1 ? line.v : line.u;
-           return {ray_to(c, line.origin, way), t};
-         }},
-        {"triangle_is_point",
-         [](DrawStream& c) -> Question {
-           const LatticePlane line = LatticePlane::of(c);
-           const Point3d p = line.at(0, small_integer(c, 1));
-           return {ray_to(c, line.origin, line.u), {p, p, p}};
-         }},
-        {"needle",
-         [](DrawStream& c) -> Question {
-           // Thousands of millions long, a few units wide, around its middle.
-           const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
-           const double y = small_integer(c, 3), z = small_integer(c, 3);
-           const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
-           const double x = small_integer(c, 3);
-           return {ray_to(c, {x, 0, 0}, lattice_normal(c, 4)), t};
-         }},
-        {"from_far_away",
-         [](DrawStream& c) -> Question {
-           // A thousand million times as far as the triangle is large, aimed at a point beside a corner or on it.
-           const double far = -std::ldexp(1, 20 + static_cast<int>(c.below(31)));
-           const Vector3d way = lattice_normal(c, 2);
-           const double x = small_integer(c, 1), y = small_integer(c, 1);
-           return {{along({x, y, 0}, far, way), way}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
-         }},
-        {"direction_of_any_size",
-         [](DrawStream& c) -> Question {
-           Question question = crossing(c);
-           Vector3d& v = std::get<0>(question).direction;
-           const int k = static_cast<int>(c.below(2040)) - 1060;
-           v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
-           return question;
-         }},
-        {"origin_rounded_onto",
-         [](DrawStream& c) -> Question {
-           const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c), b = ordinary_point_in_space(c),
-                         d = ordinary_point_in_space(c);
-           const double s = ordinary(c), t = ordinary(c);
-           const Point3d on = a + (s * (b - a) + t * (d - a));
-           return {c.below(2) == 1 ? Ray3d{on, p - on} : Ray3d{p, on - p}, {a, b, d}};
-         }},
-        {"long_coplanar",
-         [](DrawStream& c) -> Question {
-           const LongPlane plane = LongPlane::of(c);
-           const Point3d p = plane.point(c), q = plane.point(c), a = plane.point(c), b = plane.point(c);
-           return {{p, {q.x, q.y, q.z}}, {a, b, plane.point(c)}};
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           Question question = crossing(c);
-           auto& [r, t] = question;
-           stretch(c, r.origin, r.direction, t.a, t.b, t.c);
-           return question;
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           // Differences overflow, and products of what does not.
-           const auto number = [&c] {
-             const double n = small_integer(c, 1);
-             return std::ldexp(n, c.below(2) == 1 ? 1023 : 0);
-           };
-           const auto point = [&number] {
-             const double x = number(), y = number();
-             return Point3d{x, y, number()};
-           };
-           const Point3d p = point(), q = point(), a = point(), b = point();
-           return {{p, {q.x, q.y, q.z}}, {a, b, point()}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("crossing", crossing);
+    add("small_lattice", [](DrawStream& c) -> Question {
+      const Point3d p = small_lattice_point(c), q = small_lattice_point(c), a = small_lattice_point(c),
+                    b = small_lattice_point(c);
+      return {from_to(p, q), {a, b, small_lattice_point(c)}};
+    });
+    add("through_edge", [](DrawStream& c) -> Question {
+      const LatticePlane edge = LatticePlane::of(c);  // along u, through the origin; v across
+      const Triangle3d t{edge.on_line(c), edge.on_line(c), lattice_point_in_space(c)};
+      return {ray_to(c, edge.origin, edge.v), t};
+    });
+    add("along_edge", [](DrawStream& c) -> Question {
+      const LatticePlane edge = LatticePlane::of(c);
+      const double i = small_integer(c), j = small_integer(c), k = small_integer(c), l = small_integer(c);
+      return {from_to(edge.at(i, 0), edge.at(j, 0)), {edge.at(k, 0), edge.at(l, 0), lattice_point_in_space(c)}};
+    });
+    add("coplanar", [](DrawStream& c) -> Question {
+      const LatticePlane plane = LatticePlane::of(c);
+      const Point3d p = plane.point(c), q = plane.point(c);
+      return {from_to(p, q), plane.triangle(c)};
+    });
+    add("parallel", [](DrawStream& c) -> Question {
+      const LatticePlane plane = LatticePlane::of(c);
+      const Vector3d off = lattice_normal(c);
+      const Point3d p = plane.point(c) + off, q = plane.point(c) + off;
+      return {from_to(p, q), plane.triangle(c)};
+    });
+    add("starts_on_triangle", [](DrawStream& c) -> Question {
+      const LatticePlane plane = LatticePlane::of(c);
+      const Triangle3d t = plane.triangle(c);
+      return {{plane.origin, lattice_normal(c)}, t};
+    });
+    add("no_area", [](DrawStream& c) -> Question {
+      const LatticePlane line = LatticePlane::of(c);
+      const Triangle3d t = line.triangle_without_area(c);
+      return {ray_to(c, line.origin, c.coin() ? line.v : line.u), t};
+    });
+    add("triangle_is_point", [](DrawStream& c) -> Question {
+      const LatticePlane line = LatticePlane::of(c);
+      const Point3d p = line.at(0, small_integer(c, 1));
+      return {ray_to(c, line.origin, line.u), {p, p, p}};
+    });
+    add("needle", [](DrawStream& c) -> Question {
+      const Triangle3d t = needle(c, 30, 41);
+      const double x = small_integer(c, 3);
+      return {ray_to(c, {x, 0, 0}, lattice_normal(c, 4)), t};
+    });
+    add("from_far_away", [](DrawStream& c) -> Question {
+      // A thousand million times as far as the triangle is large, aimed at a point beside a corner or on it.
+      const double far = -power_of_two(c, 20, 50);
+      const Vector3d way = lattice_normal(c, 2);
+      return {{along({small_integer(c, 1), small_integer(c, 1), 0}, far, way), way}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    });
+    add("direction_of_any_size", [](DrawStream& c) -> Question {
+      Question question = crossing(c);
+      Vector3d& v = std::get<0>(question).direction;
+      v = scaled(v, integer_in(c, -1060, 979));
+      return question;
+    });
+    add("origin_rounded_onto", [](DrawStream& c) -> Question {
+      const Point3d p = ordinary_point_in_space(c);
+      const Triangle3d t = triangle_of(c, ordinary_point_in_space);
+      const Point3d on = rounded_onto(t, c);
+      return {c.coin() ? Ray3d{on, p - on} : Ray3d{p, on - p}, t};
+    });
+    add("long_coplanar", [](DrawStream& c) -> Question {
+      const LongPlane plane = LongPlane::of(c);
+      const Point3d p = plane.point(c), q = plane.point(c);
+      return {{p, {q.x, q.y, q.z}}, {plane.point(c), plane.point(c), plane.point(c)}};
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      Question question = crossing(c);
+      auto& [r, t] = question;
+      Stretch{c}(r, t);
+      return question;
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const Point3d p = huge_or_small_point(c), q = huge_or_small_point(c);
+      return {{p, {q.x, q.y, q.z}}, triangle_of(c, huge_or_small_point)};
+    });
   }
 
   /// Open: without the origin and the edges. What has no area is empty then.
@@ -200,8 +165,8 @@ struct ray_triangle : signatures::ray_triangle {
 
   /// From before the point, from it, or from behind, along the way or against it.
   static Ray3d ray_to(DrawStream& c, const Point3d& x, const Vector3d& way) {
-    const double before = small_integer(c, 2), length = 1 + static_cast<double>(c.below(3));
-    return {along(x, -before - 1, way), (c.below(2) == 1 ? -length : length) * way};
+    const double before = small_integer(c, 2), length = one_to(c, 3);
+    return {along(x, -before - 1, way), (either_sign(c) * length) * way};
   }
 
   /// A triangle around a point, or beside it, and a ray to the point.

@@ -52,7 +52,7 @@ struct segment_aabb : signatures::segment_aabb {
     });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() { return line_box_cases<segment_aabb>(); }
+  static void hard_cases(HardCases<Question>& add) { line_box_cases<segment_aabb>(add); }
 
   static void repair(Question& question) {
     std::visit([](auto& q) { put_in_order(std::get<1>(q)); }, question);

@@ -38,7 +38,7 @@ struct segment_plane : signatures::segment_plane {
   static bool has_length(const Question& q) { return !(std::get<0>(q).a == std::get<0>(q).b); }
   static Question of(const Plane3d& plane, const Point3d& from, const Point3d& to) { return {{from, to}, plane}; }
 
-  static std::vector<HardCase<Question>> hard_cases() { return line_plane_cases<segment_plane>(); }
+  static void hard_cases(HardCases<Question>& add) { line_plane_cases<segment_plane>(add); }
 
   /// From one unit in front of x + y + z = 3 to its point (1, 1, 1): moves x and y of the end.
   static Question map_centre() { return {{{2, 1, 1}, {1, 1, 1}}, {{1, 1, 1}, -3}}; }

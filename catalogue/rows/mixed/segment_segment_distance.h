@@ -45,118 +45,99 @@ struct segment_segment_distance : signatures::segment_segment_distance {
     });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"crossing_or_skew", crossing_or_skew},
-        {"parallel",
-         [](DrawStream& c) -> Question {
-           const LatticeLine line = LatticeLine::of(c);
-           return side_by_side(c, line, line.across);
-         }},
-        {"collinear",
-         [](DrawStream& c) -> Question {
-           const LatticeLine line = LatticeLine::of(c);
-           return side_by_side(c, line, {0, 0, 0});
-         }},
-        {"nearly_parallel",
-         [](DrawStream& c) -> Question {
-           const LatticeLine line = LatticeLine::of(c);
-           auto [a, b] = in_space(c, line, line.across);
-           b.b.x += small_integer(c, 1) * 0x1p-20;
-           return seen(a, b, line.in_plane);
-         }},
-        {"common_end",
-         [](DrawStream& c) -> Question {
-           const LatticeLine line = LatticeLine::of(c), other = LatticeLine::of(c);
-           const bool in_plane = line.in_plane || other.in_plane;
-           const Point3d end = along(line.origin, small_integer(c), other.way);
-           return seen({line.origin, end}, {end, along(end, small_integer(c), line.way)}, in_plane);
-         }},
-        {"zero_length",
-         [](DrawStream& c) -> Question {
-           const LatticeLine line = LatticeLine::of(c);
-           const double i = small_integer(c, 3), j = c.below(2) == 1 ? i : small_integer(c, 3);
-           const Point3d p = line.at(small_integer(c, 3)) + line.across;
-           const bool first = c.below(2) == 1;
-           return first ? seen({p, p}, line.between(i, j), line.in_plane)
-                        : seen(line.between(i, j), {p, p}, line.in_plane);
-         }},
-        {"whole_distance",
-         [](DrawStream& c) -> Question {
-           const Step step = whole_step(c);
-           const Point3d p = lattice_point_in_space(c, 20), q = p + step.way;
-           const double back = -static_cast<double>(c.below(3)), on = static_cast<double>(c.below(3));
-           return seen({along(p, back, step.way), p}, {q, along(q, on, step.way)}, false);
-         }},
-        {"needles",
-         [](DrawStream& c) -> Question {
-           const LatticeLine line = LatticeLine::of(c);
-           const double length = scaled_up(c, 8, 30), shorter = scaled_up(c, 8, 30);
-           const Point3d p = line.at(small_integer(c)) + line.across;
-           return seen(line.between(-length, length), {p, along(p, shorter, lattice_normal(c, 3))}, line.in_plane);
-         }},
-        {"rounded_crossing",
-         [](DrawStream& c) -> Question {
-           const Point3d a = ordinary_point_in_space(c), b = ordinary_point_in_space(c), d = ordinary_point_in_space(c);
-           const Point3d on_a = along(a, ordinary(c), b - a);
-           const bool in_plane = c.below(2) == 1;
-           return seen({a, b}, {d, along(d, c.below(2) == 1 ? 1.0 : 2.0, on_a - d)}, in_plane);
-         }},
-        {"full_mantissa",
-         [](DrawStream& c) -> Question {
-           const LongPlane plane = LongPlane::of(c);
-           const Point3d p = plane.point(c), q = plane.point(c), r = plane.point(c);
-           const bool in_plane = c.below(2) == 1;
-           return seen({p, q}, {r, plane.point(c)}, in_plane);
-         }},
-        {"rounding",
-         [](DrawStream& c) -> Question {
-           // The foot of b's end on a diagonal is half an odd step along: x is halfway between two doubles.
-           const HalfwayNumber x = halfway_number(c);
-           const double odd = 1 + 2 * static_cast<double>(c.below(8)), far = 1 + static_cast<double>(c.below(8));
-           const Point3d end{x.most + odd, 0, hair(c)};
-           return seen({{x.most, 0, 0}, {x.most + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.below(2) == 1);
-         }},
-        {"rounding_of_distance",
-         [](DrawStream& c) -> Question {
-           const HalfwayStep step = halfway_step(c);
-           const bool in_plane = c.below(2) == 1;
-           return seen({{-1, 0, 0}, {0, 0, 0}}, {{step.x, step.y, hair(c)}, {step.x, 2 * step.y, 0}}, in_plane);
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           Question question = crossing_or_skew(c);
-           if (auto* space = std::get_if<InSpace>(&question)) {
-             auto& [a, b] = *space;
-             stretch(c, a.a, a.b, b.a, b.b);
-           }
-           return question;
-         }},
-        {"typed",
-         [](DrawStream& c) -> Question {
-           const Point3d p = typed_point(c), q = typed_point(c), r = typed_point(c);
-           const bool in_plane = c.below(2) == 1;
-           return seen({p, q}, {r, typed_point(c)}, in_plane);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           const Point3d p = subnormal_point(c), q = subnormal_point(c), r = subnormal_point(c);
-           const Point3d last = c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c);
-           return seen({p, q}, {r, last}, c.below(2) == 1);
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), r = point_of_whole_range(c);
-           const bool in_plane = c.below(2) == 1;
-           return seen({p, q}, {r, point_of_whole_range(c)}, in_plane);
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const Point3d p = zero_point(c), q = zero_point(c), r = zero_point(c), s = zero_point(c);
-           const double x = static_cast<double>(c.below(2)), y = static_cast<double>(c.below(2));
-           return seen({p, x == 0 ? q : Point3d{1, q.y, q.z}}, {r, y == 0 ? s : Point3d{s.x, 1, s.z}}, c.below(2) == 1);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("crossing_or_skew", crossing_or_skew);
+    add("parallel", [](DrawStream& c) -> Question {
+      const LatticeLine line = LatticeLine::of(c);
+      return side_by_side(c, line, line.across);
+    });
+    add("collinear", [](DrawStream& c) -> Question {
+      const LatticeLine line = LatticeLine::of(c);
+      return side_by_side(c, line, {0, 0, 0});
+    });
+    add("nearly_parallel", [](DrawStream& c) -> Question {
+      const LatticeLine line = LatticeLine::of(c);
+      auto [a, b] = in_space(c, line, line.across);
+      b.b.x += small_integer(c, 1) * 0x1p-20;
+      return seen(a, b, line.in_plane);
+    });
+    add("common_end", [](DrawStream& c) -> Question {
+      const LatticeLine line = LatticeLine::of(c), other = LatticeLine::of(c);
+      const bool in_plane = line.in_plane || other.in_plane;
+      const Point3d end = along(line.origin, small_integer(c), other.way);
+      return seen({line.origin, end}, {end, along(end, small_integer(c), line.way)}, in_plane);
+    });
+    add("zero_length", [](DrawStream& c) -> Question {
+      const LatticeLine line = LatticeLine::of(c);
+      const double i = small_integer(c, 3), j = c.coin() ? i : small_integer(c, 3);
+      const Point3d p = line.at(small_integer(c, 3)) + line.across;
+      const bool first = c.coin();
+      return first ? seen({p, p}, line.between(i, j), line.in_plane) : seen(line.between(i, j), {p, p}, line.in_plane);
+    });
+    add("whole_distance", [](DrawStream& c) -> Question {
+      const Step step = whole_step(c);
+      const Point3d p = lattice_point_in_space(c, 20), q = p + step.way;
+      const double back = -up_to(c, 2), on = up_to(c, 2);
+      return seen({along(p, back, step.way), p}, {q, along(q, on, step.way)}, false);
+    });
+    add("needles", [](DrawStream& c) -> Question {
+      const LatticeLine line = LatticeLine::of(c);
+      const double length = scaled_up(c, 8, 30), shorter = scaled_up(c, 8, 30);
+      const Point3d p = line.at(small_integer(c)) + line.across;
+      return seen(line.between(-length, length), {p, along(p, shorter, lattice_normal(c, 3))}, line.in_plane);
+    });
+    add("rounded_crossing", [](DrawStream& c) -> Question {
+      const Point3d a = ordinary_point_in_space(c), b = ordinary_point_in_space(c), d = ordinary_point_in_space(c);
+      const Point3d on_a = along(a, ordinary(c), b - a);
+      const bool in_plane = c.coin();
+      return seen({a, b}, {d, along(d, c.coin() ? 1.0 : 2.0, on_a - d)}, in_plane);
+    });
+    add("full_mantissa", [](DrawStream& c) -> Question {
+      const LongPlane plane = LongPlane::of(c);
+      const Point3d p = plane.point(c), q = plane.point(c), r = plane.point(c);
+      const bool in_plane = c.coin();
+      return seen({p, q}, {r, plane.point(c)}, in_plane);
+    });
+    add("rounding", [](DrawStream& c) -> Question {
+      // The foot of b's end on a diagonal is half an odd step along: x is halfway between two doubles.
+      const HalfwayNumber x = halfway_number(c);
+      const double odd = 1 + 2 * up_to(c, 7), far = one_to(c, 8);
+      const Point3d end{x.most + odd, 0, hair(c)};
+      return seen({{x.most, 0, 0}, {x.most + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.coin());
+    });
+    add("rounding_of_distance", [](DrawStream& c) -> Question {
+      const HalfwayStep step = halfway_step(c);
+      const bool in_plane = c.coin();
+      return seen({{-1, 0, 0}, {0, 0, 0}}, {{step.x, step.y, hair(c)}, {step.x, 2 * step.y, 0}}, in_plane);
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      Question question = crossing_or_skew(c);
+      if (auto* space = std::get_if<InSpace>(&question)) {
+        auto& [a, b] = *space;
+        Stretch{c}(a, b);
+      }
+      return question;
+    });
+    add("typed", [](DrawStream& c) -> Question {
+      const Point3d p = typed_point(c), q = typed_point(c), r = typed_point(c);
+      const bool in_plane = c.coin();
+      return seen({p, q}, {r, typed_point(c)}, in_plane);
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      const Point3d p = subnormal_point(c), q = subnormal_point(c), r = subnormal_point(c);
+      const Point3d last = c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c);
+      return seen({p, q}, {r, last}, c.coin());
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), r = point_of_whole_range(c);
+      const bool in_plane = c.coin();
+      return seen({p, q}, {r, point_of_whole_range(c)}, in_plane);
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const Point3d p = zero_point(c), q = zero_point(c), r = zero_point(c), s = zero_point(c);
+      const double x = up_to(c, 1), y = up_to(c, 1);
+      return seen({p, x == 0 ? q : Point3d{1, q.y, q.z}}, {r, y == 0 ? s : Point3d{s.x, 1, s.z}}, c.coin());
+    });
   }
 
   /// Segments that cross at (12, 12); moves the beginning of the first.

@@ -54,7 +54,7 @@ struct segment_sphere : signatures::segment_sphere {
     });
   }
 
-  static std::vector<HardCase<Question>> hard_cases() { return line_ball_cases<segment_sphere>(); }
+  static void hard_cases(HardCases<Question>& add) { line_ball_cases<segment_sphere>(add); }
 
   static void repair(Question& question) {
     std::visit([](auto& q) { std::get<1>(q).radius = std::fabs(std::get<1>(q).radius); }, question);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/space_draws.h"
+#include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/mixed/sphere_plane.h"
@@ -29,78 +29,60 @@ struct sphere_plane : signatures::sphere_plane {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"tangent",
-         [](DrawStream& c) -> Question {
-           const double radius = 1 + static_cast<double>(c.below(6)), off = small_integer(c, 1);
-           return over_plane(c, c.below(2) == 1 ? -radius - off : radius + off, radius);
-         }},
-        {"point_or_nearly",
-         [](DrawStream& c) -> Question {
-           const double radius = std::ldexp(static_cast<double>(c.below(4)), -1074), height = small_integer(c);
-           return over_plane(c, height, radius);
-         }},
-        {"beside_root",
-         [](DrawStream& c) -> Question {
-           // x / r is next to the root of 2: x^2 - 2 r^2 is 1 or -1 (Pell).
-           double x = 1, r = 1;
-           for (auto k = c.below(40); k > 0; --k) x += 2 * r, r = x - r;
-           return {{{x, 0, integer(c, 20)}, r}, {{1, c.below(2) == 1 ? -1.0 : 1.0, 0}, 0}};
-         }},
-        {"rounded_tangent",
-         [](DrawStream& c) -> Question {
-           const double nx = ordinary(c), ny = ordinary(c), x = ordinary(c), y = ordinary(c), z = ordinary(c);
-           const Vector3d n{nx, ny, 1};
-           const double d = ordinary(c), reach = std::fabs(dot(n, Vector3d{x, y, z}) + d) / std::sqrt(dot(n, n));
-           return {{{x, y, z}, std::fabs(moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1))}, {n, d}};
-         }},
-        {"typed_tangent",
-         [](DrawStream& c) -> Question {
-           // As typed the ball reaches the plane.
-           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
-           return {{{0, (m + k) / 10, 0}, k / 10}, {{0, 1, 0}, -m / 10}};
-         }},
-        {"normal_of_any_size",
-         [](DrawStream& c) -> Question {
-           // Past the guards of the squared length, and where that is subnormal; tangent but for a part that counts for
-           // little, or for nothing.
-           const int k = static_cast<int>(c.below(2000)) - 1050, m = static_cast<int>(c.below(300));
-           const double n = std::ldexp(5 + static_cast<double>(c.below(3)), k), x = 1 + static_cast<double>(c.below(6));
-           return {{{x, 0, 0}, x}, {{n, std::ldexp(small_integer(c, 1), k - m), 0}, 0}};
-         }},
-        {"terms_below_least",
-         [](DrawStream& c) -> Question {
-           const auto [plane, center] = terms_below_least(c);
-           const double radius = std::ldexp(static_cast<double>(c.below(3)), -1074);
-           return {{center, radius}, plane};
-         }},
-        {"tangent_but_for_a_hair",
-         [](DrawStream& c) -> Question {
-           // At sizes within the filter's guards and beyond.
-           const double radius = scaled_up(c, 4, 1020), off = small_integer(c, 1);
-           const double hair = std::ldexp(off, -static_cast<int>(c.below(1074)));
-           return {{{0, c.below(2) == 1 ? -radius : radius, 0}, radius}, {{0, 1, 0}, hair}};
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           // Products overflow, and where nothing does, their sum.
-           const double great = std::ldexp(1 + small_integer(c, 1) / 4, 1022), r = c.below(2) == 1 ? great : 1;
-           const double y = c.below(2) == 1 ? great : small_integer(c), n = c.below(2) == 1 ? great : 1;
-           return {{{great, y, 0}, r}, {{0, n, 0}, c.below(3) == 2 ? -great : small_integer(c, 1)}};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double x = zero(), y = zero(), r = zero(), n = zero(), d = zero(), height = small_integer(c, 1);
-           return {{{x, c.below(2) == 1 ? height : y, 0}, c.below(2) == 1 ? 1 : r}, {{n, 1, n}, d}};
-         }},
-        {"zero_normal",
-         [](DrawStream& c) -> Question {
-           const Vector3d n{0.0, c.below(2) == 1 ? -0.0 : 0.0, 0.0};
-           return {{lattice_point_in_space(c), 1}, {n, small_integer(c)}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("tangent", [](DrawStream& c) -> Question {
+      const double radius = one_to(c, 6), off = small_integer(c, 1);
+      return over_plane(c, c.coin() ? -radius - off : radius + off, radius);
+    });
+    add("point_or_nearly", [](DrawStream& c) -> Question {
+      const double radius = std::ldexp(up_to(c, 3), -1074), height = small_integer(c);
+      return over_plane(c, height, radius);
+    });
+    add("beside_root", [](DrawStream& c) -> Question {
+      const auto [x, r] = near_root(c);
+      return {{{x, 0, integer(c, 20)}, r}, {{1, either_sign(c), 0}, 0}};
+    });
+    add("rounded_tangent", [](DrawStream& c) -> Question {
+      const Vector3d n{ordinary(c), ordinary(c), 1}, p{ordinary(c), ordinary(c), ordinary(c)};
+      const double d = ordinary(c), reach = std::fabs(dot(n, p) + d) / std::sqrt(dot(n, n));
+      return {{{p.x, p.y, p.z}, std::fabs(within_ulps(c, reach, 1))}, {n, d}};
+    });
+    add("typed_tangent", [](DrawStream& c) -> Question {
+      // As typed the ball reaches the plane.
+      const double k = one_to(c, 9), m = one_to(c, 9);
+      return {{{0, (m + k) / 10, 0}, k / 10}, {{0, 1, 0}, -m / 10}};
+    });
+    add("normal_of_any_size", [](DrawStream& c) -> Question {
+      // Past the guards of the squared length, and where that is subnormal; tangent but for a part that counts for
+      // little, or for nothing.
+      const int k = integer_in(c, -1050, 949), m = integer_in(c, 0, 299);
+      const double n = std::ldexp(5 + up_to(c, 2), k), x = one_to(c, 6);
+      return {{{x, 0, 0}, x}, {{n, std::ldexp(small_integer(c, 1), k - m), 0}, 0}};
+    });
+    add("terms_below_least", [](DrawStream& c) -> Question {
+      const auto [plane, center] = terms_below_least(c);
+      return {{center, std::ldexp(up_to(c, 2), -1074)}, plane};
+    });
+    add("tangent_but_for_a_hair", [](DrawStream& c) -> Question {
+      // At sizes within the filter's guards and beyond.
+      const double radius = scaled_up(c, 4, 1020), off = small_integer(c, 1);
+      const double hair = std::ldexp(off, -integer_in(c, 0, 1073));
+      return {{{0, either_sign(c) * radius, 0}, radius}, {{0, 1, 0}, hair}};
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      // Products overflow, and where nothing does, their sum.
+      const double great = huge(c), r = c.coin() ? great : 1;
+      const double y = c.coin() ? great : small_integer(c), n = c.coin() ? great : 1;
+      return {{{great, y, 0}, r}, {{0, n, 0}, c.one_in(3) ? -great : small_integer(c, 1)}};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const double x = zero(c), y = zero(c), r = zero(c), n = zero(c), d = zero(c), height = small_integer(c, 1);
+      return {{{x, c.coin() ? height : y, 0}, c.coin() ? 1 : r}, {{n, 1, n}, d}};
+    });
+    add("zero_normal", [](DrawStream& c) -> Question {
+      const Vector3d n{0.0, zero(c), 0.0};
+      return {{lattice_point_in_space(c), 1}, {n, small_integer(c)}};
+    });
   }
 
   /// The normal has no unit: it keeps its value.

@@ -27,39 +27,31 @@ struct point_ground_plane : signatures::point_ground_plane {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_ground",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{p.x, c.below(2) == 1 ? -0.0 : 0.0, p.z}};
-         }},
-        {"beside_ground",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{p.x, small_integer(c, 1), p.z}};
-         }},
-        {"subnormal_height",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{p.x, std::ldexp(small_integer(c), -1074), p.z}};
-         }},
-        {"far_out",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{std::ldexp(p.x, 970), p.y, std::ldexp(p.z, 970)}};
-         }},
-        {"huge_height",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{p.x, std::ldexp(p.y, 970), p.z}};
-         }},
-        {"difference_of_typed",
-         [](DrawStream& c) -> Question {
-           const double a = typed(c), b = typed(c), sum = a + b;  // 0.1 + 0.2 - 0.3
-           return {{a, sum - typed(c), b}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_ground", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{p.x, zero(c), p.z}};
+    });
+    add("beside_ground", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{p.x, small_integer(c, 1), p.z}};
+    });
+    add("subnormal_height", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{p.x, subnormal(c), p.z}};
+    });
+    add("far_out", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{std::ldexp(p.x, 970), p.y, std::ldexp(p.z, 970)}};
+    });
+    add("huge_height", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{p.x, std::ldexp(p.y, 970), p.z}};
+    });
+    add("difference_of_typed", [](DrawStream& c) -> Question {
+      const double a = typed(c), b = typed(c), sum = a + b;  // 0.1 + 0.2 - 0.3
+      return {{a, sum - typed(c), b}};
+    });
   }
 
   /// From the front: x across, y up.

@@ -38,96 +38,72 @@ struct point_plane : signatures::point_plane {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_plane", [](DrawStream& c) -> Question { return over_plane(c, 0); }},
-        {"beside_plane",
-         [](DrawStream& c) -> Question {
-           const double height = small_integer(c, 1);
-           return over_plane(c, height);
-         }},
-        {"rational_distance",
-         [](DrawStream& c) -> Question {
-           const Vector3d n = normal_of_whole_length(c);
-           const Point3d p = lattice_point_in_space(c);
-           return {{n, integer(c, 30)}, p};
-         }},
-        {"axis_normal",
-         [](DrawStream& c) -> Question {
-           const double k = 1 + static_cast<double>(c.below(1 << 20)), y = integer(c, 26);
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{{0, c.below(2) == 1 ? -k : k, 0}, c.below(2) == 1 ? k * y : -k * y}, {p.x, y, p.z}};
-         }},
-        {"normal_of_any_size",
-         [](DrawStream& c) -> Question {
-           const double height = small_integer(c, 1);
-           const int exponent = static_cast<int>(c.below(2000)) - 1050;
-           const auto [plane, p] = over_plane(c, height);
-           const auto sized = [exponent](double x) { return std::ldexp(x, exponent); };
-           return {{{sized(plane.normal.x), sized(plane.normal.y), sized(plane.normal.z)}, sized(plane.offset)}, p};
-         }},
-        {"uneven_normal",
-         [](DrawStream& c) -> Question {
-           const double small = scaled_down(c, 8, 300);
-           const Point3d p = lattice_point_in_space(c);
-           return {{{1 + static_cast<double>(c.below(8)), small, 0}, small_integer(c)}, p};
-         }},
-        {"halfway",
-         [](DrawStream& c) -> Question {
-           const double y = 0x1p52 + static_cast<double>(c.below(16));
-           return {{{0, std::ldexp(1, static_cast<int>(c.below(4))), 0}, 0.5 + small_integer(c)},
-                   {integer(c, 3), y, 0}};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           // The height is halfway between two doubles but for one bit, more than 64 digits below the first.
-           return {{{0, 1, 0}, beside_half_an_ulp(c, -64, 16)}, {0, 1, 0}};
-         }},
-        {"root_beside_a_tie",
-         [](DrawStream& c) -> Question {
-           // x over the root of 2, in binary 53 digits, a half, and twelve zeros; then digits that decide. Found by
-           // trying all x.
-           static constexpr int roots[]{2827, 17619, 28489, 60223, 73721, 87219, 97213, 103703};
-           const double x = roots[c.below(8)];
-           return {{{1, 1, 0}, 0}, {c.below(2) == 1 ? -x : x, 0, integer(c, 20)}};
-         }},
-        {"terms_below_least", terms_below_least},
-        {"subnormal_times_huge",
-         [](DrawStream& c) -> Question {
-           const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));
-           const double offset = std::ldexp(huge * small, -531);
-           return {{{std::ldexp(huge, 500), 0, 0}, c.below(4) == 3 ? offset : -offset},
-                   {std::ldexp(small, -1030), 0, 0}};
-         }},
-        {"as_wide_as_a_lattice",
-         [](DrawStream& c) -> Question {
-           // The terms span about 124 binary digits, from where on their sum does not fit two words.
-           const double size = 8 + static_cast<double>(c.below(8));
-           const double x = std::ldexp(size, 57 + static_cast<int>(c.below(4))), y = c.below(4) == 3 ? -x : x;
-           return {{{x, y, x}, 1}, {x, y, x}};
-         }},
-        {"beyond_range",
-         [](DrawStream& c) -> Question {
-           const Vector3d n = lattice_normal(c, 3);
-           const double x = std::ldexp(1 + static_cast<double>(c.below(8)), 1020), y = c.below(2) == 1 ? -x : x;
-           return {{n, std::ldexp(small_integer(c), 1020)}, {x, y, x}};
-         }},
-        {"rounded_on_plane",
-         [](DrawStream& c) -> Question {
-           const Vector3d n{ordinary(c), ordinary(c), ordinary(c)}, p{ordinary(c), ordinary(c), ordinary(c)};
-           return valid({n, -dot(n, p)}, p);
-         }},
-        {"typed_on_plane",
-         [](DrawStream& c) -> Question {
-           const Vector3d n{typed(c), typed(c), typed(c)}, p{typed(c), typed(c), typed(c)};
-           return valid({n, -dot(n, p)}, p);
-         }},
-        {"zero_normal",
-         [](DrawStream& c) -> Question {
-           const Vector3d n{0.0, c.below(2) == 1 ? -0.0 : 0.0, 0.0};
-           return {{n, small_integer(c)}, lattice_point_in_space(c)};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_plane", [](DrawStream& c) -> Question { return over_plane(c, 0); });
+    add("beside_plane", [](DrawStream& c) -> Question { return over_plane(c, small_integer(c, 1)); });
+    add("rational_distance", [](DrawStream& c) -> Question {
+      const Vector3d n = normal_of_whole_length(c);
+      const Point3d p = lattice_point_in_space(c);
+      return {{n, integer(c, 30)}, p};
+    });
+    add("axis_normal", [](DrawStream& c) -> Question {
+      const double k = one_to(c, 1 << 20), y = integer(c, 26);
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{{0, either_sign(c) * k, 0}, c.coin() ? k * y : -k * y}, {p.x, y, p.z}};
+    });
+    add("normal_of_any_size", [](DrawStream& c) -> Question {
+      const double height = small_integer(c, 1);
+      const int k = integer_in(c, -1050, 949);
+      const auto [plane, p] = over_plane(c, height);
+      return {{scaled(plane.normal, k), std::ldexp(plane.offset, k)}, p};
+    });
+    add("uneven_normal", [](DrawStream& c) -> Question {
+      const double small = scaled_down(c, 8, 300);
+      const Point3d p = lattice_point_in_space(c);
+      return {{{one_to(c, 8), small, 0}, small_integer(c)}, p};
+    });
+    add("halfway", [](DrawStream& c) -> Question {
+      const double y = 0x1p52 + up_to(c, 15);
+      return {{{0, power_of_two(c, 0, 3), 0}, 0.5 + small_integer(c)}, {integer(c, 3), y, 0}};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      // The height is halfway between two doubles but for one bit, more than 64 digits below the first.
+      return {{{0, 1, 0}, beside_half_an_ulp(c, -64, 16)}, {0, 1, 0}};
+    });
+    add("root_beside_a_tie", [](DrawStream& c) -> Question {
+      // x over the root of 2, in binary 53 digits, a half, and twelve zeros; then digits that decide. Found by
+      // trying all x.
+      static constexpr int roots[]{2827, 17619, 28489, 60223, 73721, 87219, 97213, 103703};
+      const double x = roots[c.below(8)];
+      return {{{1, 1, 0}, 0}, {either_sign(c) * x, 0, integer(c, 20)}};
+    });
+    add("terms_below_least", terms_below_least);
+    add("subnormal_times_huge", [](DrawStream& c) -> Question {
+      const double huge = one_to(c, 8), small = one_to(c, 64), offset = std::ldexp(huge * small, -531);
+      return {{{std::ldexp(huge, 500), 0, 0}, c.one_in(4) ? offset : -offset}, {std::ldexp(small, -1030), 0, 0}};
+    });
+    add("as_wide_as_a_lattice", [](DrawStream& c) -> Question {
+      // The terms span about 124 binary digits, from where on their sum does not fit two words.
+      const double size = 8 + up_to(c, 7);
+      const double x = std::ldexp(size, integer_in(c, 57, 60)), y = c.one_in(4) ? -x : x;
+      return {{{x, y, x}, 1}, {x, y, x}};
+    });
+    add("beyond_range", [](DrawStream& c) -> Question {
+      const Vector3d n = lattice_normal(c, 3);
+      const double x = std::ldexp(one_to(c, 8), 1020), y = either_sign(c) * x;
+      return {{n, std::ldexp(small_integer(c), 1020)}, {x, y, x}};
+    });
+    add("rounded_on_plane", [](DrawStream& c) -> Question {
+      const Vector3d n{ordinary(c), ordinary(c), ordinary(c)}, p{ordinary(c), ordinary(c), ordinary(c)};
+      return valid({n, -dot(n, p)}, p);
+    });
+    add("typed_on_plane", [](DrawStream& c) -> Question {
+      const Vector3d n{typed(c), typed(c), typed(c)}, p{typed(c), typed(c), typed(c)};
+      return valid({n, -dot(n, p)}, p);
+    });
+    add("zero_normal", [](DrawStream& c) -> Question {
+      return {{{0.0, zero(c), 0.0}, small_integer(c)}, lattice_point_in_space(c)};
+    });
   }
 
   /// The normal has no unit: it keeps its value.

@@ -35,107 +35,79 @@ struct point_plane_toi : signatures::point_plane_toi {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"through",
-         [](DrawStream& c) -> Question {
-           const double up = 1 + static_cast<double>(c.below(8)), down = 1 + static_cast<double>(c.below(8));
-           return step(c, up, -down);
-         }},
-        {"ends_on_plane",
-         [](DrawStream& c) -> Question {
-           const double up = 1 + static_cast<double>(c.below(8));
-           return step(c, up, 0);
-         }},
-        {"starts_on_plane",
-         [](DrawStream& c) -> Question {
-           const double then = small_integer(c);
-           return step(c, 0, then);
-         }},
-        {"starts_behind",
-         [](DrawStream& c) -> Question {
-           const double down = 1 + static_cast<double>(c.below(8)), then = small_integer(c);
-           return step(c, -down, then);
-         }},
-        {"stays_in_front",
-         [](DrawStream& c) -> Question {
-           const double up = 1 + static_cast<double>(c.below(8)), then = 1 + static_cast<double>(c.below(8));
-           return step(c, up, then);
-         }},
-        {"along_plane",
-         [](DrawStream& c) -> Question {
-           const double height = small_integer(c, 1);
-           return step(c, height, height);
-         }},
-        {"at_rest",
-         [](DrawStream& c) -> Question {
-           const double height = small_integer(c, 1);
-           const auto [plane, start, end] = step(c, height, 0);
-           return {plane, start, start};
-         }},
-        {"long_step",
-         [](DrawStream& c) -> Question {
-           const double y = scaled_up(c, 1 << 20, 40);
-           const Vector3d n = lattice_normal(c);
-           const Point3d start = lattice_point_in_space(c);
-           return {{n, integer(c, 30)}, start, start + (-y) * n};
-         }},
-        {"ends_just_past",
-         [](DrawStream& c) -> Question {
-           const double far = std::ldexp(1, 20 + static_cast<int>(c.below(32))), x = integer(c, 26);
-           return {{{0, 1, 0}, 0}, {x, far, 0}, {x + small_integer(c), small_integer(c, 1), 1}};
-         }},
-        {"rounded_on_plane",
-         [](DrawStream& c) -> Question {
-           const Vector3d n{ordinary(c), ordinary(c), 1 + std::fabs(ordinary(c))},
-               p{ordinary(c), ordinary(c), ordinary(c)};
-           const double step = 1 + static_cast<double>(c.below(8));
-           return {{n, -dot(n, p)}, Point3d{p.x, p.y, p.z} + step * n, {p.x, p.y, p.z}};
-         }},
-        {"typed_step",
-         [](DrawStream& c) -> Question {
-           const double y = std::fabs(typed(c)), d = typed(c);
-           return {{{0, 1, 0}, -d}, {typed(c), d + y, 0.3}, {typed(c), d - std::fabs(typed(c)), 0.1}};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           // At t = 1/2, a coordinate halfway between two doubles but for one bit, about 64 digits below the first.
-           return {{{0, 1, 0}, 0}, {1, 1, 1}, {beside_half_an_ulp(c, -62, 4), -1, 0}};
-         }},
-        {"wide_heights",
-         [](DrawStream& c) -> Question {
-           // The heights are sums of two words, but not in one unit.
-           const auto wide = [&c](int k) {
-             return std::ldexp(0x1p51 + static_cast<double>(c.below(std::uint64_t{1} << 51)), k);
-           };
-           const double x = wide(20), end = -wide(22);
-           return {{{0x1p52 + 1, 0x1p52 + 1, 0x1p-20}, 0}, {x, 0, 0x1p20}, {end, end, -0x1p22}};
-         }},
-        {"last_binade",
-         [](DrawStream& c) -> Question {
-           const double x = std::ldexp(16 + static_cast<double>(c.below(16)), 1019),
-                        up = 1 + static_cast<double>(c.below(8));
-           return {{{0, 1, 0}, 0}, {x, up, 0}, {x, -1 - static_cast<double>(c.below(8)), 0}};
-         }},
-        {"starts_below_least",
-         [](DrawStream& c) -> Question {
-           const auto [plane, start] = terms_below_least(c);
-           return {plane, start, {1, 1, 1}};
-         }},
-        {"starts_subnormal",
-         [](DrawStream& c) -> Question {
-           // A huge normal makes it count.
-           const double offset = std::ldexp(static_cast<double>(1 + c.below(64)), -531);
-           const double x = std::ldexp(offset, -499);
-           return {{{0x1p500, 0, 0}, -offset}, {x, 0, 0}, {-3 * x, 0, 0}};
-         }},
-        {"zero_normal",
-         [](DrawStream& c) -> Question {
-           const Vector3d n{0.0, c.below(2) == 1 ? -0.0 : 0.0, 0.0};
-           const Point3d start = lattice_point_in_space(c);
-           return {{n, small_integer(c)}, start, lattice_point_in_space(c)};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("through", [](DrawStream& c) -> Question {
+      const double up = one_to(c, 8), down = one_to(c, 8);
+      return step(c, up, -down);
+    });
+    add("ends_on_plane", [](DrawStream& c) -> Question { return step(c, one_to(c, 8), 0); });
+    add("starts_on_plane", [](DrawStream& c) -> Question { return step(c, 0, small_integer(c)); });
+    add("starts_behind", [](DrawStream& c) -> Question {
+      const double down = one_to(c, 8), then = small_integer(c);
+      return step(c, -down, then);
+    });
+    add("stays_in_front", [](DrawStream& c) -> Question {
+      const double up = one_to(c, 8), then = one_to(c, 8);
+      return step(c, up, then);
+    });
+    add("along_plane", [](DrawStream& c) -> Question {
+      const double height = small_integer(c, 1);
+      return step(c, height, height);
+    });
+    add("at_rest", [](DrawStream& c) -> Question {
+      const double height = small_integer(c, 1);
+      const auto [plane, start, end] = step(c, height, 0);
+      return {plane, start, start};
+    });
+    add("long_step", [](DrawStream& c) -> Question {
+      const double y = scaled_up(c, 1 << 20, 40);
+      const Vector3d n = lattice_normal(c);
+      const Point3d start = lattice_point_in_space(c);
+      return {{n, integer(c, 30)}, start, start + (-y) * n};
+    });
+    add("ends_just_past", [](DrawStream& c) -> Question {
+      const double far = power_of_two(c, 20, 51), x = integer(c, 26);
+      return {{{0, 1, 0}, 0}, {x, far, 0}, {x + small_integer(c), small_integer(c, 1), 1}};
+    });
+    add("rounded_on_plane", [](DrawStream& c) -> Question {
+      const Vector3d n{ordinary(c), ordinary(c), 1 + std::fabs(ordinary(c))}, p{ordinary(c), ordinary(c), ordinary(c)};
+      return {{n, -dot(n, p)}, Point3d{p.x, p.y, p.z} + one_to(c, 8) * n, {p.x, p.y, p.z}};
+    });
+    add("typed_step", [](DrawStream& c) -> Question {
+      const double y = std::fabs(typed(c)), d = typed(c);
+      return {{{0, 1, 0}, -d}, {typed(c), d + y, 0.3}, {typed(c), d - std::fabs(typed(c)), 0.1}};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      // At t = 1/2, a coordinate halfway between two doubles but for one bit, about 64 digits below the first.
+      return {{{0, 1, 0}, 0}, {1, 1, 1}, {beside_half_an_ulp(c, -62, 4), -1, 0}};
+    });
+    add("wide_heights", [](DrawStream& c) -> Question {
+      // The heights are sums of two words, but not in one unit.
+      const auto wide = [&c](int k) {
+        return std::ldexp(0x1p51 + static_cast<double>(c.below(std::uint64_t{1} << 51)), k);
+      };
+      const double x = wide(20), end = -wide(22);
+      return {{{0x1p52 + 1, 0x1p52 + 1, 0x1p-20}, 0}, {x, 0, 0x1p20}, {end, end, -0x1p22}};
+    });
+    add("last_binade", [](DrawStream& c) -> Question {
+      const double x = std::ldexp(16 + up_to(c, 15), 1019), up = one_to(c, 8);
+      return {{{0, 1, 0}, 0}, {x, up, 0}, {x, -one_to(c, 8), 0}};
+    });
+    add("starts_below_least", [](DrawStream& c) -> Question {
+      const auto [plane, start] = terms_below_least(c);
+      return {plane, start, {1, 1, 1}};
+    });
+    add("starts_subnormal", [](DrawStream& c) -> Question {
+      // A huge normal makes it count.
+      const double offset = std::ldexp(one_to(c, 64), -531);
+      const double x = std::ldexp(offset, -499);
+      return {{{0x1p500, 0, 0}, -offset}, {x, 0, 0}, {-3 * x, 0, 0}};
+    });
+    add("zero_normal", [](DrawStream& c) -> Question {
+      const Vector3d n{0.0, zero(c), 0.0};
+      const Point3d start = lattice_point_in_space(c);
+      return {{n, small_integer(c)}, start, lattice_point_in_space(c)};
+    });
   }
 
   /// The normal has no unit: it keeps its value.
@@ -185,8 +157,7 @@ struct point_plane_toi : signatures::point_plane_toi {
   /// A step on the lattice from one height over a plane through lattice points to another, in units of N . N.
   static Question step(DrawStream& c, double from, double to) {
     const Vector3d n = lattice_normal(c, 10);
-    const Point3d foot = lattice_point_in_space(c);
-    const Point3d start = foot + lattice_across(c, n) + from * n;
+    const Point3d foot = lattice_point_in_space(c), start = foot + lattice_across(c, n) + from * n;
     return {{n, -dot(n, Vector3d{foot.x, foot.y, foot.z})}, start, foot + lattice_across(c, n) + to * n};
   }
 };

@@ -38,113 +38,89 @@ struct polygon_normal : signatures::polygon_normal {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"triangle",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c), q = lattice_point_in_space(c);
-           return {{{p, q, lattice_point_in_space(c)}}};
-         }},
-        {"within_its_enclosure",
-         [](DrawStream& c) -> Question {
-           const BesideTie z = beside_tie(c);
-           return {{{{0, 0, 0}, {z.t, -z.rest, 0}, {1, z.v, 0}}}};
-         }},
-        {"parallelogram",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           return {{{p, p + a, p + a + b, p + b}}};
-         }},
-        {"planar_ring",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           return {lifted(turned(simple_ring(c), c), p, a, b)};
-         }},
-        {"rational_unit",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c);
-           return {lifted(turned(convex_ring(c), c), p, {2, -1, 0}, {2, 0, -1})};  // (1, 2, 2) / 3
-         }},
-        {"flat_first_corner",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           return {{{p, p + a, p + (2 + static_cast<double>(c.below(4))) * a, p + b}}};
-         }},
-        {"repeated_vertex",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           const std::uint64_t which = c.below(3);
-           return {{{p, which == 0 ? p : p + a, which == 1 ? p + a : p + a + b, p + b, which == 2 ? p : p + b}}};
-         }},
-        {"reflex_first_corner",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           const double far = 2 + static_cast<double>(c.below(8));
-           return {{{p + far * a, p + a + b, p + far * b,
-                     p}}};  // a dart: p + a + b is beyond or on the line of its neighbours
-         }},
-        {"figure_of_eight",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           return {{{p, p + a + b, p + a, p + b}}};  // its two halves cancel
-         }},
-        {"collinear",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c);
-           const Vector3d v = lattice_normal(c);
-           const double s = small_integer(c), t = small_integer(c);
-           return {{{p, p + s * v, p + t * v, p + small_integer(c) * v}}};
-         }},
-        {"coincident",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c, 53);
-           return {{std::vector<Point3d>(3 + c.below(3), p)}};
-         }},
-        {"beside_collinear",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c);
-           const Vector3d v = lattice_normal(c);
-           const double s = small_integer(c), t = small_integer(c);
-           const Point3d q = p + s * v;
-           return {{{p, {q.x + small_integer(c, 1), q.y, q.z}, p + t * v}}};
-         }},
-        {"not_planar",
-         [](DrawStream& c) -> Question {
-           Question question;
-           for (std::uint64_t n = 4 + c.below(5); n > 0; --n)
-             std::get<0>(question).vertices.push_back(lattice_point_in_space(c));
-           return question;
-         }},
-        {"far_from_origin",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           const auto moved = [](const Point3d& q) { return Point3d{q.x + 1000000.1, q.y + 0.3, q.z - 99.99}; };
-           return {{{moved(p), moved(p + a), moved(p + a + b), moved(p + b)}}};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           // An area halfway between two doubles but for a bit far below.
-           const double bit = std::ldexp(1, -38 - static_cast<int>(c.below(14))), far = c.below(2) == 1 ? 0x1p-333 : 0;
-           return {{{{0, 0, 0}, {1 + 0x1p-26, 0, 0}, {0, 1 + 0x1p-27 + bit, far}}}};
-         }},
-        {"beyond_range",
-         [](DrawStream& c) -> Question {
-           const int up = 400 + static_cast<int>(c.below(560)), down = 400 + static_cast<int>(c.below(600));
-           const double n = 1 + static_cast<double>(c.below(8)), m = small_integer(c);
-           return {{{{0, 0, 0}, {std::ldexp(n, up), 0, 0}, {0, std::ldexp(n, up), std::ldexp(m, -down)}}}};
-         }},
-        {"closed_ring",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           return {lifted(closed(turned(simple_ring(c), c), c), p, a, b)};
-         }},
-        {"many_vertices",
-         [](DrawStream& c) -> Question {
-           const auto [p, a, b] = frame(c);
-           return {lifted(turned(long_convex_ring(c), c), p, a, b)};
-         },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("triangle", [](DrawStream& c) -> Question {
+      return {{{lattice_point_in_space(c), lattice_point_in_space(c), lattice_point_in_space(c)}}};
+    });
+    add("within_its_enclosure", [](DrawStream& c) -> Question {
+      const BesideTie z = beside_tie(c);
+      return {{{{0, 0, 0}, {z.t, -z.rest, 0}, {1, z.v, 0}}}};
+    });
+    add("parallelogram", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      return {{{p, p + a, p + a + b, p + b}}};
+    });
+    add("planar_ring", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      return {lifted(turned(simple_ring(c), c), p, a, b)};
+    });
+    add("rational_unit", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c);
+      return {lifted(turned(convex_ring(c), c), p, {2, -1, 0}, {2, 0, -1})};  // (1, 2, 2) / 3
+    });
+    add("flat_first_corner", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      return {{{p, p + a, p + (2 + up_to(c, 3)) * a, p + b}}};
+    });
+    add("repeated_vertex", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      const std::uint64_t which = c.below(3);
+      return {{{p, which == 0 ? p : p + a, which == 1 ? p + a : p + a + b, p + b, which == 2 ? p : p + b}}};
+    });
+    add("reflex_first_corner", [](DrawStream& c) -> Question {
+      // A dart: p + a + b is beyond or on the line of its neighbours.
+      const auto [p, a, b] = frame(c);
+      const double far = 2 + up_to(c, 7);
+      return {{{p + far * a, p + a + b, p + far * b, p}}};
+    });
+    add("figure_of_eight", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      return {{{p, p + a + b, p + a, p + b}}};  // its two halves cancel
+    });
+    add("collinear", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c);
+      const Vector3d v = lattice_normal(c);
+      return {{{p, p + small_integer(c) * v, p + small_integer(c) * v, p + small_integer(c) * v}}};
+    });
+    add("coincident", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c, 53);
+      return {{std::vector<Point3d>(3 + c.below(3), p)}};
+    });
+    add("beside_collinear", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c);
+      const Vector3d v = lattice_normal(c);
+      const double s = small_integer(c), t = small_integer(c);
+      const Point3d q = p + s * v;
+      return {{{p, {q.x + small_integer(c, 1), q.y, q.z}, p + t * v}}};
+    });
+    add("not_planar", [](DrawStream& c) -> Question {
+      Polygon3d ring;
+      for (std::uint64_t n = 4 + c.below(5); n > 0; --n) ring.vertices.push_back(lattice_point_in_space(c));
+      return {ring};
+    });
+    add("far_from_origin", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      const auto moved = [](const Point3d& q) { return Point3d{q.x + 1000000.1, q.y + 0.3, q.z - 99.99}; };
+      return {{{moved(p), moved(p + a), moved(p + a + b), moved(p + b)}}};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      // An area halfway between two doubles but for a bit far below.
+      const double bit = std::ldexp(1, -38 - integer_in(c, 0, 13)), far = c.coin() ? 0x1p-333 : 0;
+      return {{{{0, 0, 0}, {1 + 0x1p-26, 0, 0}, {0, 1 + 0x1p-27 + bit, far}}}};
+    });
+    add("beyond_range", [](DrawStream& c) -> Question {
+      const int up = integer_in(c, 400, 959), down = integer_in(c, 400, 999);
+      const double n = one_to(c, 8), m = small_integer(c);
+      return {{{{0, 0, 0}, {std::ldexp(n, up), 0, 0}, {0, std::ldexp(n, up), std::ldexp(m, -down)}}}};
+    });
+    add("closed_ring", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      return {lifted(closed(turned(simple_ring(c), c), c), p, a, b)};
+    });
+    add.unscaled("many_vertices", [](DrawStream& c) -> Question {
+      const auto [p, a, b] = frame(c);
+      return {lifted(turned(long_convex_ring(c), c), p, a, b)};
+    });
   }
 
   /// Along the axis to which the normal is nearest; and the two edges of the slide.
@@ -179,9 +155,8 @@ struct polygon_normal : signatures::polygon_normal {
   /// Small enough for rings of 2^40 to be lifted exactly.
   static Frame frame(DrawStream& c) {
     const Point3d p = lattice_point_in_space(c);
-    const Vector3d a = lattice_normal(c, 3);
-    const double x = small_integer(c), y = small_integer(c), z = small_integer(c);
-    return {p, a, x == 0 && y == 0 && z == 0 ? Vector3d{1, 0, 0} : Vector3d{x, y, z}};
+    const Vector3d a = lattice_normal(c, 3), b{small_integer(c), small_integer(c), small_integer(c)};
+    return {p, a, b.x == 0 && b.y == 0 && b.z == 0 ? Vector3d{1, 0, 0} : b};
   }
   static Polygon3d lifted(const Polygon2d& ring, const Point3d& origin, const Vector3d& a, const Vector3d& b) {
     Polygon3d polygon;

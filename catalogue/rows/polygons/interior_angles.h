@@ -34,75 +34,55 @@ struct interior_angles : signatures::interior_angles {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"simple", [](DrawStream& c) -> Question { return turned(simple_ring(c), c); }},
-        {"flat_vertex",
-         [](DrawStream& c) -> Question {
-           Polygon2d ring = simple_ring(c);
-           for (Point2d& p : ring.vertices) p = {2 * p.x, 2 * p.y};
-           return turned(with_flat_vertex(ring, c), c);
-         }},
-        {"right_angles",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c);
-           const Vector2d v = lattice_direction(c), w{-v.y, v.x};
-           const double a = 1 + static_cast<double>(c.below(8)), b = 1 + static_cast<double>(c.below(8));
-           const Point2d q = along(along(p, a, v), b, w);
-           return turned({{p, along(p, a + 1, v), along(along(p, a + 1, v), b, w), q, along(q, 1, w),
-                           along(along(p, b, w), 1, w)}},
-                         c);
-         }},
-        {"needle",
-         [](DrawStream& c) -> Question {
-           // Two long edges one unit apart at one end: an angle of about 2^-k there, and where it is a dent, 2 pi less
-           // that.
-           const double length = std::ldexp(1, 1 + static_cast<int>(c.below(40))), rise = small_integer(c);
-           const Point2d tip{length, length * rise};
-           if (c.below(2) == 0) return turned({{{0, 0}, tip, {0, 1}, {-length, rise}}}, c);
-           return turned(
-               {{{0, 0}, tip, {0, 1}, {-1, 1}, {-1, 3 * length * 9}, {3 * length, 0}, {-1, -3 * length * 9}, {-1, 0}}},
-               c);
-         }},
-        {"least_angle",
-         [](DrawStream& c) -> Question {
-           // About the least subnormal number, or half of it.
-           const double x = 1 + static_cast<double>(c.below(16)) / 8;
-           return turned({{{0, 0}, {x, 0}, {x, std::ldexp(1 + static_cast<double>(c.below(3)), -1074)}}}, c);
-         }},
-        {"nearly_flat",
-         [](DrawStream& c) -> Question {
-           const Point2d p = lattice_point(c, 40);
-           const double x = std::fabs(integer(c, 40)) + 1, y = integer(c, 40), off = small_integer(c, 1);
-           return turned({{p, {p.x + x, p.y + y}, {p.x + 2 * x, p.y + 2 * y + off}, {p.x + x, p.y + 0x1p42}}}, c);
-         }},
-        {"thin_beyond_doubles",
-         [](DrawStream& c) -> Question {
-           // Angles of about 2^-(j + k): from those that are doubles to those that round to 0.
-           const double wide = scaled_up(c, 8, 1000);
-           const double high = scaled_down(c, 8, 1050);
-           return turned({{{0, 0}, {wide, 0}, {wide, high}}}, c);
-         }},
-        {"perhaps_not_simple",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = simple_ring(c);
-           const std::uint64_t defect = c.below(3);
-           return turned(defect == 0 ? ring : defect == 1 ? with_spike(ring, c) : with_repeated_vertex(ring, c), c);
-         }},
-        {"typed_flat",
-         [](DrawStream& c) -> Question {
-           const double x = typed(c), y = typed(c), far = typed(c);
-           return turned({{{0, 0}, {x, y}, {2 * x, 2 * y}, {3 * x, 3 * y}, {far, -far}}}, c);
-         }},
-        {"far_from_origin",
-         [](DrawStream& c) -> Question {
-           Polygon2d ring = simple_ring(c);
-           for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};
-           return turned(ring, c);
-         }},
-        {"flat_runs", [](DrawStream& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); }},
-        {"closed_ring", [](DrawStream& c) -> Question { return closed(turned(simple_ring(c), c), c); }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("simple", [](DrawStream& c) -> Question { return turned(simple_ring(c), c); });
+    add("flat_vertex", [](DrawStream& c) -> Question {
+      Polygon2d ring = simple_ring(c);
+      for (Point2d& p : ring.vertices) p = {2 * p.x, 2 * p.y};
+      return turned(with_flat_vertex(ring, c), c);
+    });
+    add("right_angles", [](DrawStream& c) -> Question {
+      const Point2d p = lattice_point(c);
+      const Vector2d v = lattice_direction(c), w{-v.y, v.x};
+      const double a = one_to(c, 8), b = one_to(c, 8);
+      const Point2d q = along(along(p, a, v), b, w);
+      return turned(
+          {{p, along(p, a + 1, v), along(along(p, a + 1, v), b, w), q, along(q, 1, w), along(along(p, b, w), 1, w)}},
+          c);
+    });
+    add("needle", [](DrawStream& c) -> Question {
+      // Two long edges one unit apart at one end: an angle of about 2^-k there, and where it is a dent, 2 pi less
+      // that.
+      const double length = power_of_two(c, 1, 40), rise = small_integer(c);
+      const Point2d tip{length, length * rise};
+      if (!c.coin()) return turned({{{0, 0}, tip, {0, 1}, {-length, rise}}}, c);
+      return turned(
+          {{{0, 0}, tip, {0, 1}, {-1, 1}, {-1, 3 * length * 9}, {3 * length, 0}, {-1, -3 * length * 9}, {-1, 0}}}, c);
+    });
+    add("least_angle", [](DrawStream& c) -> Question {
+      // About the least subnormal number, or half of it.
+      const double x = 1 + up_to(c, 15) / 8;
+      return turned({{{0, 0}, {x, 0}, {x, std::ldexp(one_to(c, 3), -1074)}}}, c);
+    });
+    add("nearly_flat", [](DrawStream& c) -> Question { return nearly_flat_ring(c); });
+    add("thin_beyond_doubles", [](DrawStream& c) -> Question {
+      // Angles of about 2^-(j + k): from those that are doubles to those that round to 0.
+      const double wide = scaled_up(c, 8, 1000);
+      return turned({{{0, 0}, {wide, 0}, {wide, scaled_down(c, 8, 1050)}}}, c);
+    });
+    add("perhaps_not_simple", [](DrawStream& c) -> Question {
+      const Polygon2d ring = simple_ring(c);
+      const std::uint64_t defect = c.below(3);
+      return turned(defect == 0 ? ring : defect == 1 ? with_spike(ring, c) : with_repeated_vertex(ring, c), c);
+    });
+    add("typed_flat", [](DrawStream& c) -> Question { return typed_flat_ring(c); });
+    add("far_from_origin", [](DrawStream& c) -> Question {
+      Polygon2d ring = simple_ring(c);
+      for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};
+      return turned(ring, c);
+    });
+    add("flat_runs", [](DrawStream& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); });
+    add("closed_ring", [](DrawStream& c) -> Question { return closed(turned(simple_ring(c), c), c); });
   }
 
   /// A vertex on the line of its neighbours; one of them moves.

@@ -37,91 +37,59 @@ struct point_in_convex_polygon : signatures::point_in_convex_polygon {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_edge",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = turned(convex_ring(c), c);
-           return {ring, on_an_edge(ring, c)};
-         }},
-        {"beside_edge",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = turned(convex_ring(c), c);
-           return {ring, beside(on_an_edge(ring, c), c)};
-         }},
-        {"on_line_of_edge",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = turned(convex_ring(c), c);
-           const std::size_t i = c.below(ring.size());
-           return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
-         }},
-        {"beside_least_edge", beside_least_edge},
-        {"on_diagonal",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = turned(convex_ring(c), c);
-           const Point2d a = ring[c.below(ring.size())], b = ring[c.below(ring.size())];
-           return {ring, along(a, small_integer(c) / 8, b - a)};
-         }},
-        {"flat_vertices",
-         [](DrawStream& c) -> Question {
-           Polygon2d ring = convex_ring(c);
-           for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
-           for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
-           ring = turned(ring, c);
-           return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
-         }},
-        {"needle",
-         [](DrawStream& c) -> Question {
-           const Point2d a = lattice_point(c);
-           const Vector2d v = lattice_direction(c, 40);
-           const double width = small_integer(c, 1);
-           const Polygon2d ring{{a, along(a, 4, v), {a.x + width, a.y + 1}}};
-           return {turned(ring, c), beside(along(a, static_cast<double>(c.below(5)), v), c)};
-         }},
-        {"not_quite_convex",
-         [](DrawStream& c) -> Question {
-           Polygon2d ring = turned(convex_ring(c), c);
-           switch (c.below(5)) {
-             case 0: break;
-             case 1: ring = with_repeated_vertex(ring, c); break;
-             case 2: ring = with_spike(ring, c); break;
-             case 3: std::swap(ring.vertices[0], ring.vertices[c.below(ring.size())]); break;
-             default: ring.vertices[0] = beside(on_an_edge({{ring.previous(0), ring[1], ring[1]}}, c), c);
-           }
-           return {ring, beside(ring[0], c)};
-         }},
-        {"near_a_million",
-         [](DrawStream& c) -> Question {
-           Polygon2d ring = convex_ring(c);
-           for (Point2d& p : ring.vertices) p = {1e6 + p.x / 10, 1e6 + p.y / 10};
-           return {turned(ring, c), on_an_edge(ring, c)};
-         }},
-        {"rounded_on_edge",
-         [](DrawStream& c) -> Question {
-           Question question;
-           Polygon2d& ring = std::get<0>(question);
-           for (std::uint64_t more = 3 + c.below(6); more > 0; --more)
-             ring.vertices.push_back({ordinary(c), ordinary(c)});
-           repair(question);
-           const std::size_t i = c.below(ring.size());
-           std::get<1>(question) =
-               along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
-           return question;
-         }},
-        {"closed_ring",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = closed(turned(convex_ring(c), c), c);
-           return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
-         }},
-        {"many_edges",
-         [](DrawStream& c) -> Question {
-           const Polygon2d ring = turned(long_convex_ring(c), c);
-           const std::size_t i = late_index(ring.size(), c);
-           const Point2d p = ring[i] + static_cast<double>(c.below(9)) / 8 * (ring.next(i) - ring[i]);
-           return {ring, beside(p, c)};
-         },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_edge", turned_with_point<convex_ring, on_an_edge>);
+    add("beside_edge", turned_with_point<convex_ring, beside_an_edge>);
+    add("on_line_of_edge", turned_with_point<convex_ring, on_line_of_an_edge>);
+    add("beside_least_edge", beside_least_edge);
+    add("on_diagonal", [](DrawStream& c) -> Question {
+      const Polygon2d ring = turned(convex_ring(c), c);
+      const Point2d a = ring[c.below(ring.size())], b = ring[c.below(ring.size())];
+      return {ring, along(a, small_integer(c) / 8, b - a)};
+    });
+    add("flat_vertices", [](DrawStream& c) -> Question {
+      Polygon2d ring = convex_ring(c);
+      for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
+      for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
+      ring = turned(ring, c);
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+    });
+    add("needle", needle_and_point);
+    add("not_quite_convex", [](DrawStream& c) -> Question {
+      Polygon2d ring = turned(convex_ring(c), c);
+      switch (c.below(5)) {
+        case 0: break;
+        case 1: ring = with_repeated_vertex(ring, c); break;
+        case 2: ring = with_spike(ring, c); break;
+        case 3: std::swap(ring.vertices[0], ring.vertices[c.below(ring.size())]); break;
+        default: ring.vertices[0] = beside(on_an_edge({{ring.previous(0), ring[1], ring[1]}}, c), c);
+      }
+      return {ring, beside(ring[0], c)};
+    });
+    add("near_a_million", [](DrawStream& c) -> Question {
+      Polygon2d ring = convex_ring(c);
+      for (Point2d& p : ring.vertices) p = {1e6 + p.x / 10, 1e6 + p.y / 10};
+      return {turned(ring, c), on_an_edge(ring, c)};
+    });
+    add("rounded_on_edge", [](DrawStream& c) -> Question {
+      Question question;
+      Polygon2d& ring = std::get<0>(question);
+      for (std::uint64_t more = 3 + c.below(6); more > 0; --more) ring.vertices.push_back({ordinary(c), ordinary(c)});
+      repair(question);
+      const std::size_t i = c.below(ring.size());
+      std::get<1>(question) = along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
+      return question;
+    });
+    add("closed_ring", [](DrawStream& c) -> Question {
+      const Polygon2d ring = closed(turned(convex_ring(c), c), c);
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+    });
+    add.unscaled("many_edges", [](DrawStream& c) -> Question {
+      const Polygon2d ring = turned(long_convex_ring(c), c);
+      const std::size_t i = late_index(ring.size(), c);
+      const Point2d p = ring[i] + up_to(c, 8) / 8 * (ring.next(i) - ring[i]);
+      return {ring, beside(p, c)};
+    });
   }
 
   /// The convex hull of the vertices, every second time clockwise. What has none stays and is refused.

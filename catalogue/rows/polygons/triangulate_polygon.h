@@ -34,7 +34,7 @@ struct triangulate_polygon : signatures::triangulate_polygon {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() { return simple_ring_cases(); }
+  static void hard_cases(HardCases<Question>& add) { simple_ring_cases(add); }
   static void repair(Question& question) { untangle(std::get<0>(question)); }
 
   static std::string defect(const Question& question, const std::vector<std::vector<Index>>& triangles) {

@@ -45,227 +45,142 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
     return metadata;
   }
 
-  /// Mesh and point, both moved or mapped.
-  template <class Change>
-  static Question changed(Question question, const Change& change) {
-    auto& [mesh, point] = question;
-    std::for_each(mesh.vertices.begin(), mesh.vertices.end(), change);
-    change(point);
-    return question;
-  }
-
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_face",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = lattice_solid(c);
-           return {mesh, on_a_face_plane(mesh, c)};
-         }},
-        {"ray_through",
-         [](DrawStream& c) -> Question {
-           // Before or behind a vertex, an edge, a face, along an axis.
-           const Meshd mesh = lattice_solid(c);
-           const Point3d p = on_a_face_plane(mesh, c);
-           const double way = 4 * small_integer(c, 8);
-           switch (c.below(4)) {
-             case 0: return {mesh, {p.x, p.y + way, p.z}};
-             case 1: return {mesh, {p.x, p.y, p.z + way}};
-             default: return {mesh, {p.x + way, p.y, p.z}};
-           }
-         }},
-        {"near_face",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = lattice_solid(c);
-           const Point3d p = on_a_face_plane(mesh, c);
-           const double x = small_integer(c, 1), y = small_integer(c, 1);
-           return {mesh, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
-         }},
-        {"between_vertices",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = lattice_solid(c);
-           return {mesh, between_vertices(mesh, c)};
-         }},
-        {"tetrahedra",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = tetrahedra_together(c);
-           const Point3d p = c.below(2) == 0 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
-           return {mesh, {p.x + 4 * small_integer(c, 2), p.y, p.z}};
-         }},
-        {"needless_faces",
-         [](DrawStream& c) -> Question {
-           Meshd mesh = lattice_solid(c);
-           for (std::uint64_t left = 1 + c.below(3); left > 0; --left) {
-             for (Point3d& p : mesh.vertices) p = {6 * p.x, 6 * p.y, 6 * p.z};
-             mesh = with_needless_faces(mesh, c);
-           }
-           const Point3d p = mesh.vertices[c.below(2) == 0 ? mesh.vertices.size() - 1 : 0];
-           const Point3d q = on_a_face_plane(mesh, c);
-           return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
-         }},
-        {"mapped",
-         [](DrawStream& c) -> Question {
-           Question question;
-           auto& [mesh, point] = question;
-           mesh = lattice_solid(c);
-           point = on_a_face_plane(mesh, c);
-           map_linearly(mesh, point, c);
-           return question;
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           // Each axis by its own power of two: past any lattice, past the filters' guards, below their absolute
-           // terms, to both ends of the range.
-           const Meshd mesh = lattice_solid(c);
-           const Point3d p = on_a_face_plane(mesh, c);
-           static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, 1015, -1074};
-           const int x = exponents[c.below(8)], y = exponents[c.below(8)], z = exponents[c.below(8)];
-           const double way = small_integer(c, 1);
-           return changed({mesh, {p.x + way, p.y, p.z}}, [=](Point3d& q) {
-             q = {std::ldexp(q.x, x), std::ldexp(q.y, y), std::ldexp(q.z, z)};
-           });
-         }},
-        {"rounded_on_face",
-         [](DrawStream& c) -> Question {
-           const auto number = [&c] { return ordinary(c); };
-           Question question;
-           auto& [mesh, point] = question;
-           for (int i = 0; i < 5; ++i) {
-             const double x = number(), y = number(), z = number();
-             mesh.vertices.push_back({x, y, z});
-           }
-           make_solid(mesh);
-           const auto &a = mesh.vertices[1], &b = mesh.vertices[2], &d = mesh.vertices[4];
-           const double s = std::fabs(number()) / 2, t = std::fabs(number()) / 2;
-           point = a + (s * (b - a)) + (t * (d - a));
-           return question;
-         }},
-        {"opened",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = lattice_solid(c);
-           const Point3d point = between_vertices(mesh, c);
-           return {opened(mesh, c), point};
-         }},
-        {"named_solid",
-         [](DrawStream& c) -> Question {
-           const Meshd& mesh = named_solid(c);
-           const Point3d p = c.below(3) == 2 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
-           return {mesh, c.below(2) == 0 ? p : Point3d{p.x / 2, p.y, p.z}};
-         },
-         /*unscaled=*/true},
-        {"beside_named_solid",
-         [](DrawStream& c) -> Question {
-           const Meshd& mesh = named_solid(c);
-           const Point3d p = on_a_face_plane(mesh, c);
-           const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
-           const int x = ulps(), y = ulps(), z = ulps();
-           return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
-         },
-         /*unscaled=*/true},
-        {"reported_trimesh_2534",
-         [](DrawStream& c) -> Question {
-           const double x = c.below(2) == 0 ? 0 : 0.2;
-           return {relisted(reported::trimesh_2534(), c), {x, 0, 0}};
-         },
-         /*unscaled=*/true},
-        {"reported_trimesh_242",
-         [](DrawStream& c) -> Question {
-           // Corners of cells, middles of edges, of sides, of cells.
-           const auto eighth = [&c] { return static_cast<double>(c.below(9)) / 8 - 0.5; };
-           const double x = eighth(), y = eighth(), z = eighth();
-           return {relisted(reported::trimesh_242(), c), {x, y, z}};
-         },
-         /*unscaled=*/true},
-        {"reported_edyn_155",
-         [](DrawStream& c) -> Question {
-           // On the ray: where it begins, in the middle, behind.
-           const double at = 2 - 2 * static_cast<double>(c.below(3));
-           const std::uint64_t axis = c.below(3);
-           return {relisted(reported::edyn_155(), c), {axis == 0 ? at : 0, axis == 1 ? at : 0, axis == 2 ? at : 0}};
-         },
-         /*unscaled=*/true},
-        {"reported_parry_171",
-         [](DrawStream& c) -> Question {
-           // As high as the ridge, or half as high: before, under or at it, behind.
-           const double x = 5 * static_cast<double>(c.below(3)) - 3, y = 5 * static_cast<double>(c.below(3)) - 2;
-           const double z = 2 - static_cast<double>(c.below(2));
-           return {relisted(reported::parry_171(), c), {x, y, z}};
-         },
-         /*unscaled=*/true},
-        {"polygons",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = solid_of_polygons(c);
-           const Point3d p = c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
-           return {c.below(4) == 3 ? with_broken_polygons(mesh, c) : mesh, p};
-         },
-         /*unscaled=*/true},
-        {"prisms",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = drawn_prism(c);
-           return {mesh, c.below(2) == 0 ? on_a_face_plane(mesh, c) : between_vertices(mesh, c)};
-         },
-         /*unscaled=*/true},
-        {"wrong_cuts",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = drawn_prism(c);
-           const Point3d p = between_vertices(mesh, c);
-           return {c.below(2) == 0 ? with_wrong_cut(mesh, c) : with_wrong_polygon(mesh, c), p};
-         },
-         /*unscaled=*/true},
-        {"shells",
-         [](DrawStream& c) -> Question {
-           // On one of the shells, or between two of them.
-           const Meshd shape = around_the_mean(lattice_polyhedron(c)), mesh = shells(shape, c);
-           const Point3d p = on_a_face_plane(shape, c);
-           const auto size = static_cast<double>(c.below(8));
-           return {mesh, {size * p.x, size * p.y, size * p.z}};
-         },
-         /*unscaled=*/true},
-        {"body_in_recess",
-         [](DrawStream& c) -> Question {
-           const auto [solid, body, middle] = body_in_recess(c);
-           const Meshd mesh = c.below(2) == 1 ? together(body, solid) : together(solid, body);
-           const auto off = [&c] { return 3 * small_integer(c, 4); };
-           const double x = off(), y = off(), z = off();
-           const Point3d p = c.below(3) == 2 ? on_a_face_plane(body, c) : middle;
-           return {mesh, {p.x + x, p.y + y, p.z + z}};
-         },
-         /*unscaled=*/true},
-        {"crossing_boxes",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = crossing_boxes(c);
-           const auto coordinate = [&c] { return 6 * static_cast<double>(2 + c.below(7)); };
-           const double x = coordinate(), y = coordinate(), z = coordinate();
-           return {mesh, {x, y, z}};
-         },
-         /*unscaled=*/true},
-        {"face_listed_twice",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = with_face_listed_twice(lattice_solid(c), c);
-           const Point3d p = on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c);
-           const double way = c.below(3) == 2 ? 4 * small_integer(c, 4) : 0;
-           return {mesh, {p.x + way, p.y, p.z}};
-         },
-         /*unscaled=*/true},
-        {"unnamed_vertices",
-         [](DrawStream& c) -> Question {
-           const Meshd mesh = lattice_solid(c);
-           Point3d p = between_vertices(mesh, c);
-           p.x += 4 * small_integer(c, 2);
-           const Point3d q = c.below(4) == 3 ? between_vertices(mesh, c) : p;
-           return {with_unnamed_vertices(mesh, q, c), p};
-         },
-         /*unscaled=*/true},
-        {"long_mesh",
-         [](DrawStream& c) -> Question {
-           // At and around the last vertices for the most part; so the faces that decide come late in the list.
-           const Meshd& mesh = long_solid(c);
-           const Point3d& p = mesh.vertices[late_index(mesh.vertices.size(), c)];
-           const auto off = [&c] { return 6 * small_integer(c, 1); };
-           const double x = off(), y = off(), z = off();
-           return {mesh, {p.x + x, p.y + y, p.z + z}};
-         },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_face", at<lattice_solid, on_a_face_plane>);
+    add("ray_through", [](DrawStream& c) -> Question {
+      // Before or behind a vertex, an edge, a face, along an axis.
+      const Meshd mesh = lattice_solid(c);
+      const Point3d p = on_a_face_plane(mesh, c);
+      const double way = 4 * small_integer(c, 8);
+      switch (c.below(4)) {
+        case 0: return {mesh, {p.x, p.y + way, p.z}};
+        case 1: return {mesh, {p.x, p.y, p.z + way}};
+        default: return {mesh, {p.x + way, p.y, p.z}};
+      }
+    });
+    add("near_face", [](DrawStream& c) -> Question {
+      const Meshd mesh = lattice_solid(c);
+      return {mesh, beside(on_a_face_plane(mesh, c), c)};
+    });
+    add("between_vertices", at<lattice_solid, between_vertices>);
+    add("tetrahedra", [](DrawStream& c) -> Question {
+      const Meshd mesh = tetrahedra_together(c);
+      const Point3d p = c.coin() ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
+      return {mesh, {p.x + 4 * small_integer(c, 2), p.y, p.z}};
+    });
+    add("needless_faces", [](DrawStream& c) -> Question {
+      Meshd mesh = lattice_solid(c);
+      for (std::uint64_t left = 1 + c.below(3); left > 0; --left) {
+        for (Point3d& p : mesh.vertices) p = {6 * p.x, 6 * p.y, 6 * p.z};
+        mesh = with_needless_faces(mesh, c);
+      }
+      const Point3d p = mesh.vertices[c.coin() ? 0 : mesh.vertices.size() - 1], q = on_a_face_plane(mesh, c);
+      return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
+    });
+    add("mapped", [](DrawStream& c) -> Question {
+      Question question = at<lattice_solid, on_a_face_plane>(c);
+      map_linearly(c, std::get<0>(question), std::get<1>(question));
+      return question;
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      // To both ends of the range.
+      auto [mesh, p] = at<lattice_solid, on_a_face_plane>(c);
+      const Stretch stretch(c, {0, 60, 255, -170, 300, -300, 1015, -1074});
+      p.x += small_integer(c, 1);
+      stretch(mesh, p);
+      return {mesh, p};
+    });
+    add("rounded_on_face", [](DrawStream& c) -> Question {
+      const Meshd mesh = ordinary_solid(c);
+      const auto &a = mesh.vertices[1], &b = mesh.vertices[2], &d = mesh.vertices[4];
+      const double s = std::fabs(ordinary(c)) / 2, t = std::fabs(ordinary(c)) / 2;
+      return {mesh, a + (s * (b - a)) + (t * (d - a))};
+    });
+    add("opened", [](DrawStream& c) -> Question {
+      const auto [mesh, point] = at<lattice_solid, between_vertices>(c);
+      return {opened(mesh, c), point};
+    });
+    add.unscaled("named_solid", [](DrawStream& c) -> Question {
+      const Meshd& mesh = named_solid(c);
+      const Point3d p = c.one_in(3) ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
+      return {mesh, c.coin() ? Point3d{p.x / 2, p.y, p.z} : p};
+    });
+    add.unscaled("beside_named_solid", [](DrawStream& c) -> Question {
+      const Meshd& mesh = named_solid(c);
+      return {mesh, beside_by_ulps(on_a_face_plane(mesh, c), c)};
+    });
+    add.unscaled("reported_trimesh_2534", [](DrawStream& c) -> Question {
+      const double x = c.coin() ? 0.2 : 0;
+      return {relisted(reported::trimesh_2534(), c), {x, 0, 0}};
+    });
+    add.unscaled("reported_trimesh_242", [](DrawStream& c) -> Question {
+      // Corners of cells, middles of edges, of sides, of cells.
+      const auto eighth = [&c] { return up_to(c, 8) / 8 - 0.5; };
+      const double x = eighth(), y = eighth(), z = eighth();
+      return {relisted(reported::trimesh_242(), c), {x, y, z}};
+    });
+    add.unscaled("reported_edyn_155", [](DrawStream& c) -> Question {
+      // On the ray: where it begins, in the middle, behind.
+      const double at = 2 - 2 * up_to(c, 2);
+      const std::uint64_t axis = c.below(3);
+      return {relisted(reported::edyn_155(), c), {axis == 0 ? at : 0, axis == 1 ? at : 0, axis == 2 ? at : 0}};
+    });
+    add.unscaled("reported_parry_171", [](DrawStream& c) -> Question {
+      // As high as the ridge, or half as high: before, under or at it, behind.
+      const double x = 5 * up_to(c, 2) - 3, y = 5 * up_to(c, 2) - 2;
+      const double z = 2 - up_to(c, 1);
+      return {relisted(reported::parry_171(), c), {x, y, z}};
+    });
+    add.unscaled("polygons", [](DrawStream& c) -> Question {
+      const Meshd mesh = solid_of_polygons(c);
+      const Point3d p = c.coin() ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
+      return {c.one_in(4) ? with_broken_polygons(mesh, c) : mesh, p};
+    });
+    add.unscaled("prisms", [](DrawStream& c) -> Question {
+      const Meshd mesh = drawn_prism(c);
+      return {mesh, c.coin() ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
+    });
+    add.unscaled("wrong_cuts", [](DrawStream& c) -> Question {
+      const auto [mesh, p] = at<drawn_prism, between_vertices>(c);
+      return {c.coin() ? with_wrong_polygon(mesh, c) : with_wrong_cut(mesh, c), p};
+    });
+    add.unscaled("shells", [](DrawStream& c) -> Question {
+      // On one of the shells, or between two of them.
+      const Meshd shape = around_the_mean(lattice_polyhedron(c)), mesh = shells(shape, c);
+      const Point3d p = on_a_face_plane(shape, c);
+      const auto size = up_to(c, 7);
+      return {mesh, {size * p.x, size * p.y, size * p.z}};
+    });
+    add.unscaled("body_in_recess", [](DrawStream& c) -> Question {
+      const auto [solid, body, middle] = body_in_recess(c);
+      const Meshd mesh = c.coin() ? together(body, solid) : together(solid, body);
+      const Vector3d off{3 * small_integer(c, 4), 3 * small_integer(c, 4), 3 * small_integer(c, 4)};
+      return {mesh, (c.one_in(3) ? on_a_face_plane(body, c) : middle) + off};
+    });
+    add.unscaled("crossing_boxes", [](DrawStream& c) -> Question {
+      const Meshd mesh = crossing_boxes(c);
+      const auto coordinate = [&c] { return 6 * static_cast<double>(2 + c.below(7)); };
+      return {mesh, {coordinate(), coordinate(), coordinate()}};
+    });
+    add.unscaled("face_listed_twice", [](DrawStream& c) -> Question {
+      const Meshd mesh = with_face_listed_twice(lattice_solid(c), c);
+      const Point3d p = on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c);
+      const double way = c.one_in(3) ? 4 * small_integer(c, 4) : 0;
+      return {mesh, {p.x + way, p.y, p.z}};
+    });
+    add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
+      const Meshd mesh = lattice_solid(c);
+      Point3d p = between_vertices(mesh, c);
+      p.x += 4 * small_integer(c, 2);
+      const Point3d q = c.one_in(4) ? between_vertices(mesh, c) : p;
+      return {with_unnamed_vertices(mesh, q, c), p};
+    });
+    add.unscaled("long_mesh", [](DrawStream& c) -> Question {
+      // At and around the last vertices for the most part; so the faces that decide come late in the list.
+      const Meshd& mesh = long_solid(c);
+      const Point3d& p = mesh.vertices[late_index(mesh.vertices.size(), c)];
+      return {mesh, {p.x + 6 * small_integer(c, 1), p.y + 6 * small_integer(c, 1), p.z + 6 * small_integer(c, 1)}};
+    });
   }
 
   static void repair(Question& question) { make_solid(std::get<0>(question)); }
@@ -289,6 +204,13 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
             .domain_count = domain_count,
             .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+
+ private:
+  template <auto drawn_mesh, auto drawn_point>
+  static Question at(DrawStream& c) {
+    const Meshd mesh = drawn_mesh(c);
+    return {mesh, drawn_point(mesh, c)};
   }
 };
 

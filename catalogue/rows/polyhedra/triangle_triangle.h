@@ -33,135 +33,80 @@ struct triangle_triangle : signatures::triangle_triangle {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"crossing", crossing},
-        {"small_lattice",
-         [](DrawStream& c) -> Question {
-           const Triangle3d t = of(c, small_lattice_point);
-           return {t, of(c, small_lattice_point)};
-         }},
-        {"coplanar",
-         [](DrawStream& c) -> Question {
-           const LatticePlane plane = LatticePlane::of(c);
-           const Triangle3d t = plane.triangle(c);
-           return {t, plane.triangle(c)};
-         }},
-        {"parallel",
-         [](DrawStream& c) -> Question {
-           const LatticePlane plane = LatticePlane::of(c);
-           const Triangle3d t = plane.triangle(c);
-           const Vector3d off = lattice_normal(c);
-           const Triangle3d other = plane.triangle(c);
-           return {t, {other.a + off, other.b + off, other.c + off}};
-         }},
-        {"common_corner",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_in_space(c), b = lattice_point_in_space(c), d = lattice_point_in_space(c),
-                         e = lattice_point_in_space(c);
-           return {{p, b, d}, {e, lattice_point_in_space(c), p}};
-         }},
-        {"common_edge",
-         [](DrawStream& c) -> Question {
-           // Along one line; the edges may share all of it, a part, an end or nothing.
-           const LatticePlane edge = LatticePlane::of(c);
-           const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-           const double l = small_integer(c, 3);
-           const Point3d p = lattice_point_in_space(c);
-           return {{edge.at(i, 0), edge.at(j, 0), p}, {edge.at(k, 0), lattice_point_in_space(c), edge.at(l, 0)}};
-         }},
-        {"corner_on",
-         [](DrawStream& c) -> Question {
-           // On a face, an edge or a corner, or near them in their plane.
-           const LatticePlane plane = LatticePlane::of(c);
-           const Triangle3d t = plane.triangle(c);
-           const Point3d p = plane.point(c), q = lattice_point_in_space(c);
-           return {t, {q, p, lattice_point_in_space(c)}};
-         }},
-        {"edge_on_edge",
-         [](DrawStream& c) -> Question {
-           const LatticePlane cross = LatticePlane::of(c);
-           const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-           const double l = small_integer(c, 3);
-           const Point3d p = lattice_point_in_space(c);
-           return {{cross.at(i, 0), cross.at(j, 0), p}, {cross.at(0, k), cross.at(0, l), lattice_point_in_space(c)}};
-         }},
-        {"no_area",
-         [](DrawStream& c) -> Question {
-           const LatticePlane plane = LatticePlane::of(c);
-           const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-           const Triangle3d t{plane.at(i, 0), plane.at(j, 0), plane.at(k, 0)};
-           return {t, plane.triangle(c)};
-         }},
-        {"needles",
-         [](DrawStream& c) -> Question {
-           // Thousands of millions long, a few units wide, across each other.
-           const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
-           const auto unit = [&c] { return small_integer(c, 3); };
-           const double ay = unit(), az = unit(), by = unit(), bz = unit(), cx = unit(), cz = unit();
-           const Triangle3d t{{-length, ay, az}, {length, by, 0}, {length, 0, bz}};
-           const double dx = unit(), dz = unit();
-           return {t, {{cx, -length, cz}, {dx, length, 0}, {0, length, dz}}};
-         }},
-        {"corner_rounded_onto",
-         [](DrawStream& c) -> Question {
-           const Triangle3d t = of(c, ordinary_point_in_space);
-           const double i = ordinary(c), j = ordinary(c);
-           const Point3d p = t.a + (i * (t.b - t.a) + j * (t.c - t.a)), q = ordinary_point_in_space(c);
-           return {t, {p, q, ordinary_point_in_space(c)}};
-         }},
-        {"long_coplanar",
-         [](DrawStream& c) -> Question {
-           const LongPlane plane = LongPlane::of(c);
-           const auto point = [&plane](DrawStream& draws) { return plane.point(draws); };
-           const Triangle3d t = of(c, point);
-           return {t, of(c, point)};
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           Question question = crossing(c);
-           auto& [a, b] = question;
-           stretch(c, a.a, a.b, a.c, b.a, b.b, b.c);
-           return question;
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           // Differences overflow, and products of what does not.
-           const auto point = [](DrawStream& draws) {
-             const auto number = [&draws] {
-               const double n = small_integer(draws, 1);
-               return std::ldexp(n, draws.below(2) == 1 ? 1023 : 0);
-             };
-             const double x = number(), y = number();
-             return Point3d{x, y, number()};
-           };
-           const Triangle3d t = of(c, point);
-           return {t, of(c, point)};
-         }},
-        {"reported",
-         [](DrawStream& c) -> Question {
-           const auto [a, b] = reported_triangles(c);
-           return {a, b};
-         }},
-        {"coplanar_at_edge",
-         [](DrawStream& c) -> Question {
-           CoplanarDraws coplanar(c);
-           const Triangle3d t = coplanar.triangle();
-           return either_first(c, t, coplanar.triangle_at_edge());
-         }},
-        {"coplanar_within",
-         [](DrawStream& c) -> Question {
-           CoplanarDraws coplanar(c);
-           const Triangle3d t = coplanar.triangle();
-           return either_first(c, t, coplanar.triangle_within());
-         }},
-        {"coplanar_in_any_order",
-         [](DrawStream& c) -> Question {
-           CoplanarDraws coplanar(c);
-           const Triangle3d t = coplanar.triangle();
-           return either_first(c, t, coplanar.other_triangle());
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("crossing", crossing);
+    add("small_lattice", [](DrawStream& c) -> Question {
+      return {triangle_of(c, small_lattice_point), triangle_of(c, small_lattice_point)};
+    });
+    add("coplanar", [](DrawStream& c) -> Question {
+      const LatticePlane plane = LatticePlane::of(c);
+      return {plane.triangle(c), plane.triangle(c)};
+    });
+    add("parallel", [](DrawStream& c) -> Question {
+      const LatticePlane plane = LatticePlane::of(c);
+      const Triangle3d t = plane.triangle(c);
+      const Vector3d off = lattice_normal(c);
+      return {t, {plane.point(c) + off, plane.point(c) + off, plane.point(c) + off}};
+    });
+    add("common_corner", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_in_space(c);
+      return {{p, lattice_point_in_space(c), lattice_point_in_space(c)},
+              {lattice_point_in_space(c), lattice_point_in_space(c), p}};
+    });
+    add("common_edge", [](DrawStream& c) -> Question {
+      // Along one line; the edges may share all of it, a part, an end or nothing.
+      const LatticePlane edge = LatticePlane::of(c);
+      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3), l = small_integer(c, 3);
+      const Point3d p = lattice_point_in_space(c);
+      return {{edge.at(i, 0), edge.at(j, 0), p}, {edge.at(k, 0), lattice_point_in_space(c), edge.at(l, 0)}};
+    });
+    add("corner_on", [](DrawStream& c) -> Question {
+      // On a face, an edge or a corner, or near them in their plane.
+      const LatticePlane plane = LatticePlane::of(c);
+      const Triangle3d t = plane.triangle(c);
+      const Point3d p = plane.point(c);
+      return {t, {lattice_point_in_space(c), p, lattice_point_in_space(c)}};
+    });
+    add("edge_on_edge", [](DrawStream& c) -> Question {
+      const LatticePlane cross = LatticePlane::of(c);
+      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3), l = small_integer(c, 3);
+      const Point3d p = lattice_point_in_space(c);
+      return {{cross.at(i, 0), cross.at(j, 0), p}, {cross.at(0, k), cross.at(0, l), lattice_point_in_space(c)}};
+    });
+    add("no_area", [](DrawStream& c) -> Question {
+      const LatticePlane plane = LatticePlane::of(c);
+      return {plane.triangle_without_area(c), plane.triangle(c)};
+    });
+    add("needles", [](DrawStream& c) -> Question {
+      // Thousands of millions long, a few units wide, across each other.
+      const double length = power_of_two(c, 30, 41);
+      const auto unit = [&c] { return small_integer(c, 3); };
+      const double ay = unit(), az = unit(), by = unit(), bz = unit(), cx = unit(), cz = unit();
+      const Triangle3d t{{-length, ay, az}, {length, by, 0}, {length, 0, bz}};
+      return {t, {{cx, -length, cz}, {unit(), length, 0}, {0, length, unit()}}};
+    });
+    add("corner_rounded_onto", [](DrawStream& c) -> Question {
+      const Triangle3d t = triangle_of(c, ordinary_point_in_space);
+      return {t, {rounded_onto(t, c), ordinary_point_in_space(c), ordinary_point_in_space(c)}};
+    });
+    add("long_coplanar", [](DrawStream& c) -> Question {
+      const LongPlane plane = LongPlane::of(c);
+      const auto point = [&plane](DrawStream& draws) { return plane.point(draws); };
+      return {triangle_of(c, point), triangle_of(c, point)};
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      Question question = crossing(c);
+      auto& [a, b] = question;
+      Stretch{c}(a, b);
+      return question;
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      return {triangle_of(c, huge_or_small_point), triangle_of(c, huge_or_small_point)};
+    });
+    add("reported", [](DrawStream& c) -> Question { return reported_triangles(c); });
+    add("coplanar_at_edge", coplanar<&CoplanarDraws::triangle_at_edge>);
+    add("coplanar_within", coplanar<&CoplanarDraws::triangle_within>);
+    add("coplanar_in_any_order", coplanar<&CoplanarDraws::other_triangle>);
   }
 
   /// Without edges they have nothing in common where a plane has one on either side and not both within itself: then
@@ -204,21 +149,17 @@ struct triangle_triangle : signatures::triangle_triangle {
   }
 
  private:
-  template <class Draw>
-  static Triangle3d of(DrawStream& c, const Draw& point) {
-    const Point3d a = point(c), b = point(c);
-    return {a, b, point(c)};
-  }
-
-  static Question either_first(DrawStream& c, const Triangle3d& t, const Triangle3d& other) {
-    return c.below(2) == 1 ? Question{other, t} : Question{t, other};
+  template <auto other>
+  static Question coplanar(DrawStream& c) {
+    CoplanarDraws draws(c);
+    const Triangle3d t = draws.triangle();
+    return in_either_order(c, t, (draws.*other)());
   }
 
   /// Triangles around one point, or near it, in two planes.
   static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c), other = LatticePlane::of(c);
-    const Triangle3d t = plane.triangle(c);
-    return {t, LatticePlane{plane.origin, other.u, other.v}.triangle(c)};
+    return {plane.triangle(c), LatticePlane{plane.origin, other.u, other.v}.triangle(c)};
   }
 };
 

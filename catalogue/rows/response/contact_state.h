@@ -29,27 +29,26 @@ struct contact_state : signatures::contact_state {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {{"on_lattice", [](DrawStream& c) -> Question { return asked(lattice_meeting(c)); }},
-            {"resting", [](DrawStream& c) -> Question { return asked(resting_meeting(c)); }},
-            {"beside_rest", [](DrawStream& c) -> Question { return asked(meeting_beside_rest(c)); }},
-            {"rolling", [](DrawStream& c) -> Question { return asked(rolling(c)); }},
-            {"of_one_body", [](DrawStream& c) -> Question { return asked(of_one_body(c)); }},
-            {"terms_below_least", [](DrawStream& c) -> Question { return asked(meeting_below_least(c)); }},
-            {"far_units", [](DrawStream& c) -> Question { return asked(meeting_in_far_units(c)); }},
-            {"as_wide_as_lattices", [](DrawStream& c) -> Question { return asked(as_wide_as_lattices(c)); }},
-            {"across_the_range", [](DrawStream& c) -> Question { return asked(across_the_range(c)); }},
-            {"typed_rest", [](DrawStream& c) -> Question { return asked(typed_rest(c)); }},
-            {"without_a_normal",
-             [](DrawStream& c) -> Question {
-               Meeting m = lattice_meeting(c);
-               m.normal = zero_vector(c);
-               return asked(m);
-             }},
-            {"in_a_plane", [](DrawStream& c) -> Question {
-               const std::uint64_t which = c.below(3);
-               return asked(in_a_plane(which == 0 ? lattice_meeting(c, 6) : which == 1 ? rolling(c) : typed_rest(c)));
-             }}};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", [](DrawStream& c) -> Question { return asked(lattice_meeting(c)); });
+    add("resting", [](DrawStream& c) -> Question { return asked(resting_meeting(c)); });
+    add("beside_rest", [](DrawStream& c) -> Question { return asked(meeting_beside_rest(c)); });
+    add("rolling", [](DrawStream& c) -> Question { return asked(rolling(c)); });
+    add("of_one_body", [](DrawStream& c) -> Question { return asked(of_one_body(c)); });
+    add("terms_below_least", [](DrawStream& c) -> Question { return asked(meeting_below_least(c)); });
+    add("far_units", [](DrawStream& c) -> Question { return asked(meeting_in_far_units(c)); });
+    add("as_wide_as_lattices", [](DrawStream& c) -> Question { return asked(as_wide_as_lattices(c)); });
+    add("across_the_range", [](DrawStream& c) -> Question { return asked(across_the_range(c)); });
+    add("typed_rest", [](DrawStream& c) -> Question { return asked(typed_rest(c)); });
+    add("without_a_normal", [](DrawStream& c) -> Question {
+      Meeting m = lattice_meeting(c);
+      m.normal = zero_vector(c);
+      return asked(m);
+    });
+    add("in_a_plane", [](DrawStream& c) -> Question {
+      const std::uint64_t which = c.below(3);
+      return asked(in_a_plane(which == 0 ? lattice_meeting(c, 6) : which == 1 ? rolling(c) : typed_rest(c)));
+    });
   }
 
   /// Angular velocities have no unit of length: they keep their values.

@@ -31,17 +31,17 @@ struct damped_reflection : signatures::damped_reflection {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_bounce, usual>("on_lattice"),
-            hard<along_the_plane, usual>("along_the_plane"),
-            hard<grazing, usual>("grazing"),
-            hard<straight, usual>("straight"),
-            hard<across_an_axis, near_minus_one>("nothing_lost"),
-            hard<stretched_bounce, usual>("stretched_normal"),
-            hard<products_at_the_end, any_size>("products_at_the_end"),
-            hard<at_end_of_range, usual>("at_end_of_range"),
-            hard<bounce_beside_a_tie, one>("beside_a_tie"),
-            hard<without_a_normal, usual>("without_a_normal")};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", asked<lattice_bounce, usual>);
+    add("along_the_plane", asked<along_the_plane, usual>);
+    add("grazing", asked<grazing, usual>);
+    add("straight", asked<straight, usual>);
+    add("nothing_lost", asked<across_an_axis, near_minus_one>);
+    add("stretched_normal", asked<stretched_bounce, usual>);
+    add("products_at_the_end", asked<products_at_the_end, any_size>);
+    add("at_end_of_range", asked<at_end_of_range, usual>);
+    add("beside_a_tie", asked<bounce_beside_a_tie, one>);
+    add("without_a_normal", asked<without_a_normal, usual>);
   }
 
   /// k has no unit: it keeps its value.
@@ -74,24 +74,22 @@ struct damped_reflection : signatures::damped_reflection {
     switch (c.below(4)) {
       case 0: return 0.8;
       case 1: return small_integer(c, 2);
-      case 2: return static_cast<double>(c.below(17)) / 16;
+      case 2: return up_to(c, 16) / 16;
       default: return typed(c);
     }
   }
   static double one(DrawStream&) { return 1; }
   /// 1 + k is 0, or all its digits are cancelled but the last.
-  static double near_minus_one(DrawStream& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
+  static double near_minus_one(DrawStream& c) { return ulps_apart(c, -1, 3); }
   static double any_size(DrawStream& c) {
-    const int exponent = static_cast<int>(c.below(1200)) - 600;
+    const int exponent = integer_in(c, -600, 599);
     return std::ldexp(ordinary(c), exponent);
   }
 
   template <auto draw, auto draw_k>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](DrawStream& c) -> Question {
-              const Bounce b = draw(c);
-              return {b.velocity, b.normal, draw_k(c)};
-            }};
+  static Question asked(DrawStream& c) {
+    const Bounce b = draw(c);
+    return {b.velocity, b.normal, draw_k(c)};
   }
 };
 

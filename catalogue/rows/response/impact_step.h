@@ -32,27 +32,27 @@ struct impact_step : signatures::impact_step {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_impacts>("lattice"),
-            hard<balls_head_on>("head_on"),
-            hard<grazing_balls>("grazing"),
-            hard<row_of_impacts>("row"),
-            hard<stacked_impacts>("stack"),
-            hard<impact_in_a_corner>("corner"),
-            hard<overlapping_impacts>("overlapping"),
-            hard<immovable_impacts>("immovable"),
-            hard<impacts_of_particles>("particles"),
-            hard<caught_bullets>("bullet"),
-            hard<slanted_impacts>("slanted_wall"),
-            hard<broken_racks>("broken_rack"),
-            hard<to_and_fro>("to_and_fro"),
-            hard<equal_moments>("equal_moments"),
-            hard<unequal_impacts>("unequal_masses"),
-            hard<full_digit_impacts>("full_digits"),
-            hard<impacts_at_the_ends>("at_the_ends"),
-            hard<refused_impacts>("refused"),
-            hard<many_impacts>("many_balls", /*unscaled=*/true),
-            hard<impacts_of_many_walls>("many_walls", /*unscaled=*/true)};
+  static void hard_cases(HardCases<Question>& add) {
+    add("lattice", asked<lattice_impacts>);
+    add("head_on", asked<balls_head_on>);
+    add("grazing", asked<grazing_balls>);
+    add("row", asked<row_of_impacts>);
+    add("stack", asked<stacked_impacts>);
+    add("corner", asked<impact_in_a_corner>);
+    add("overlapping", asked<overlapping_impacts>);
+    add("immovable", asked<immovable_impacts>);
+    add("particles", asked<impacts_of_particles>);
+    add("bullet", asked<caught_bullets>);
+    add("slanted_wall", asked<slanted_impacts>);
+    add("broken_rack", asked<broken_racks>);
+    add("to_and_fro", asked<to_and_fro>);
+    add("equal_moments", asked<equal_moments>);
+    add("unequal_masses", asked<unequal_impacts>);
+    add("full_digits", asked<full_digit_impacts>);
+    add("at_the_ends", asked<impacts_at_the_ends>);
+    add("refused", asked<refused_impacts>);
+    add.unscaled("many_balls", asked<many_impacts>);
+    add.unscaled("many_walls", asked<impacts_of_many_walls>);
   }
 
   /// Masses, time, normals and the restitution keep their value.
@@ -149,13 +149,9 @@ struct impact_step : signatures::impact_step {
 
  private:
   template <auto draw>
-  static HardCase<Question> hard(const char* name, bool unscaled = false) {
-    return {name,
-            [](DrawStream& c) -> Question {
-              Impacting s = draw(c);
-              return {std::move(s.bodies), std::move(s.walls), s.restitution, s.timestep};
-            },
-            unscaled};
+  static Question asked(DrawStream& c) {
+    Impacting s = draw(c);
+    return {std::move(s.bodies), std::move(s.walls), s.restitution, s.timestep};
   }
 };
 

@@ -32,15 +32,15 @@ struct kinetic_energy : signatures::kinetic_energy {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_bodies>("on_lattice"),
-            hard<cancelling_bodies>("cancelling"),
-            hard<far_apart_bodies>("far_apart"),
-            hard<bodies_at_the_end>("products_at_the_end"),
-            hard<bodies_at_end_of_range>("at_end_of_range"),
-            hard<sum_beside_a_tie>("beside_a_tie"),
-            hard<bodies_without_a_mass>("without_a_mass"),
-            {"many_bodies", [](DrawStream& c) -> Question { return {many_bodies(c)}; }, /*unscaled=*/true}};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", asked<lattice_bodies>);
+    add("cancelling", asked<cancelling_bodies>);
+    add("far_apart", asked<far_apart_bodies>);
+    add("products_at_the_end", asked<bodies_at_the_end>);
+    add("at_end_of_range", asked<bodies_at_end_of_range>);
+    add("beside_a_tie", asked<sum_beside_a_tie>);
+    add("without_a_mass", asked<bodies_without_a_mass>);
+    add.unscaled("many_bodies", [](DrawStream& c) -> Question { return {many_bodies(c)}; });
   }
 
   static void scale(Question& question, int k) {
@@ -66,14 +66,14 @@ struct kinetic_energy : signatures::kinetic_energy {
   /// An integer of 53 digits, and a half, or one unit in the last place less; and perhaps something beyond all digits.
   static Bodies sum_beside_a_tie(DrawStream& c) {
     const double whole = 0x1p52 + static_cast<double>(c.below(std::uint64_t{1} << 51));
-    Bodies list{{2 * whole, {0, -1, 0}}, {c.below(2) == 1 ? 1 - 0x1p-53 : 1, {1, 0, 0}}};
-    if (c.below(2) == 1) list.push_back({1, {0, 0, std::ldexp(1, -static_cast<int>(c.below(200)))}});
+    Bodies list{{2 * whole, {0, -1, 0}}, {c.coin() ? 1 - 0x1p-53 : 1, {1, 0, 0}}};
+    if (c.coin()) list.push_back({1, {0, 0, std::ldexp(1, -integer_in(c, 0, 199))}});
     return list;
   }
 
   template <auto draw>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](DrawStream& c) -> Question { return {draw(c)}; }};
+  static Question asked(DrawStream& c) {
+    return {draw(c)};
   }
 };
 

@@ -32,15 +32,15 @@ struct momentum : signatures::momentum {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_bodies>("on_lattice"),
-            hard<cancelling_bodies>("cancelling"),
-            hard<far_apart_bodies>("far_apart"),
-            hard<bodies_at_the_end>("products_at_the_end"),
-            hard<bodies_at_end_of_range>("at_end_of_range"),
-            hard<sum_beside_a_tie>("beside_a_tie"),
-            hard<bodies_without_a_mass>("without_a_mass"),
-            {"many_bodies", [](DrawStream& c) -> Question { return {many_bodies(c)}; }, /*unscaled=*/true}};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", asked<lattice_bodies>);
+    add("cancelling", asked<cancelling_bodies>);
+    add("far_apart", asked<far_apart_bodies>);
+    add("products_at_the_end", asked<bodies_at_the_end>);
+    add("at_end_of_range", asked<bodies_at_end_of_range>);
+    add("beside_a_tie", asked<sum_beside_a_tie>);
+    add("without_a_mass", asked<bodies_without_a_mass>);
+    add.unscaled("many_bodies", [](DrawStream& c) -> Question { return {many_bodies(c)}; });
   }
 
   /// Velocities: masses keep theirs, so that momentum goes with the velocities.
@@ -74,8 +74,8 @@ struct momentum : signatures::momentum {
   }
 
   template <auto draw>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](DrawStream& c) -> Question { return {draw(c)}; }};
+  static Question asked(DrawStream& c) {
+    return {draw(c)};
   }
 };
 

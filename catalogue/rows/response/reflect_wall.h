@@ -28,38 +28,32 @@ struct reflect_wall : signatures::reflect_wall {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_lattice", [](DrawStream& c) -> Question { return bounce(lattice_velocity(c), c); }},
-        {"along_the_wall",
-         [](DrawStream& c) -> Question {
-           const Vector3d v = lattice_velocity(c);
-           const double zero = c.below(2) == 1 ? -0.0 : 0.0;
-           switch (c.below(3)) {
-             case 0: return {{zero, v.y, v.z}, Axis::x};
-             case 1: return {{v.x, zero, v.z}, Axis::y};
-             default: return {{v.x, v.y, zero}, Axis::z};
-           }
-         }},
-        {"straight",
-         [](DrawStream& c) -> Question {
-           const double speed = integer(c, 53);
-           switch (c.below(3)) {
-             case 0: return {{speed, 0, 0}, Axis::x};
-             case 1: return {{0, speed, 0}, Axis::y};
-             default: return {{0, 0, speed}, Axis::z};
-           }
-         }},
-        {"least_and_greatest",
-         [](DrawStream& c) -> Question {
-           const auto end = [&c] {
-             const double size = c.below(2) == 1 ? 0x1.fffffffffffffp+1023 : 0x1p-1074;
-             return c.below(2) == 1 ? -size : size;
-           };
-           const double x = end(), y = end(), z = end();
-           return bounce({x, y, z}, c);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", [](DrawStream& c) -> Question { return bounce(lattice_velocity(c), c); });
+    add("along_the_wall", [](DrawStream& c) -> Question {
+      const Vector3d v = lattice_velocity(c);
+      const double none = zero(c);
+      switch (c.below(3)) {
+        case 0: return {{none, v.y, v.z}, Axis::x};
+        case 1: return {{v.x, none, v.z}, Axis::y};
+        default: return {{v.x, v.y, none}, Axis::z};
+      }
+    });
+    add("straight", [](DrawStream& c) -> Question {
+      const double speed = integer(c, 53);
+      switch (c.below(3)) {
+        case 0: return {{speed, 0, 0}, Axis::x};
+        case 1: return {{0, speed, 0}, Axis::y};
+        default: return {{0, 0, speed}, Axis::z};
+      }
+    });
+    add("least_and_greatest", [](DrawStream& c) -> Question {
+      const auto end = [&c] {
+        const double size = c.coin() ? 0x1.fffffffffffffp+1023 : 0x1p-1074;
+        return either_sign(c) * size;
+      };
+      return bounce({end(), end(), end()}, c);
+    });
   }
 
   /// The kinetic energy gained, times 2 over the mass.

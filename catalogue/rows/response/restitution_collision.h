@@ -32,19 +32,19 @@ struct restitution_collision : signatures::restitution_collision {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_impact, usual>("on_lattice"),
-            hard<head_on, usual>("head_on"),
-            hard<grazing_impact, usual>("grazing"),
-            hard<in_company, usual>("in_company"),
-            hard<fly_and_wall, at_an_end>("fly_and_wall"),
-            hard<stretched_impact, usual>("stretched_normal"),
-            hard<impact_at_the_end, usual>("products_at_the_end"),
-            hard<impact_at_end_of_range, at_an_end>("at_end_of_range"),
-            hard<impact_beside_a_tie, one>("beside_a_tie"),
-            hard<without_a_mass, usual>("without_a_mass"),
-            hard<impact_without_a_normal, usual>("without_a_normal"),
-            hard<lattice_impact, restitution_at_a_bound>("e_at_a_bound")};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", asked<lattice_impact, usual>);
+    add("head_on", asked<head_on, usual>);
+    add("grazing", asked<grazing_impact, usual>);
+    add("in_company", asked<in_company, usual>);
+    add("fly_and_wall", asked<fly_and_wall, at_an_end>);
+    add("stretched_normal", asked<stretched_impact, usual>);
+    add("products_at_the_end", asked<impact_at_the_end, usual>);
+    add("at_end_of_range", asked<impact_at_end_of_range, at_an_end>);
+    add("beside_a_tie", asked<impact_beside_a_tie, one>);
+    add("without_a_mass", asked<without_a_mass, usual>);
+    add("without_a_normal", asked<impact_without_a_normal, usual>);
+    add("e_at_a_bound", asked<lattice_impact, restitution_at_a_bound>);
   }
 
   /// e has no unit: it keeps its value.
@@ -83,9 +83,7 @@ struct restitution_collision : signatures::restitution_collision {
   }
 
  private:
-  static double usual(DrawStream& c) {
-    return c.below(2) == 1 ? static_cast<double>(c.below(17)) / 16 : 0.1 * static_cast<double>(c.below(11));
-  }
+  static double usual(DrawStream& c) { return c.coin() ? up_to(c, 16) / 16 : 0.1 * up_to(c, 10); }
   static double one(DrawStream&) { return 1; }
   static double at_an_end(DrawStream& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-60, 0x1.fffffffffffffp-1, 0x1p-900};
@@ -93,11 +91,9 @@ struct restitution_collision : signatures::restitution_collision {
   }
 
   template <auto draw, auto draw_e>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](DrawStream& c) -> Question {
-              const Impact i = draw(c);
-              return {i.masses, i.velocities, i.normal, draw_e(c)};
-            }};
+  static Question asked(DrawStream& c) {
+    const Impact i = draw(c);
+    return {i.masses, i.velocities, i.normal, draw_e(c)};
   }
 };
 

@@ -31,22 +31,22 @@ struct rigid_body_collision : signatures::rigid_body_collision {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_rigid, usual>("on_lattice"),
-            hard<central, usual>("central"),
-            hard<resting_rigid, usual>("resting"),
-            hard<ordinary_rigid, usual>("full_digits"),
-            hard<thin_rigid, usual>("thin"),
-            hard<unequal_rigid, at_an_end>("fly_and_wall"),
-            hard<stretched_rigid, usual>("stretched_normal"),
-            hard<rigid_in_far_units, at_an_end>("far_units"),
-            hard<rigid_at_end_of_range, at_an_end>("at_end_of_range"),
-            hard<rigid_beside_a_tie, one>("beside_a_tie"),
-            hard<without_an_inertia, usual>("without_an_inertia"),
-            hard<rigid_without_a_mass, usual>("without_a_mass"),
-            hard<rigid_without_a_normal, usual>("without_a_normal"),
-            hard<lattice_rigid, restitution_at_a_bound>("e_at_a_bound"),
-            hard<planar_rigid, usual>("in_a_plane")};
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", asked<lattice_rigid, usual>);
+    add("central", asked<central, usual>);
+    add("resting", asked<resting_rigid, usual>);
+    add("full_digits", asked<ordinary_rigid, usual>);
+    add("thin", asked<thin_rigid, usual>);
+    add("fly_and_wall", asked<unequal_rigid, at_an_end>);
+    add("stretched_normal", asked<stretched_rigid, usual>);
+    add("far_units", asked<rigid_in_far_units, at_an_end>);
+    add("at_end_of_range", asked<rigid_at_end_of_range, at_an_end>);
+    add("beside_a_tie", asked<rigid_beside_a_tie, one>);
+    add("without_an_inertia", asked<without_an_inertia, usual>);
+    add("without_a_mass", asked<rigid_without_a_mass, usual>);
+    add("without_a_normal", asked<rigid_without_a_normal, usual>);
+    add("e_at_a_bound", asked<lattice_rigid, restitution_at_a_bound>);
+    add("in_a_plane", asked<planar_rigid, usual>);
   }
 
   /// Times in another unit: nothing else has a unit that all of the answer shares.
@@ -119,7 +119,7 @@ struct rigid_body_collision : signatures::rigid_body_collision {
   }
 
  private:
-  static double usual(DrawStream& c) { return static_cast<double>(c.below(17)) / 16; }
+  static double usual(DrawStream& c) { return up_to(c, 16) / 16; }
   static double one(DrawStream&) { return 1; }
   static double at_an_end(DrawStream& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-30, 0x1.fffffffffffffp-1, 0x1p-900, 0.1};
@@ -127,11 +127,9 @@ struct rigid_body_collision : signatures::rigid_body_collision {
   }
 
   template <auto draw, auto draw_e>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](DrawStream& c) -> Question {
-              const RigidMeeting r = draw(c);
-              return {r.a, r.b, r.point, r.normal, draw_e(c)};
-            }};
+  static Question asked(DrawStream& c) {
+    const RigidMeeting r = draw(c);
+    return {r.a, r.b, r.point, r.normal, draw_e(c)};
   }
 };
 

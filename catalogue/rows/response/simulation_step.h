@@ -31,25 +31,25 @@ struct simulation_step : signatures::simulation_step {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_balls>("lattice"),
-            hard<tangent_balls>("tangent"),
-            hard<row_of_balls>("row"),
-            hard<stacked_balls>("stack"),
-            hard<ball_in_a_corner>("corner"),
-            hard<overlapping_balls>("overlapping"),
-            hard<immovable_balls>("immovable"),
-            hard<particles>("particles"),
-            hard<sliding_balls>("sliding"),
-            hard<bullets>("bullet"),
-            hard<unequal_balls>("unequal_masses"),
-            hard<full_digit_balls>("full_digits"),
-            hard<rounded_tangent_balls>("rounded_tangent"),
-            hard<balls_at_the_ends>("at_the_ends"),
-            hard<step_beside_a_tie>("beside_a_tie"),
-            hard<refused_step>("refused"),
-            hard<many_balls>("many_balls", /*unscaled=*/true),
-            hard<many_walls>("many_walls", /*unscaled=*/true)};
+  static void hard_cases(HardCases<Question>& add) {
+    add("lattice", asked<lattice_balls>);
+    add("tangent", asked<tangent_balls>);
+    add("row", asked<row_of_balls>);
+    add("stack", asked<stacked_balls>);
+    add("corner", asked<ball_in_a_corner>);
+    add("overlapping", asked<overlapping_balls>);
+    add("immovable", asked<immovable_balls>);
+    add("particles", asked<particles>);
+    add("sliding", asked<sliding_balls>);
+    add("bullet", asked<bullets>);
+    add("unequal_masses", asked<unequal_balls>);
+    add("full_digits", asked<full_digit_balls>);
+    add("rounded_tangent", asked<rounded_tangent_balls>);
+    add("at_the_ends", asked<balls_at_the_ends>);
+    add("beside_a_tie", asked<step_beside_a_tie>);
+    add("refused", asked<refused_step>);
+    add.unscaled("many_balls", asked<many_balls>);
+    add.unscaled("many_walls", asked<many_walls>);
   }
 
   /// Masses, time, normals and the restitution keep their value.
@@ -157,13 +157,9 @@ struct simulation_step : signatures::simulation_step {
   }
 
   template <auto draw>
-  static HardCase<Question> hard(const char* name, bool unscaled = false) {
-    return {name,
-            [](DrawStream& c) -> Question {
-              Stepping s = draw(c);
-              return {std::move(s.bodies), std::move(s.walls), s.settings};
-            },
-            unscaled};
+  static Question asked(DrawStream& c) {
+    Stepping s = draw(c);
+    return {std::move(s.bodies), std::move(s.walls), s.settings};
   }
 };
 

@@ -31,23 +31,23 @@ struct simultaneous_collisions : signatures::simultaneous_collisions {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {hard<lattice_net>("net"),
-            hard<cradle>("cradle"),
-            hard<stack>("stack"),
-            hard<wedge>("wedge"),
-            hard<vice>("vice"),
-            hard<redundant>("redundant"),
-            hard<opposed>("opposed"),
-            hard<ring_of_contacts>("ring"),
-            hard<at_rest>("at_rest"),
-            hard<unequal>("unequal_masses"),
-            hard<ordinary_net>("full_digits"),
-            hard<stretched_net>("at_the_ends"),
-            hard<contact_beside_a_tie>("beside_a_tie"),
-            hard<refused_contacts>("refused"),
-            hard<planar_net>("in_a_plane"),
-            hard<many_contacts>("many_contacts", /*unscaled=*/true)};
+  static void hard_cases(HardCases<Question>& add) {
+    add("net", asked<lattice_net>);
+    add("cradle", asked<cradle>);
+    add("stack", asked<stack>);
+    add("wedge", asked<wedge>);
+    add("vice", asked<vice>);
+    add("redundant", asked<redundant>);
+    add("opposed", asked<opposed>);
+    add("ring", asked<ring_of_contacts>);
+    add("at_rest", asked<at_rest>);
+    add("unequal_masses", asked<unequal>);
+    add("full_digits", asked<ordinary_net>);
+    add("at_the_ends", asked<stretched_net>);
+    add("beside_a_tie", asked<contact_beside_a_tie>);
+    add("refused", asked<refused_contacts>);
+    add("in_a_plane", asked<planar_net>);
+    add.unscaled("many_contacts", asked<many_contacts>);
   }
 
   /// e has no unit: it keeps its value.
@@ -147,13 +147,9 @@ struct simultaneous_collisions : signatures::simultaneous_collisions {
 
  private:
   template <auto draw>
-  static HardCase<Question> hard(const char* name, bool unscaled = false) {
-    return {name,
-            [](DrawStream& c) -> Question {
-              Touching t = draw(c);
-              return {std::move(t.bodies), std::move(t.contacts), t.e};
-            },
-            unscaled};
+  static Question asked(DrawStream& c) {
+    Touching t = draw(c);
+    return {std::move(t.bodies), std::move(t.contacts), t.e};
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/box_draws.h"
+#include "catalogue/families/ties.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -29,134 +30,101 @@ struct swept_aabb_aabb : signatures::swept_aabb_aabb {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"head_on",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           const double gap = 1 + static_cast<double>(c.below(8)), speed = gap + small_integer(c);
-           return turned(a, beside(a, overlapping(a, c), gap), {speed, 0, 0}, c);
-         }},
-        {"corner_passes_corner",
-         [](DrawStream& c) -> Question {
-           // a reaches b on x when it leaves it on y, both at n / d.
-           const Aabb3d a = lattice_box(c);
-           const double d = 1 + static_cast<double>(c.below(6)), n = static_cast<double>(c.below(6)),
-                        x = 1 + static_cast<double>(c.below(4)), y = 1 + static_cast<double>(c.below(4));
-           Aabb3d b = overlapping(a, c);
-           b = shifted(b, a.max.x - b.min.x + n * x, a.min.y - b.max.y + n * y, 0);
-           return turned(a, b, {d * x, d * y, small_integer(c, 1)}, c);
-         }},
-        {"enters_twice",
-         [](DrawStream& c) -> Question {
-           // On x and on y at n / d.
-           const Aabb3d a = lattice_box(c);
-           const double d = 1 + static_cast<double>(c.below(6)), n = static_cast<double>(c.below(6)),
-                        x = 1 + static_cast<double>(c.below(4)), y = 1 + static_cast<double>(c.below(4));
-           Aabb3d b = overlapping(a, c);
-           b = shifted(b, a.max.x - b.min.x + n * x, a.max.y - b.min.y + n * y, 0);
-           return turned(a, b, {d * x, d * y, 0}, c);
-         }},
-        {"contact_at_end",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           const double gap = 1 + static_cast<double>(c.below(8)), y = small_integer(c, 1), z = small_integer(c, 1);
-           return turned(a, beside(a, overlapping(a, c), gap), {gap, y, z}, c);
-         }},
-        {"touching_at_start",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           const double x = small_integer(c), y = small_integer(c, 2), z = small_integer(c, 2);
-           return turned(a, beside(a, overlapping(a, c), 0), {x, y, z}, c);
-         }},
-        {"along_face",
-         [](DrawStream& c) -> Question {
-           // One side of a stays in the plane of a side of b, or just off it.
-           const Aabb3d a = lattice_box(c);
-           Aabb3d b = overlapping(a, c);
-           const double gap = static_cast<double>(c.below(6)), off = small_integer(c, 1);
-           b = shifted(b, a.max.x - b.min.x + gap, a.max.y - b.min.y + off, 0);
-           return turned(a, b, {gap + small_integer(c, 3), 0, 0}, c);
-         }},
-        {"at_rest",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           const double gap = small_integer(c, 2);
-           return turned(a, beside(a, overlapping(a, c), gap), {0, 0, 0}, c);
-         }},
-        {"flat_and_points",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           Aabb3d b = overlapping(a, c), flat = a;
-           flat.max.x = flat.min.x;
-           if (c.below(2) == 1) flat.max = flat.min;
-           if (c.below(2) == 1) b.max.x = b.min.x;
-           if (c.below(4) == 3) b.max = b.min;
-           const double gap = small_integer(c, 3), x = small_integer(c), y = small_integer(c, 1);
-           return turned(flat, beside(flat, b, gap), {x, y, small_integer(c, 1)}, c);
-         }},
-        {"one_inside",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           const double x = small_integer(c), y = small_integer(c), z = small_integer(c);
-           return turned(a, within(a, c), {x, y, z}, c);
-         }},
-        {"rounded_corner_pass",
-         [](DrawStream& c) -> Question {
-           // As corner_passes_corner, as far as doubles can tell: t is an ordinary number, displacements are rounded.
-           const double t = (1 + std::fabs(ordinary(c))) / 4, x = 1 + std::fabs(ordinary(c)),
-                        y = 1 + std::fabs(ordinary(c)), d = std::ldexp(ordinary(c), -54),
-                        e = std::ldexp(ordinary(c), -54);
-           const int ulps = static_cast<int>(c.below(3)) - 1;
-           return InPlane{{{-1, e}, {d, 1}}, {{t * x, -1}, {2, moved_by_ulps(t * y, ulps)}}, {x, y}};
-         }},
-        {"entries_nearly_equal",
-         [](DrawStream& c) -> Question {
-           const double t = std::fabs(ordinary(c)), x = 1 + std::fabs(ordinary(c)), y = 1 + std::fabs(ordinary(c));
-           return InPlane{{{-1, -1}, {0, 0}}, {{t * x, t * y}, {2, 2}}, {x, y}};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           // The way is the velocity times an odd integer of 54 digits, and one more or less, all in units of 2^-k:
-           // near a halfway case by far less than enclosures can tell.
-           __extension__ using Wide = __int128;
-           const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
-           const auto speed = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));
-           const Wide way = odd * speed + (c.below(2) == 0 ? 1 : -1);
-           const auto low = static_cast<double>(static_cast<std::int64_t>(way & 0xffffffff)),
-                      high = static_cast<double>(static_cast<std::int64_t>(way >> 32)) * 0x1p32;
-           return InPlane{
-               {{-0x1p60, 0}, {-low, 1}}, {{high, 0}, {0x1p90, 1}}, {static_cast<double>(speed) * 0x1p54, 0}};
-         }},
-        {"least_beside_greatest",
-         [](DrawStream& c) -> Question {
-           const double least = std::ldexp(small_integer(c), -1074),
-                        greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
-           const double v = c.below(2) == 1 ? greatest : 4, y = c.below(2) == 1 ? least : 1;
-           const double from = c.below(2) == 1 ? -greatest : -4;
-           return InPlane{{{from, -1}, {from, least}}, {{0, 0}, {1, 1}}, {v, y}};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double p = zero(), q = zero(), r = zero(), s = zero(), v = c.below(2) == 1 ? 1 : zero();
-           return InPlane{{{-1, -1}, {p, q}}, {{r, s}, {1, 1}}, {v, small_integer(c, 1)}};
-         }},
-        {"typed",
-         [](DrawStream& c) -> Question {
-           const double gap = std::fabs(catalogue::typed(c)), x = catalogue::typed(c), y = catalogue::typed(c);
-           return InPlane{{{-1, -1}, {0, 0}}, {{gap, -0.3}, {gap + 1, 0.1}}, {x, y}};
-         }},
-        {"wide",
-         [](DrawStream& c) -> Question {
-           const Vector3d by = fractions(c);
-           const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z);
-           const double gap = static_cast<double>(c.below(8)) / 4, x = gap + small_integer(c, 2), y = small_integer(c);
-           const Aabb3d b = beside(a, overlapping(a, c), gap);
-           const Aabb3d wide = widened(a, b.max, c);
-           return turned(wide, c.below(2) == 1 ? widened(b, a.min, c) : b, {x, y, 0}, c);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("head_on", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      const double gap = one_to(c, 8), speed = gap + small_integer(c);
+      return turned(a, beside(a, overlapping(a, c), gap), {speed, 0, 0}, c);
+    });
+    add("corner_passes_corner", [](DrawStream& c) -> Question {
+      // a reaches b on x when it leaves it on y, both at n / d.
+      const Aabb3d a = lattice_box(c);
+      const double d = one_to(c, 6), n = up_to(c, 5), x = one_to(c, 4), y = one_to(c, 4);
+      Aabb3d b = overlapping(a, c);
+      b = shifted(b, a.max.x - b.min.x + n * x, a.min.y - b.max.y + n * y, 0);
+      return turned(a, b, {d * x, d * y, small_integer(c, 1)}, c);
+    });
+    add("enters_twice", [](DrawStream& c) -> Question {
+      // On x and on y at n / d.
+      const Aabb3d a = lattice_box(c);
+      const double d = one_to(c, 6), n = up_to(c, 5), x = one_to(c, 4), y = one_to(c, 4);
+      Aabb3d b = overlapping(a, c);
+      b = shifted(b, a.max.x - b.min.x + n * x, a.max.y - b.min.y + n * y, 0);
+      return turned(a, b, {d * x, d * y, 0}, c);
+    });
+    add("contact_at_end", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      const double gap = one_to(c, 8), y = small_integer(c, 1), z = small_integer(c, 1);
+      return turned(a, beside(a, overlapping(a, c), gap), {gap, y, z}, c);
+    });
+    add("touching_at_start", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      const double x = small_integer(c), y = small_integer(c, 2), z = small_integer(c, 2);
+      return turned(a, beside(a, overlapping(a, c), 0), {x, y, z}, c);
+    });
+    add("along_face", [](DrawStream& c) -> Question {
+      // One side of a stays in the plane of a side of b, or just off it.
+      const Aabb3d a = lattice_box(c);
+      Aabb3d b = overlapping(a, c);
+      const double gap = up_to(c, 5), off = small_integer(c, 1);
+      b = shifted(b, a.max.x - b.min.x + gap, a.max.y - b.min.y + off, 0);
+      return turned(a, b, {gap + small_integer(c, 3), 0, 0}, c);
+    });
+    add("at_rest", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      const double gap = small_integer(c, 2);
+      return turned(a, beside(a, overlapping(a, c), gap), {0, 0, 0}, c);
+    });
+    add("flat_and_points", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      Aabb3d b = overlapping(a, c), flat = a;
+      flat.max.x = flat.min.x;
+      if (c.coin()) flat.max = flat.min;
+      if (c.coin()) b.max.x = b.min.x;
+      if (c.one_in(4)) b.max = b.min;
+      const double gap = small_integer(c, 3), x = small_integer(c), y = small_integer(c, 1);
+      return turned(flat, beside(flat, b, gap), {x, y, small_integer(c, 1)}, c);
+    });
+    add("one_inside", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      const Vector3d v{small_integer(c), small_integer(c), small_integer(c)};
+      return turned(a, within(a, c), v, c);
+    });
+    add("rounded_corner_pass", [](DrawStream& c) -> Question {
+      // As corner_passes_corner, as far as doubles can tell: t is an ordinary number, displacements are rounded.
+      const double t = (1 + std::fabs(ordinary(c))) / 4, x = 1 + std::fabs(ordinary(c)), y = 1 + std::fabs(ordinary(c)),
+                   d = std::ldexp(ordinary(c), -54), e = std::ldexp(ordinary(c), -54);
+      const int ulps = integer_in(c, -1, 1);
+      return InPlane{{{-1, e}, {d, 1}}, {{t * x, -1}, {2, moved_by_ulps(t * y, ulps)}}, {x, y}};
+    });
+    add("entries_nearly_equal", [](DrawStream& c) -> Question {
+      const double t = std::fabs(ordinary(c)), x = 1 + std::fabs(ordinary(c)), y = 1 + std::fabs(ordinary(c));
+      return InPlane{{{-1, -1}, {0, 0}}, {{t * x, t * y}, {2, 2}}, {x, y}};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      const auto [low, high, speed] = way_beside_tie(c);
+      return InPlane{{{-0x1p60, 0}, {-low, 1}}, {{high, 0}, {0x1p90, 1}}, {speed * 0x1p54, 0}};
+    });
+    add("least_beside_greatest", [](DrawStream& c) -> Question {
+      const double least = subnormal(c), greatest = huge(c);
+      const double v = c.coin() ? greatest : 4, y = c.coin() ? least : 1, from = c.coin() ? -greatest : -4;
+      return InPlane{{{from, -1}, {from, least}}, {{0, 0}, {1, 1}}, {v, y}};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const double p = zero(c), q = zero(c), r = zero(c), s = zero(c), v = c.coin() ? 1 : zero(c);
+      return InPlane{{{-1, -1}, {p, q}}, {{r, s}, {1, 1}}, {v, small_integer(c, 1)}};
+    });
+    add("typed", [](DrawStream& c) -> Question {
+      const double gap = std::fabs(catalogue::typed(c)), x = catalogue::typed(c), y = catalogue::typed(c);
+      return InPlane{{{-1, -1}, {0, 0}}, {{gap, -0.3}, {gap + 1, 0.1}}, {x, y}};
+    });
+    add("wide", [](DrawStream& c) -> Question {
+      const Vector3d by = fractions(c);
+      const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z);
+      const double gap = up_to(c, 7) / 4, x = gap + small_integer(c, 2), y = small_integer(c);
+      const Aabb3d b = beside(a, overlapping(a, c), gap), wide = widened(a, b.max, c);
+      return turned(wide, c.coin() ? widened(b, a.min, c) : b, {x, y, 0}, c);
+    });
   }
 
   static void repair(Question& question) {
@@ -205,18 +173,18 @@ struct swept_aabb_aabb : signatures::swept_aabb_aabb {
 
   /// In space, or the same without z; the axes in another order, or mirrored; the boxes exchanged.
   static Question turned(Aabb3d a, Aabb3d b, Vector3d v, DrawStream& c) {
-    if (c.below(2) == 1) {
+    if (c.coin()) {
       const auto next = [](auto& p) { p = {p.z, p.x, p.y}; };
       for (Aabb3d* box : {&a, &b}) next(box->min), next(box->max);
       next(v);
     }
-    if (c.below(2) == 1) {
+    if (c.coin()) {
       for (Aabb3d* box : {&a, &b})
         *box = {{-box->max.x, -box->max.y, box->min.z}, {-box->min.x, -box->min.y, box->max.z}};
       v = {-v.x, -v.y, v.z};
     }
-    if (c.below(2) == 1) std::swap(a, b), v = -1.0 * v;
-    if (c.below(2) == 0) return InSpace{a, b, v};
+    if (c.coin()) std::swap(a, b), v = -1.0 * v;
+    if (!c.coin()) return InSpace{a, b, v};
     return InPlane{without_z(a), without_z(b), {v.x, v.y}};
   }
 };

@@ -41,121 +41,85 @@ struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"lattice",
-         [](DrawStream& c) -> Question {
-           // Everything in multiples of 12: features pass in one line, or in one plane.
-           const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
-           const Vector3d apart = 12.0 * lattice_normal(c, 2), velocity = 12.0 * lattice_normal(c, 2);
-           return {a, shifted(b, apart), velocity};
-         }},
-        {"feature_to_feature",
-         [](DrawStream& c) -> Question {
-           const double n = static_cast<double>(c.below(4)), d = 1 + static_cast<double>(c.below(4));
-           return aimed(c, n, d);
-         }},
-        {"contact_at_end", [](DrawStream& c) -> Question { return aimed(c, 1, 1); }},
-        {"touching_at_start",
-         [](DrawStream& c) -> Question {
-           const double d = small_integer(c, 2);
-           return aimed(c, 0, d);
-         }},
-        {"one_inside",
-         [](DrawStream& c) -> Question {
-           Meshd a = lattice_polyhedron(c);
-           const Meshd b = lattice_polyhedron(c);
-           for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
-           return {a, b, lattice_normal(c, 8)};
-         }},
-        {"mapped",
-         [](DrawStream& c) -> Question {
-           auto [a, b, velocity] = aimed(c, 1, 2);
-           Meshd all = together(a, b);
-           Point3d v{velocity.x, velocity.y, velocity.z};
-           map_linearly(all, v, c);
-           return parted(all, a, b, {v.x, v.y, v.z});
-         }},
-        {"stretched",
-         [](DrawStream& c) -> Question {
-           // Each axis by its own power of two: past the filter's guards, and below them.
-           auto [a, b, velocity] = aimed(c, 1, 2);
-           static constexpr int exponents[] = {0, 60, 255, -170, 300, -300};
-           const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
-           const auto stretch = [=](auto& p) { p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)}; };
-           for (Meshd* mesh : {&a, &b}) std::for_each(mesh->vertices.begin(), mesh->vertices.end(), stretch);
-           stretch(velocity);
-           return {a, b, velocity};
-         }},
-        {"rounded",
-         [](DrawStream& c) -> Question {
-           Meshd a = ordinary_tetrahedron(c), b = ordinary_tetrahedron(c);
-           const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
-           // A corner of b to which one of a gets at the end, as far as doubles can tell; or anywhere.
-           const Vector3d v{4 * x, 4 * y, 4 * z};
-           if (c.below(2) == 0) b = shifted(b, (a.vertices[0] - b.vertices[0]) + v);
-           return {a, b, v};
-         }},
-        {"broken",
-         [](DrawStream& c) -> Question {
-           auto [a, b, velocity] = aimed(c, 1, 1);
-           if (c.below(2) == 0) return {broken(a, c), b, velocity};
-           return {a, broken(b, c), velocity};
-         }},
-        {"named_mesh",
-         [](DrawStream& c) -> Question {
-           const Meshd& a = named_mesh(c);
-           const Point3d p = on_a_face_plane(a, c);
-           const Vector3d w = 12.0 * lattice_normal(c, 3);
-           Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
-           make_tetrahedron(b);
-           const Point3d to = p + 2.0 * w;
-           return {a, shifted(b, {to.x, to.y, to.z}), static_cast<double>(1 + c.below(4)) * w};
-         },
-         /*unscaled=*/true},
-        {"named_mesh_at_rest",
-         [](DrawStream& c) -> Question {
-           Meshd a{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
-           make_tetrahedron(a);
-           const Meshd& b = named_mesh(c);
-           const Point3d p = on_a_face_plane(b, c);
-           const Vector3d w = 12.0 * lattice_normal(c, 3);
-           const Point3d from = p + -2.0 * w;
-           return {shifted(a, {from.x, from.y, from.z}), b, static_cast<double>(1 + c.below(4)) * w};
-         },
-         /*unscaled=*/true},
-        {"huge_or_tiny_boxes",
-         [](DrawStream& c) -> Question {
-           // Past the filter's guards, but all on one lattice: one axis of a box decides, exactly.
-           const auto length = [&c] { return 12 * static_cast<double>(1 + c.below(3)); };
-           const double x = length(), y = length(), z = length(), gap = length();
-           const double u = length(), v = length(), w = length(), way = length();
-           static constexpr int exponents[] = {260, -300, 900, -900};
-           const int exponent = exponents[c.below(4)];
-           // Along each axis in turn.
-           const std::uint64_t axis = c.below(3);
-           const auto turned = [axis, exponent](double p, double q, double r) {
-             const std::array<double, 3> at{std::ldexp(p, exponent), std::ldexp(q, exponent), std::ldexp(r, exponent)};
-             return Point3d{at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]};
-           };
-           const auto box = [&turned](double low, double p, double q, double r) {
-             Meshd mesh =
-                 lattice_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
-             for (Point3d& at : mesh.vertices) at = turned(low + p * at.x, q * at.y, r * at.z);
-             return mesh;
-           };
-           const Point3d velocity = turned(way, 0, 0);
-           return {box(0, x, y, z), box(x + gap, u, v, w), {velocity.x, velocity.y, velocity.z}};
-         },
-         /*unscaled=*/true},
-        {"polygons",
-         [](DrawStream& c) -> Question {
-           const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-           const Meshd asked = c.below(6) == 5 ? with_broken_polygons(a, c) : a;
-           const Vector3d apart = 12.0 * lattice_normal(c, 2);
-           return {asked, shifted(b, apart), 12.0 * lattice_normal(c, 2)};
-         },
-         /*unscaled=*/true}};
+  static void hard_cases(HardCases<Question>& add) {
+    add("lattice", [](DrawStream& c) -> Question {
+      // Everything in multiples of 12: features pass in one line, or in one plane.
+      const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+      return {a, shifted(b, 12.0 * lattice_normal(c, 2)), 12.0 * lattice_normal(c, 2)};
+    });
+    add("feature_to_feature", [](DrawStream& c) -> Question {
+      const double n = up_to(c, 3), d = one_to(c, 4);
+      return aimed(c, n, d);
+    });
+    add("contact_at_end", [](DrawStream& c) -> Question { return aimed(c, 1, 1); });
+    add("touching_at_start", [](DrawStream& c) -> Question { return aimed(c, 0, small_integer(c, 2)); });
+    add("one_inside", [](DrawStream& c) -> Question {
+      Meshd a = lattice_polyhedron(c);
+      const Meshd b = lattice_polyhedron(c);
+      for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
+      return {a, b, lattice_normal(c, 8)};
+    });
+    add("mapped", [](DrawStream& c) -> Question {
+      auto [a, b, velocity] = aimed(c, 1, 2);
+      map_linearly(c, a, b, velocity);
+      return {a, b, velocity};
+    });
+    add("stretched", [](DrawStream& c) -> Question {
+      auto [a, b, velocity] = aimed(c, 1, 2);
+      Stretch{c}(a, b, velocity);
+      return {a, b, velocity};
+    });
+    add("rounded", [](DrawStream& c) -> Question {
+      Meshd a = tetrahedron_of(c, ordinary_point_in_space), b = tetrahedron_of(c, ordinary_point_in_space);
+      // A corner of b to which one of a gets at the end, as far as doubles can tell; or anywhere.
+      const Vector3d v{4 * ordinary(c), 4 * ordinary(c), 4 * ordinary(c)};
+      if (!c.coin()) b = shifted(b, (a.vertices[0] - b.vertices[0]) + v);
+      return {a, b, v};
+    });
+    add("broken", [](DrawStream& c) -> Question {
+      auto [a, b, velocity] = aimed(c, 1, 1);
+      if (!c.coin()) return {broken(a, c), b, velocity};
+      return {a, broken(b, c), velocity};
+    });
+    add.unscaled("named_mesh", [](DrawStream& c) -> Question {
+      const Meshd &a = named_mesh(c), b = small_tetrahedron();
+      const Point3d p = on_a_face_plane(a, c);
+      const Vector3d w = 12.0 * lattice_normal(c, 3);
+      return {a, shifted(b, p + 2.0 * w - Point3d{0, 0, 0}), one_to(c, 4) * w};
+    });
+    add.unscaled("named_mesh_at_rest", [](DrawStream& c) -> Question {
+      const Meshd a = small_tetrahedron(), &b = named_mesh(c);
+      const Point3d p = on_a_face_plane(b, c);
+      const Vector3d w = 12.0 * lattice_normal(c, 3);
+      return {shifted(a, p + -2.0 * w - Point3d{0, 0, 0}), b, one_to(c, 4) * w};
+    });
+    add.unscaled("huge_or_tiny_boxes", [](DrawStream& c) -> Question {
+      // Past the filter's guards, but all on one lattice: one axis of a box decides, exactly.
+      const auto length = [&c] { return 12 * one_to(c, 3); };
+      const double x = length(), y = length(), z = length(), gap = length();
+      const double u = length(), v = length(), w = length(), way = length();
+      static constexpr int exponents[] = {260, -300, 900, -900};
+      const int exponent = exponents[c.below(4)];
+      // Along each axis in turn.
+      const std::uint64_t axis = c.below(3);
+      const auto turned = [axis, exponent](double p, double q, double r) {
+        const std::array<double, 3> at{std::ldexp(p, exponent), std::ldexp(q, exponent), std::ldexp(r, exponent)};
+        return Point3d{at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]};
+      };
+      const auto box = [&turned](double low, double p, double q, double r) {
+        Meshd mesh =
+            lattice_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+        for (Point3d& at : mesh.vertices) at = turned(low + p * at.x, q * at.y, r * at.z);
+        return mesh;
+      };
+      const Point3d velocity = turned(way, 0, 0);
+      return {box(0, x, y, z), box(x + gap, u, v, w), {velocity.x, velocity.y, velocity.z}};
+    });
+    add.unscaled("polygons", [](DrawStream& c) -> Question {
+      const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
+      const Meshd asked = c.one_in(6) ? with_broken_polygons(a, c) : a;
+      return {asked, shifted(b, 12.0 * lattice_normal(c, 2)), 12.0 * lattice_normal(c, 2)};
+    });
   }
 
   static void repair(Question& question) {
@@ -199,11 +163,6 @@ struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
   }
 
  private:
-  static Meshd shifted(Meshd mesh, const Vector3d& by) {
-    for (Point3d& p : mesh.vertices) p = p + by;
-    return mesh;
-  }
-
   /// Two lattice polyhedra, a point on or near the surface of each, and a velocity with which one comes to the other
   /// at n / d.
   static Question aimed(DrawStream& c, double n, double d) {
@@ -213,28 +172,7 @@ struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
     return {a, shifted(b, (p - q) + n * w), d * w};
   }
 
-  static Meshd ordinary_tetrahedron(DrawStream& c) {
-    Meshd mesh;
-    for (int i = 0; i < 4; ++i) {
-      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
-      mesh.vertices.push_back({x, y, z});
-    }
-    make_tetrahedron(mesh);
-    return mesh;
-  }
-
-  /// The vertices of both in one list, and again in two.
-  static Meshd together(const Meshd& a, const Meshd& b) {
-    Meshd all{a.vertices, {}};
-    all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
-    return all;
-  }
-  static Question parted(const Meshd& all, Meshd a, Meshd b, const Vector3d& velocity) {
-    const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
-    std::copy(all.vertices.begin(), middle, a.vertices.begin());
-    std::copy(middle, all.vertices.end(), b.vertices.begin());
-    return {a, b, velocity};
-  }
+  static Meshd small_tetrahedron() { return tetrahedron_over({{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}}); }
 };
 
 }  // namespace touchstone::catalogue::rows

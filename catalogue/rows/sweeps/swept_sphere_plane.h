@@ -3,6 +3,7 @@
 
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/space_draws.h"
+#include "catalogue/families/ties.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/sweeps/swept_sphere_plane.h"
@@ -30,102 +31,72 @@ struct swept_sphere_plane : signatures::swept_sphere_plane {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"approach",
-         [](DrawStream& c) -> Question {
-           const double radius = static_cast<double>(c.below(6)), gap = 1 + static_cast<double>(c.below(8));
-           return of_whole_length(c, radius + gap, radius, gap + small_integer(c));
-         }},
-        {"touching_at_start",
-         [](DrawStream& c) -> Question {
-           const double radius = static_cast<double>(c.below(6));
-           return of_whole_length(c, radius, radius, small_integer(c));
-         }},
-        {"contact_at_end",
-         [](DrawStream& c) -> Question {
-           const double radius = static_cast<double>(c.below(6)), gap = 1 + static_cast<double>(c.below(8));
-           return of_whole_length(c, radius + gap, radius, gap);
-         }},
-        {"overlaps_at_start",
-         [](DrawStream& c) -> Question {
-           const double radius = 1 + static_cast<double>(c.below(6));
-           const double aside = small_integer(c);
-           return of_whole_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius, aside);
-         }},
-        {"along_plane",
-         [](DrawStream& c) -> Question {
-           const double radius = static_cast<double>(c.below(6)), off = small_integer(c, 1);
-           return of_whole_length(c, radius + off, radius, 0);
-         }},
-        {"points",
-         [](DrawStream& c) -> Question {
-           const double height = static_cast<double>(c.below(4));
-           return of_whole_length(c, height, 0, small_integer(c, 6));
-         }},
-        {"irrational",
-         [](DrawStream& c) -> Question {
-           const Vector3d n = lattice_normal(c, 10), v = lattice_normal(c, 10);
-           const Point3d p = lattice_point_in_space(c, 10);
-           return {{p, static_cast<double>(c.below(12))}, v, {n, integer(c, 10)}};
-         }},
-        {"rounded_touch",
-         [](DrawStream& c) -> Question {
-           // A touch at the start or at the end, as far as doubles can tell.
-           const auto number = [&c] { return ordinary(c); };
-           const double nx = number(), ny = number(), x = number(), y = number(), z = number(), d = number();
-           const double vx = number(), vy = number(), vz = number();
-           const Vector3d n{nx, ny, 1}, v{vx, vy, vz};
-           const double end = c.below(2) == 1 ? 1 : 0, length = std::sqrt(dot(n, n));
-           const double reach = std::fabs(dot(n, Vector3d{x, y, z} + end * v) + d) / length;
-           return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, v, {n, d}};
-         }},
-        {"beside_a_tie",
-         [](DrawStream& c) -> Question {
-           // As in swept_aabb_aabb: the height is the fall times an odd integer of 54 digits, and one more or less.
-           __extension__ using Wide = __int128;
-           const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
-           const auto fall = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));
-           const Wide height = odd * fall + (c.below(2) == 0 ? 1 : -1);
-           const auto low = static_cast<double>(static_cast<std::int64_t>(height & 0xffffffff)),
-                      high = static_cast<double>(static_cast<std::int64_t>(height >> 32)) * 0x1p32;
-           return {{{0, high, 0}, 0}, {0, -static_cast<double>(fall) * 0x1p54, 0}, {{0, 1, 0}, low}};
-         }},
-        {"uneven_normal",
-         [](DrawStream& c) -> Question {
-           // Past the guards of the squared length, or with parts that count for nothing.
-           const int k = static_cast<int>(c.below(2000)) - 1050, m = static_cast<int>(c.below(600)) - 300;
-           const double x = small_integer(c), y = small_integer(c), d = small_integer(c), r = small_integer(c, 2);
-           const Vector3d n{std::ldexp(1 + small_integer(c, 1) / 4, k), std::ldexp(y, k + m), 0};
-           return {{{x, y, 0}, std::fabs(r)}, {-2 * x, small_integer(c), 0}, {n, std::ldexp(d, k)}};
-         }},
-        {"normal_of_few_digits",
-         [](DrawStream& c) -> Question {
-           // Its square is subnormal, and off by more than nothing; the ball touches the plane at the start.
-           const int k = static_cast<int>(c.below(24)) - 540;
-           const double n = std::ldexp(5 + static_cast<double>(c.below(3)), k), x = 1 + static_cast<double>(c.below(6));
-           return {{{x, 0, 0}, x}, {small_integer(c), 0, 0}, {{n, 0, 0}, 0}};
-         }},
-        {"least_beside_greatest",
-         [](DrawStream& c) -> Question {
-           const double least = std::ldexp(small_integer(c), -1074),
-                        greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
-           const double d = c.below(2) == 1 ? least : -greatest, y = c.below(2) == 1 ? greatest : 4;
-           const double r = c.below(2) == 1 ? std::fabs(least) : 1;
-           return {{{0, y, least}, r}, {0, -y, least}, {{0, 1, c.below(2) == 1 ? 1.0 : least}, d}};
-         }},
-        {"starts_below_least",
-         [](DrawStream& c) -> Question {
-           const auto [plane, start] = terms_below_least(c);
-           return {{start, 0}, {small_integer(c, 1), 1, -1}, plane};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double x = zero(), y = zero(), r = zero(), v = zero(), n = zero(), d = zero();
-           return {{{x, c.below(2) == 1 ? 1 : y, 0}, r}, {v, small_integer(c, 1), 0}, {{n, 1, 0}, d}};
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("approach", [](DrawStream& c) -> Question {
+      const double radius = up_to(c, 5), gap = one_to(c, 8);
+      return of_whole_length(c, radius + gap, radius, gap + small_integer(c));
+    });
+    add("touching_at_start", [](DrawStream& c) -> Question {
+      const double radius = up_to(c, 5);
+      return of_whole_length(c, radius, radius, small_integer(c));
+    });
+    add("contact_at_end", [](DrawStream& c) -> Question {
+      const double radius = up_to(c, 5), gap = one_to(c, 8);
+      return of_whole_length(c, radius + gap, radius, gap);
+    });
+    add("overlaps_at_start", [](DrawStream& c) -> Question {
+      const double radius = one_to(c, 6), aside = small_integer(c);
+      return of_whole_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius, aside);
+    });
+    add("along_plane", [](DrawStream& c) -> Question {
+      const double radius = up_to(c, 5), off = small_integer(c, 1);
+      return of_whole_length(c, radius + off, radius, 0);
+    });
+    add("points", [](DrawStream& c) -> Question {
+      const double height = up_to(c, 3);
+      return of_whole_length(c, height, 0, small_integer(c, 6));
+    });
+    add("irrational", [](DrawStream& c) -> Question {
+      const Vector3d n = lattice_normal(c, 10), v = lattice_normal(c, 10);
+      return {{lattice_point_in_space(c, 10), up_to(c, 11)}, v, {n, integer(c, 10)}};
+    });
+    add("rounded_touch", [](DrawStream& c) -> Question {
+      // A touch at the start or at the end, as far as doubles can tell.
+      const Vector3d n{ordinary(c), ordinary(c), 1}, p{ordinary(c), ordinary(c), ordinary(c)};
+      const double d = ordinary(c);
+      const Vector3d v{ordinary(c), ordinary(c), ordinary(c)}, at = c.coin() ? p + v : p;
+      return {{{p.x, p.y, p.z}, within_ulps(c, std::fabs(dot(n, at) + d) / std::sqrt(dot(n, n)), 1)}, v, {n, d}};
+    });
+    add("beside_a_tie", [](DrawStream& c) -> Question {
+      const auto [low, high, fall] = way_beside_tie(c);
+      return {{{0, high, 0}, 0}, {0, -fall * 0x1p54, 0}, {{0, 1, 0}, low}};
+    });
+    add("uneven_normal", [](DrawStream& c) -> Question {
+      // Past the guards of the squared length, or with parts that count for nothing.
+      const int k = integer_in(c, -1050, 949), m = integer_in(c, -300, 299);
+      const double x = small_integer(c), y = small_integer(c), d = small_integer(c), r = small_integer(c, 2);
+      const Vector3d n{std::ldexp(1 + small_integer(c, 1) / 4, k), std::ldexp(y, k + m), 0};
+      return {{{x, y, 0}, std::fabs(r)}, {-2 * x, small_integer(c), 0}, {n, std::ldexp(d, k)}};
+    });
+    add("normal_of_few_digits", [](DrawStream& c) -> Question {
+      // Its square is subnormal, and off by more than nothing; the ball touches the plane at the start.
+      const int k = integer_in(c, -540, -517);
+      const double n = std::ldexp(5 + up_to(c, 2), k), x = one_to(c, 6);
+      return {{{x, 0, 0}, x}, {small_integer(c), 0, 0}, {{n, 0, 0}, 0}};
+    });
+    add("least_beside_greatest", [](DrawStream& c) -> Question {
+      const double least = subnormal(c), greatest = huge(c);
+      const double d = c.coin() ? least : -greatest, y = c.coin() ? greatest : 4, r = c.coin() ? std::fabs(least) : 1;
+      return {{{0, y, least}, r}, {0, -y, least}, {{0, 1, c.coin() ? 1.0 : least}, d}};
+    });
+    add("starts_below_least", [](DrawStream& c) -> Question {
+      const auto [plane, start] = terms_below_least(c);
+      return {{start, 0}, {small_integer(c, 1), 1, -1}, plane};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const double x = zero(c), y = zero(c), r = zero(c), v = zero(c), n = zero(c), d = zero(c);
+      return {{{x, c.coin() ? 1 : y, 0}, r}, {v, small_integer(c, 1), 0}, {{n, 1, 0}, d}};
+    });
   }
 
   /// The normal has no unit: it keeps its value.
@@ -168,7 +139,7 @@ struct swept_sphere_plane : signatures::swept_sphere_plane {
     const auto [n, length] = whole_normal(c);
     const Point3d foot = lattice_point_in_space(c, 10);
     const Vector3d aside = lattice_across(c, n), drift = lattice_across(c, n);
-    const double side = c.below(2) == 1 ? -1 : 1;
+    const double side = either_sign(c);
     const Point3d center = foot + (aside + (side * height) * n);
     return {{center, radius * length}, drift - (side * fall) * n, {n, -dot(n, Vector3d{foot.x, foot.y, foot.z})}};
   }

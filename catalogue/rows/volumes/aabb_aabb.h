@@ -29,83 +29,67 @@ struct aabb_aabb : signatures::aabb_aabb {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"shared_face", [](DrawStream& c) -> Question { return beside_each_other(c, 1); }},
-        {"shared_edge", [](DrawStream& c) -> Question { return beside_each_other(c, 2); }},
-        {"shared_corner", [](DrawStream& c) -> Question { return beside_each_other(c, 3); }},
-        {"apart_on_one_axis",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           Aabb3d b = overlapping(a, c);
-           const double gap = 1 + static_cast<double>(c.below(4));
-           switch (c.below(3)) {
-             case 0: b = shifted(b, a.max.x - b.min.x + gap, 0, 0); break;
-             case 1: b = shifted(b, 0, a.max.y - b.min.y + gap, 0); break;
-             default: b = shifted(b, 0, 0, a.max.z - b.min.z + gap);
-           }
-           return seen(a, b, c);
-         }},
-        {"nested",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           return seen(a, within(a, c), c);
-         }},
-        {"flat_inside",
-         [](DrawStream& c) -> Question {
-           const Aabb3d a = lattice_box(c);
-           Aabb3d b = overlapping(a, c);
-           b.max.x = b.min.x;
-           if (c.below(2) == 1) b.max.y = b.min.y;
-           return seen(a, b, c);
-         }},
-        {"both_flat",
-         [](DrawStream& c) -> Question {
-           Aabb3d a = lattice_box(c), b = overlapping(a, c);
-           a.max.x = a.min.x;
-           b.min.x = b.max.x = a.min.x + small_integer(c, 1);
-           return seen(a, b, c);
-         }},
-        {"points",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_of_box(c);
-           const Point3d q = c.below(2) == 1 ? lattice_point_of_box(c) : p;
-           return seen({p, p}, {q, q}, c);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
-           const double p = least(), q = least(), r = least(), s = least();
-           return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double z0 = zero(), z1 = zero(), z2 = zero(), z3 = zero();
-           return InPlane{{{-1, z0}, {z1, 1}}, {{z2, z3}, {1, 1}}};
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           constexpr double huge = 0x1.fffffffffffffp+1023;
-           const double x = c.below(2) == 1 ? huge : 0x1p1000, y = small_integer(c);
-           return InPlane{{{-huge, -huge}, {x, y}}, {{c.below(2) == 1 ? x : -x, y}, {huge, huge}}};
-         }},
-        {"typed_touch",
-         [](DrawStream& c) -> Question {
-           // As typed the one ends where the other begins.
-           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
-           return InPlane{{{0, 0}, {k / 10 + m / 10, 1}}, {{(k + m) / 10, 0}, {2, 1}}};
-         }},
-        {"wide",
-         [](DrawStream& c) -> Question {
-           const Vector3d by = fractions(c);
-           const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z), other = overlapping(a, c);
-           const double gap = std::ldexp(small_integer(c, 1), -20);
-           const Aabb3d b = shifted(other, a.max.x - other.min.x + gap, 0, 0);
-           const Aabb3d wide = widened(a, b.max, c);
-           return seen(wide, c.below(2) == 1 ? widened(b, a.min, c) : b, c);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("shared_face", [](DrawStream& c) -> Question { return beside_each_other(c, 1); });
+    add("shared_edge", [](DrawStream& c) -> Question { return beside_each_other(c, 2); });
+    add("shared_corner", [](DrawStream& c) -> Question { return beside_each_other(c, 3); });
+    add("apart_on_one_axis", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      Aabb3d b = overlapping(a, c);
+      const double gap = one_to(c, 4);
+      switch (c.below(3)) {
+        case 0: b = shifted(b, a.max.x - b.min.x + gap, 0, 0); break;
+        case 1: b = shifted(b, 0, a.max.y - b.min.y + gap, 0); break;
+        default: b = shifted(b, 0, 0, a.max.z - b.min.z + gap);
+      }
+      return seen(a, b, c);
+    });
+    add("nested", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      return seen(a, within(a, c), c);
+    });
+    add("flat_inside", [](DrawStream& c) -> Question {
+      const Aabb3d a = lattice_box(c);
+      Aabb3d b = overlapping(a, c);
+      b.max.x = b.min.x;
+      if (c.coin()) b.max.y = b.min.y;
+      return seen(a, b, c);
+    });
+    add("both_flat", [](DrawStream& c) -> Question {
+      Aabb3d a = lattice_box(c), b = overlapping(a, c);
+      a.max.x = a.min.x;
+      b.min.x = b.max.x = a.min.x + small_integer(c, 1);
+      return seen(a, b, c);
+    });
+    add("points", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_of_box(c), q = c.coin() ? lattice_point_of_box(c) : p;
+      return seen({p, p}, {q, q}, c);
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      const auto least = [&c] { return subnormal(c, 3); };
+      const double p = least(), q = least(), r = least(), s = least();
+      return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      return InPlane{{{-1, zero(c)}, {zero(c), 1}}, {{zero(c), zero(c)}, {1, 1}}};
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const double x = c.coin() ? greatest_double : 0x1p1000, y = small_integer(c);
+      return InPlane{{{-greatest_double, -greatest_double}, {x, y}},
+                     {{c.coin() ? x : -x, y}, {greatest_double, greatest_double}}};
+    });
+    add("typed_touch", [](DrawStream& c) -> Question {
+      // As typed the one ends where the other begins.
+      const double k = one_to(c, 9), m = one_to(c, 9);
+      return InPlane{{{0, 0}, {k / 10 + m / 10, 1}}, {{(k + m) / 10, 0}, {2, 1}}};
+    });
+    add("wide", [](DrawStream& c) -> Question {
+      const Vector3d by = fractions(c);
+      const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z), other = overlapping(a, c);
+      const double gap = std::ldexp(small_integer(c, 1), -20);
+      const Aabb3d b = shifted(other, a.max.x - other.min.x + gap, 0, 0), wide = widened(a, b.max, c);
+      return seen(wide, c.coin() ? widened(b, a.min, c) : b, c);
+    });
   }
 
   static void repair(Question& question) {
@@ -127,7 +111,7 @@ struct aabb_aabb : signatures::aabb_aabb {
  private:
   /// In space, or the same without z.
   static Question seen(const Aabb3d& a, const Aabb3d& b, DrawStream& c) {
-    if (c.below(2) == 0) return InSpace{a, b};
+    if (!c.coin()) return InSpace{a, b};
     return InPlane{without_z(a), without_z(b)};
   }
   /// b begins where a ends along the first `axes` axes and overlaps it along the others.
@@ -135,7 +119,7 @@ struct aabb_aabb : signatures::aabb_aabb {
     const Aabb3d a = lattice_box(c);
     Aabb3d b = overlapping(a, c);
     b = shifted(b, a.max.x - b.min.x, axes > 1 ? a.max.y - b.min.y : 0, axes > 2 ? a.max.z - b.min.z : 0);
-    return c.below(2) == 1 ? seen(b, a, c) : seen(a, b, c);
+    return c.coin() ? seen(b, a, c) : seen(a, b, c);
   }
 };
 

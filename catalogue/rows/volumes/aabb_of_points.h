@@ -30,73 +30,58 @@ struct aabb_of_points : signatures::aabb_of_points {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"on_lattice", [](DrawStream& c) -> Question { return seen(lattice_points(c), c); }},
-        {"one_point", [](DrawStream& c) -> Question { return seen({lattice_point_of_box(c)}, c); }},
-        {"flat",
-         [](DrawStream& c) -> Question {
-           InSpace points = lattice_points(c);
-           const std::uint64_t axes = c.below(3);
-           for (Point3d& p : points) {
-             p.y = points[0].y;
-             if (axes > 0) p.x = points[0].x;
-             if (axes > 1) p.z = points[0].z;
-           }
-           return seen(points, c);
-         }},
-        {"in_order",
-         [](DrawStream& c) -> Question {
-           // The first point and the last are the ends on each axis.
-           InSpace points = lattice_points(c);
-           const auto sort = [&](double Point3d::*axis) {
-             std::vector<double> numbers;
-             for (const Point3d& p : points) numbers.push_back(p.*axis);
-             std::sort(numbers.begin(), numbers.end());
-             if (c.below(2) == 1) std::reverse(numbers.begin(), numbers.end());
-             for (std::size_t i = 0; i < points.size(); ++i) points[i].*axis = numbers[i];
-           };
-           sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
-           return seen(points, c);
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           return seen(points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           // Where subnormals are read as zero all of these are equal.
-           const double shift = small_integer(c, 4);
-           return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
-         }},
-        {"beside_normal",
-         [](DrawStream& c) -> Question {
-           const double sign = c.below(2) == 1 ? -1 : 1;
-           return seen(points_of(c, [sign](DrawStream& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           return seen(points_of(c,
-                                 [](DrawStream& d) {
-                                   static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
-                                   const double size = ends[d.below(4)];
-                                   return d.below(2) == 1 ? -size : size;
-                                 }),
-                       c);
-         }},
-        {"an_ulp_apart",
-         [](DrawStream& c) -> Question {
-           const double size = typed(c);
-           return seen(points_of(c, [size](DrawStream& d) { return moved_by_ulps(size, ulps(d)); }), c);
-         }},
-        {"few",
-         [](DrawStream& c) -> Question {
-           const std::size_t count = c.below(3);
-           return seen(InSpace(count, lattice_point_of_box(c)), c);
-         }},
-        {"many_points", [](DrawStream& c) -> Question { return seen(many_points_and_one_far(c), c); },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("on_lattice", [](DrawStream& c) -> Question { return seen(lattice_points(c), c); });
+    add("one_point", [](DrawStream& c) -> Question { return seen({lattice_point_of_box(c)}, c); });
+    add("flat", [](DrawStream& c) -> Question {
+      InSpace points = lattice_points(c);
+      const std::uint64_t axes = c.below(3);
+      for (Point3d& p : points) {
+        p.y = points[0].y;
+        if (axes > 0) p.x = points[0].x;
+        if (axes > 1) p.z = points[0].z;
+      }
+      return seen(points, c);
+    });
+    add("in_order", [](DrawStream& c) -> Question {
+      // The first point and the last are the ends on each axis.
+      InSpace points = lattice_points(c);
+      const auto sort = [&](double Point3d::*axis) {
+        std::vector<double> numbers;
+        for (const Point3d& p : points) numbers.push_back(p.*axis);
+        std::sort(numbers.begin(), numbers.end());
+        if (c.coin()) std::reverse(numbers.begin(), numbers.end());
+        for (std::size_t i = 0; i < points.size(); ++i) points[i].*axis = numbers[i];
+      };
+      sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
+      return seen(points, c);
+    });
+    add("either_zero", [](DrawStream& c) -> Question { return seen(points_of(c, zero), c); });
+    add("subnormal", [](DrawStream& c) -> Question {
+      // Where subnormals are read as zero all of these are equal.
+      const double shift = small_integer(c, 4);
+      return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
+    });
+    add("beside_normal", [](DrawStream& c) -> Question {
+      const double sign = either_sign(c);
+      return seen(points_of(c, [sign](DrawStream& d) { return sign * ulps_apart(d, 0x1p-1022, 4); }), c);
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const auto end = [](DrawStream& d) {
+        const double size = std::array{greatest_double, 0x1p1023, 1.0, 0x1p-1074}[d.below(4)];
+        return either_sign(d) * size;
+      };
+      return seen(points_of(c, end), c);
+    });
+    add("an_ulp_apart", [](DrawStream& c) -> Question {
+      const double size = typed(c);
+      return seen(points_of(c, [size](DrawStream& d) { return ulps_apart(d, size, 4); }), c);
+    });
+    add("few", [](DrawStream& c) -> Question {
+      const std::size_t count = c.below(3);
+      return seen(InSpace(count, lattice_point_of_box(c)), c);
+    });
+    add.unscaled("many_points", [](DrawStream& c) -> Question { return seen(many_points_and_one_far(c), c); });
   }
 
   /// A box whose upper right corner is one of the points, which moves.
@@ -107,24 +92,16 @@ struct aabb_of_points : signatures::aabb_of_points {
   }
 
  private:
-  static int ulps(DrawStream& c) { return static_cast<int>(small_integer(c, 4)); }
-
   /// In space, or the same without z.
   static Question seen(const InSpace& points, DrawStream& c) {
-    if (c.below(2) == 0 && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
+    if (!c.coin() && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
     InPlane seen;
     for (const Point3d& p : points) seen.push_back({p.x, p.y});
     return std::tuple(seen);
   }
-  /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
   template <class Draw>
   static InSpace points_of(DrawStream& c, const Draw& number) {
-    InSpace points;
-    do {
-      const double x = number(c), y = number(c), z = number(c);
-      points.push_back({x, y, z});
-    } while (points.size() < 24 && c.below(6) != 0);
-    return points;
+    return until(c, 24, 6, [&](DrawStream& d) { return point_of(d, number); });
   }
   static InSpace lattice_points(DrawStream& c) {
     return points_of(c, [](DrawStream& d) { return integer(d, 53); });

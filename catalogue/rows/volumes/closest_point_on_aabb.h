@@ -26,54 +26,41 @@ struct closest_point_on_aabb : signatures::closest_point_on_aabb {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"beyond",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c);
-           return seen(around(box, c), box, c);
-         }},
-        {"inside",
-         [](DrawStream& c) -> Question {
-           const Aabb3d box = lattice_box(c);
-           return seen(within(box, c).min, box, c);
-         }},
-        {"flat",
-         [](DrawStream& c) -> Question {
-           const Point3d p = lattice_point_of_box(c);
-           Aabb3d box = lattice_box(c);
-           box.max.x = box.min.x = p.x + small_integer(c, 1);
-           if (c.below(2) == 1) box.max.y = box.min.y;
-           if (c.below(2) == 1) box.max.z = box.min.z;
-           return seen(p, box, c);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
-           const double p = least(), q = least(), x = least(), y = least();
-           return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double x = zero(), y = zero(), z0 = zero(), z1 = zero();
-           return InPlane{{x, y}, {{z0, -1}, {z1, zero()}}};
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           constexpr double greatest = 0x1.fffffffffffffp+1023;
-           const double x = c.below(2) == 1 ? greatest : -greatest, y = c.below(2) == 1 ? 0x1p1000 : 0x1p-1000;
-           const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
-           return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
-         }},
-        {"wide",
-         [](DrawStream& c) -> Question {
-           const Vector3d by = fractions(c);
-           const Aabb3d box = shifted(lattice_box(c, 12), by.x, by.y, by.z);
-           const Point3d p = around(box, c);
-           return seen(p, widened(box, p, c), c);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("beyond", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c);
+      return seen(around(box, c), box, c);
+    });
+    add("inside", [](DrawStream& c) -> Question {
+      const Aabb3d box = lattice_box(c);
+      return seen(within(box, c).min, box, c);
+    });
+    add("flat", [](DrawStream& c) -> Question {
+      const Point3d p = lattice_point_of_box(c);
+      Aabb3d box = lattice_box(c);
+      box.max.x = box.min.x = p.x + small_integer(c, 1);
+      if (c.coin()) box.max.y = box.min.y;
+      if (c.coin()) box.max.z = box.min.z;
+      return seen(p, box, c);
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      const auto least = [&c] { return subnormal(c, 3); };
+      const double p = least(), q = least(), x = least(), y = least();
+      return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      return InPlane{{zero(c), zero(c)}, {{zero(c), -1}, {zero(c), zero(c)}}};
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const double x = c.coin() ? greatest_double : -greatest_double, y = c.coin() ? 0x1p1000 : 0x1p-1000;
+      return InPlane{{x, y}, {{c.coin() ? -greatest_double : -0x1p1023, -y}, {greatest_double, small_integer(c)}}};
+    });
+    add("wide", [](DrawStream& c) -> Question {
+      const Vector3d by = fractions(c);
+      const Aabb3d box = shifted(lattice_box(c, 12), by.x, by.y, by.z);
+      const Point3d p = around(box, c);
+      return seen(p, widened(box, p, c), c);
+    });
   }
 
   static void repair(Question& question) {
@@ -95,20 +82,19 @@ struct closest_point_on_aabb : signatures::closest_point_on_aabb {
   /// On each axis below the box, in it, at an end or above: faces, edges and corners.
   static Point3d around(const Aabb3d& box, DrawStream& c) {
     const auto coordinate = [&c](double min, double max) {
-      const auto far = static_cast<double>(c.below(8));
+      const auto far = up_to(c, 7);
       switch (c.below(3)) {
         case 0: return min - far;
         case 1: return max + far;
         default: return std::min(min + far, max);
       }
     };
-    const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);
-    return {x, y, coordinate(box.min.z, box.max.z)};
+    return {coordinate(box.min.x, box.max.x), coordinate(box.min.y, box.max.y), coordinate(box.min.z, box.max.z)};
   }
 
   /// In space, or the same without z.
   static Question seen(const Point3d& point, const Aabb3d& box, DrawStream& c) {
-    if (c.below(2) == 0) return InSpace{point, box};
+    if (!c.coin()) return InSpace{point, box};
     return InPlane{{point.x, point.y}, without_z(box)};
   }
 };

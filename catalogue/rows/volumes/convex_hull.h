@@ -35,13 +35,10 @@ struct convex_hull : signatures::convex_hull {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    std::vector<HardCase<Question>> cases;
-    for (const Cloud& cloud : all_clouds()) cases.push_back({cloud.name, nullptr});
-    draw_each(cases, std::make_index_sequence<cloud_count>());
-    cases.push_back(
-        {"many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); }, /*unscaled=*/true});
-    return cases;
+  static void hard_cases(HardCases<Question>& add) {
+    cloud_cases(add);
+    large_cloud_cases(add);
+    add.unscaled("many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); });
   }
 
   static std::string defect(const Question& question, const ConvexHull& hull) {
@@ -98,12 +95,6 @@ struct convex_hull : signatures::convex_hull {
             .draw = draw,
             .domain_count = domain_count,
             .domain_at = domain_at};
-  }
-
- private:
-  template <std::size_t... i>
-  static void draw_each(std::vector<HardCase<Question>>& cases, std::index_sequence<i...>) {
-    ((cases[i].draw = [](DrawStream& c) -> Question { return all_clouds()[i].draw(c); }), ...);
   }
 };
 

@@ -30,94 +30,79 @@ struct kdop_kdop : signatures::kdop_kdop {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"side_by_side",
-         [](DrawStream& c) -> Question { return pair_of(c, [](DrawStream& d) { return beside(d, 0); }); }},
-        {"a_gap",
-         [](DrawStream& c) -> Question {
-           return pair_of(c, [](DrawStream& d) { return beside(d, static_cast<double>(d.below(3))); });
-         }},
-        {"overlapping", [](DrawStream& c) -> Question { return pair_of(c, overlap); }},
-        {"flat_within",
-         [](DrawStream& c) -> Question {
-           return pair_of(c, [](DrawStream& d) {
-             auto [s, t] = overlap(d);
-             if (d.below(2) == 1) t.min = t.max = s.min + 1 + static_cast<double>(d.below(3));
-             return d.below(2) == 1 ? Pair{t, s} : Pair{s, t};
-           });
-         }},
-        {"both_flat",
-         [](DrawStream& c) -> Question {
-           return pair_of(c, [](DrawStream& d) {
-             const double s = integer(d, 53), t = d.below(4) == 3 ? s + small_integer(d, 1) : s;
-             return Pair{{s, s}, {t, t}};
-           });
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           return pair_of(c, [](DrawStream& d) {
-             const auto least = [&d] { return small_integer(d, 3) * 0x1p-1074; };
-             const double p = least(), q = least(), r = least(), s = least();
-             return Pair{{std::min(p, q), std::max(p, q)}, {std::min(r, s), std::max(r, s)}};
-           });
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           return pair_of(c, [](DrawStream& d) {
-             const auto zero = [&d] { return d.below(2) == 1 ? -0.0 : 0.0; };
-             const double p = zero(), q = zero(), width = static_cast<double>(d.below(2));
-             return Pair{{-width, p}, {q, 1}};
-           });
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           return pair_of(c, [](DrawStream& d) {
-             constexpr double huge = 0x1.fffffffffffffp+1023;
-             const double x = d.below(2) == 1 ? huge : 0x1p1000;
-             return Pair{{-huge, x}, {d.below(2) == 1 ? x : -x, huge}};
-           });
-         }},
-        {"other_normals",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = pair_of(c, overlap);
-           Vector3d& n = b.normals[c.below(b.normals.size())];
-           switch (c.below(6)) {
-             case 0: break;
-             case 1: n.z = n.z == 0 ? -0.0 : moved_by_ulps(n.z, 1); break;
-             case 2: n = {2 * n.x, 2 * n.y, 2 * n.z}; break;
-             case 3: b.normals.pop_back(), b.slabs.pop_back(); break;
-             case 4: n.y = n.y == 0 ? 0x1p-1074 : n.y; break;
-             default: std::reverse(b.normals.begin(), b.normals.end());
-           }
-           return {a, b};
-         }},
-        {"not_valid",
-         [](DrawStream& c) -> Question {
-           auto [a, b] = pair_of(c, [](DrawStream& d) { return beside(d, 1); });
-           const std::size_t i = c.below(a.slabs.size());
-           switch (c.below(4)) {
-             case 0: break;
-             case 1: a.normals[i] = b.normals[i] = {0.0, -0.0, 0.0}; break;
-             case 2: b.slabs[i] = {b.slabs[i].max, b.slabs[i].min}; break;
-             default: a.slabs.pop_back();
-           }
-           return {a, b};
-         }},
-        {"many_slabs",
-         [](DrawStream& c) -> Question {
-           // All of them overlap but for one, perhaps.
-           Kdop3d a{many_normals(c), {}}, b{a.normals, {}};
-           while (a.slabs.size() < a.normals.size()) {
-             const auto [s, t] = overlap(c);
-             a.slabs.push_back(s), b.slabs.push_back(t);
-           }
-           const std::size_t place = late_index(a.slabs.size(), c);
-           std::tie(a.slabs[place], b.slabs[place]) = beside(c, static_cast<double>(c.below(3)));
-           return {a, b};
-         },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("side_by_side",
+        [](DrawStream& c) -> Question { return pair_of(c, [](DrawStream& d) { return beside(d, 0); }); });
+    add("a_gap",
+        [](DrawStream& c) -> Question { return pair_of(c, [](DrawStream& d) { return beside(d, up_to(d, 2)); }); });
+    add("overlapping", [](DrawStream& c) -> Question { return pair_of(c, overlap); });
+    add("flat_within", [](DrawStream& c) -> Question {
+      return pair_of(c, [](DrawStream& d) {
+        auto [s, t] = overlap(d);
+        if (d.coin()) t.min = t.max = s.min + one_to(d, 3);
+        return d.coin() ? Pair{t, s} : Pair{s, t};
+      });
+    });
+    add("both_flat", [](DrawStream& c) -> Question {
+      return pair_of(c, [](DrawStream& d) {
+        const double s = integer(d, 53), t = d.one_in(4) ? s + small_integer(d, 1) : s;
+        return Pair{{s, s}, {t, t}};
+      });
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      return pair_of(c, [](DrawStream& d) {
+        const auto least = [&d] { return subnormal(d, 3); };
+        const double p = least(), q = least(), r = least(), s = least();
+        return Pair{{std::min(p, q), std::max(p, q)}, {std::min(r, s), std::max(r, s)}};
+      });
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      return pair_of(c, [](DrawStream& d) {
+        const double p = zero(d), q = zero(d), width = up_to(d, 1);
+        return Pair{{-width, p}, {q, 1}};
+      });
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      return pair_of(c, [](DrawStream& d) {
+        const double x = d.coin() ? greatest_double : 0x1p1000;
+        return Pair{{-greatest_double, x}, {d.coin() ? x : -x, greatest_double}};
+      });
+    });
+    add("other_normals", [](DrawStream& c) -> Question {
+      auto [a, b] = pair_of(c, overlap);
+      Vector3d& n = b.normals[c.below(b.normals.size())];
+      switch (c.below(6)) {
+        case 0: break;
+        case 1: n.z = n.z == 0 ? -0.0 : moved_by_ulps(n.z, 1); break;
+        case 2: n = {2 * n.x, 2 * n.y, 2 * n.z}; break;
+        case 3: b.normals.pop_back(), b.slabs.pop_back(); break;
+        case 4: n.y = n.y == 0 ? 0x1p-1074 : n.y; break;
+        default: std::reverse(b.normals.begin(), b.normals.end());
+      }
+      return {a, b};
+    });
+    add("not_valid", [](DrawStream& c) -> Question {
+      auto [a, b] = pair_of(c, [](DrawStream& d) { return beside(d, 1); });
+      const std::size_t i = c.below(a.slabs.size());
+      switch (c.below(4)) {
+        case 0: break;
+        case 1: a.normals[i] = b.normals[i] = {0.0, -0.0, 0.0}; break;
+        case 2: b.slabs[i] = {b.slabs[i].max, b.slabs[i].min}; break;
+        default: a.slabs.pop_back();
+      }
+      return {a, b};
+    });
+    add.unscaled("many_slabs", [](DrawStream& c) -> Question {
+      // All of them overlap but for one, perhaps.
+      Kdop3d a{many_normals(c), {}}, b{a.normals, {}};
+      while (a.slabs.size() < a.normals.size()) {
+        const auto [s, t] = overlap(c);
+        a.slabs.push_back(s), b.slabs.push_back(t);
+      }
+      const std::size_t place = late_index(a.slabs.size(), c);
+      std::tie(a.slabs[place], b.slabs[place]) = beside(c, up_to(c, 2));
+      return {a, b};
+    });
   }
 
   /// The normals of a for both.
@@ -165,16 +150,16 @@ struct kdop_kdop : signatures::kdop_kdop {
     return {a, b};
   }
 
-  static double width(DrawStream& c) { return 1 + static_cast<double>(c.below(8)); }
+  static double width(DrawStream& c) { return one_to(c, 8); }
   /// One ends where the other begins, or with a gap; every other pair overlaps.
   static Pair beside(DrawStream& c, double gap) {
-    if (c.below(2) == 1) return overlap(c);
+    if (c.coin()) return overlap(c);
     const double from = integer(c, 50), s = width(c), t = width(c);
     const Slabd first{from, from + s}, second{from + s + gap, from + s + gap + t};
-    return c.below(2) == 1 ? Pair{second, first} : Pair{first, second};
+    return c.coin() ? Pair{second, first} : Pair{first, second};
   }
   static Pair overlap(DrawStream& c) {
-    const double from = integer(c, 50), s = 1 + width(c), t = 1 + width(c), into = 1 + static_cast<double>(c.below(2));
+    const double from = integer(c, 50), s = 1 + width(c), t = 1 + width(c), into = one_to(c, 2);
     return {{from, from + s}, {from + s - into, from + s - into + t}};
   }
 };

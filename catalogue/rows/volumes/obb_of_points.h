@@ -59,92 +59,61 @@ struct obb_of_points : signatures::obb_of_points {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    std::vector<HardCase<Question>> cases{
-        {"in_a_box",
-         [](DrawStream& c) -> Question {
-           const Obb3d box = lattice_obb(c);
-           return many(c, [&] {
-             const double r = small_integer(c, 2), s = small_integer(c, 2);
-             return halves_along(box, r, s, small_integer(c, 2));
-           });
-         }},
-        {"long_and_thin",
-         [](DrawStream& c) -> Question {
-           // Each axis of its own size: of two that differ by more than a double's digits the shorter is lost in the
-           // rounding of the longer.
-           Obb3d box{{0, 0, 0}, turned_half_axes(c)};
-           for (Vector3d* axis : each_of(box.half_axes)) *axis = std::ldexp(1, -static_cast<int>(c.below(120))) * *axis;
-           return many(c, [&] {
-             const double r = small_integer(c, 2), s = small_integer(c, 2);
-             return halves_along(box, r, s, small_integer(c, 2));
-           });
-         }},
-        {"far_from_the_origin",
-         [](DrawStream& c) -> Question {
-           // The points differ in their last places, so that the center of their box is no double.
-           const double far = std::ldexp(1, static_cast<int>(c.below(40)));
-           return many(c, [&] {
-             const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
-             const double x = beside(), y = beside();
-             return Point3d{x, y, beside()};
-           });
-         }},
-        {"least_normal",
-         [](DrawStream& c) -> Question {
-           // Flat sets of sizes at which the thickness of a box becomes subnormal, and of which robust's guard says so.
-           const int exponent = -850 - static_cast<int>(c.below(224));
-           const Vector3d v = lattice_normal(c, 8), w = lattice_normal(c, 8);
-           return many(c, [&] {
-             const double s = small_integer(c), t = small_integer(c);
-             const Vector3d p = s * v + t * w;
-             return Point3d{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-           });
-         }},
-        {"lost_beside_huge",
-         [](DrawStream& c) -> Question {
-           // All is huge and equal but for numbers that are next to nothing in comparison.
-           const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - static_cast<int>(c.below(200)));
-           return many(c, [&] {
-             const double y = 1 + small_integer(c) * 0x1p-52;
-             return Point3d{x, y, c.below(2) == 1 ? -1.0 : 1.0};
-           });
-         }},
-        {"across_the_range",
-         [](DrawStream& c) -> Question {
-           // The half axes of a box along its diagonal are beyond the range.
-           double end = -0x1.fffffffffffffp+1023;
-           return many(c, [&] {
-             end = -end;
-             const double one = c.below(2) == 1 ? -1 : 1, y = c.below(8) == 7 ? one : end;
-             return Point3d{end, y, c.below(2) == 1 ? one : end};
-           });
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           constexpr double greatest = 0x1.fffffffffffffp+1023;
-           return many(c, [&c] {
-             const auto end = [&c] {
-               const double size = c.below(2) == 1 ? greatest : 0x1p1022;
-               return c.below(2) == 1 ? -size : size;
-             };
-             const double x = end(), y = c.below(2) == 1 ? end() : 0.0, one = c.below(2) == 1 ? -1 : 1;
-             return Point3d{x, y, c.below(2) == 1 ? end() : one};
-           });
-         }},
-        {"rounded",
-         [](DrawStream& c) -> Question {
-           return many(c, [&c] {
-             const double x = ordinary(c), y = ordinary(c);
-             return Point3d{x, y, ordinary(c)};
-           });
-         }},
-    };
-    for (std::size_t i = 0; i < clouds; ++i) cases.push_back({all_clouds()[i].name, nullptr});
-    draw_each(&cases[cases.size() - clouds], std::make_index_sequence<clouds>());
-    cases.push_back(
-        {"many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); }, /*unscaled=*/true});
-    return cases;
+  static void hard_cases(HardCases<Question>& add) {
+    add("in_a_box", [](DrawStream& c) -> Question {
+      const Obb3d box = lattice_obb(c);
+      return some_points(c, [&] { return in_obb(box, c); });
+    });
+    add("long_and_thin", [](DrawStream& c) -> Question {
+      // Each axis of its own size: of two that differ by more than a double's digits the shorter is lost in the
+      // rounding of the longer.
+      Obb3d box{{0, 0, 0}, turned_half_axes(c)};
+      for (Vector3d* axis : each_of(box.half_axes)) *axis = std::ldexp(1, -integer_in(c, 0, 119)) * *axis;
+      return some_points(c, [&] { return in_obb(box, c); });
+    });
+    add("far_from_the_origin", [](DrawStream& c) -> Question {
+      // The points differ in their last places, so that the center of their box is no double.
+      const double far = power_of_two(c, 0, 39);
+      const auto beside = [far](DrawStream& d) { return far * (1 + small_integer(d) * 0x1p-52); };
+      return some_points(c, [&] { return point_of(c, beside); });
+    });
+    add("least_normal", [](DrawStream& c) -> Question {
+      // Flat sets of sizes at which the thickness of a box becomes subnormal, and of which robust's guard says so.
+      const int exponent = -850 - integer_in(c, 0, 223);
+      const Vector3d v = lattice_normal(c, 8), w = lattice_normal(c, 8);
+      return some_points(c, [&] {
+        const double s = small_integer(c), t = small_integer(c);
+        const Vector3d p = scaled(s * v + t * w, exponent);
+        return Point3d{p.x, p.y, p.z};
+      });
+    });
+    add("lost_beside_huge", [](DrawStream& c) -> Question {
+      // All is huge and equal but for numbers that are next to nothing in comparison.
+      const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - integer_in(c, 0, 199));
+      return some_points(c, [&] {
+        const double y = 1 + small_integer(c) * 0x1p-52;
+        return Point3d{x, y, either_sign(c)};
+      });
+    });
+    add("across_the_range", [](DrawStream& c) -> Question {
+      // The half axes of a box along its diagonal are beyond the range.
+      double end = -greatest_double;
+      return some_points(c, [&] {
+        end = -end;
+        const double one = either_sign(c), y = c.one_in(8) ? one : end;
+        return Point3d{end, y, c.coin() ? one : end};
+      });
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      return some_points(c, [&c] {
+        const double x = end_of_range(c), y = c.coin() ? end_of_range(c) : 0.0, one = either_sign(c);
+        return Point3d{x, y, c.coin() ? end_of_range(c) : one};
+      });
+    });
+    add("rounded",
+        [](DrawStream& c) -> Question { return some_points(c, [&c] { return ordinary_point_in_space(c); }); });
+    cloud_cases(add);
+    add.unscaled("many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); });
   }
 
   static std::string defect(const Question& question, const Obb3d& box) {
@@ -170,21 +139,6 @@ struct obb_of_points : signatures::obb_of_points {
             .excess = excess,
             .map_centre = map_centre,
             .map_axes = map_axes};
-  }
-
- private:
-  static constexpr std::size_t clouds = 16;  ///< the small ones
-
-  template <std::size_t... i>
-  static void draw_each(HardCase<Question>* cases, std::index_sequence<i...>) {
-    ((cases[i].draw = [](DrawStream& c) -> Question { return all_clouds()[i].draw(c); }), ...);
-  }
-  template <class Draw>
-  static Question many(DrawStream& c, const Draw& draw) {
-    Points points;
-    const std::size_t length = 1 + c.below(9);
-    while (points.size() < length) points.push_back(draw());
-    return points;
   }
 };
 

@@ -30,113 +30,93 @@ struct point_in_kdop : signatures::point_in_kdop {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"around",
-         [](DrawStream& c) -> Question {
-           return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
-             const double below = static_cast<double>(d.below(8)), above = static_cast<double>(d.below(8));
-             return Slabd{value - below, value + above};
-           });
-         }},
-        {"beside_an_end",
-         [](DrawStream& c) -> Question {
-           return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
-             const double end = value + small_integer(d, 1), other = 1 + static_cast<double>(d.below(8));
-             return d.below(2) == 1 ? Slabd{end, end + other} : Slabd{end - other, end};
-           });
-         }},
-        {"flat_slab",
-         [](DrawStream& c) -> Question {
-           return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
-             const double end = d.below(6) == 5 ? value + small_integer(d, 1) : value;
-             return d.below(2) == 1 ? Slabd{end, end} : Slabd{value - 1, value + 1};
-           });
-         }},
-        {"no_solid",
-         [](DrawStream& c) -> Question {
-           // The same slab of one direction and its opposite, which have nothing in common unless they touch.
-           const Vector3d n = lattice_normal(c);
-           const Point3d p = lattice_point_in_space(c);
-           const double value = product(n, p), gap = static_cast<double>(c.below(3));
-           return {{{n, {-n.x, -n.y, -n.z}}, {{value - 4, value}, {-value - 4 - gap, -value - gap}}}, p};
-         }},
-        {"normals_of_any_size",
-         [](DrawStream& c) -> Question {
-           auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
-           for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
-             const int exponent = static_cast<int>(c.below(2000)) - 1050;
-             Vector3d& n = kdop.normals[i];
-             n = {std::ldexp(n.x, exponent), std::ldexp(n.y, exponent), std::ldexp(n.z, exponent)};
-             kdop.slabs[i] = {std::ldexp(kdop.slabs[i].min, exponent), std::ldexp(kdop.slabs[i].max, exponent)};
-           }
-           return {kdop, p};
-         }},
-        {"terms_below_least",
-         [](DrawStream& c) -> Question {
-           const auto [plane, p] = terms_below_least(c);
-           const double end = -plane.offset;
-           return {{{plane.normal}, {c.below(2) == 1 ? Slabd{end, 1} : Slabd{-1, end}}}, p};
-         }},
-        {"subnormal_times_huge",
-         [](DrawStream& c) -> Question {
-           const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));
-           const double end = std::ldexp(huge * small, -531);
-           const Vector3d n{std::ldexp(huge, 500), 0, 0};
-           return {{{n}, {c.below(2) == 1 ? Slabd{end, 2 * end} : Slabd{-end, end}}}, {std::ldexp(small, -1030), 0, 0}};
-         }},
-        {"as_wide_as_a_lattice",
-         [](DrawStream& c) -> Question {
-           // The terms span about 124 binary digits, from where on their sum does not fit two words.
-           const double size = 8 + static_cast<double>(c.below(8));
-           const double x = std::ldexp(size, 57 + static_cast<int>(c.below(4)));
-           const double end = c.below(4) == 3 ? 0.0 : small_integer(c, 1);
-           return {{{{x, -x, 1}}, {c.below(2) == 1 ? Slabd{end, x} : Slabd{-1, end}}}, {x, x, small_integer(c, 1)}};
-         }},
-        {"beyond_range",
-         [](DrawStream& c) -> Question {
-           constexpr double greatest = 0x1.fffffffffffffp+1023;
-           const double x = std::ldexp(1 + static_cast<double>(c.below(8)), 1020), y = c.below(2) == 1 ? -x : x;
-           const Point3d p{x, y, x};
-           return {kdop_of(c, usual_normal,
-                           [](DrawStream& d, const Vector3d&) {
-                             const double end = std::ldexp(small_integer(d), 1020);
-                             return d.below(2) == 1 ? Slabd{end, greatest} : Slabd{-greatest, end};
-                           }),
-                   p};
-         }},
-        {"rounded_end",
-         [](DrawStream& c) -> Question { return rounded(c, [](DrawStream& d) { return ordinary(d); }); }},
-        {"typed_end", [](DrawStream& c) -> Question { return rounded(c, typed); }},
-        {"not_valid",
-         [](DrawStream& c) -> Question {
-           auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
-           const std::size_t i = c.below(kdop.slabs.size());
-           switch (c.below(5)) {
-             case 0: break;
-             case 1: kdop.normals[i] = {0.0, -0.0, 0.0}; break;
-             case 2: kdop.slabs[i] = {kdop.slabs[i].max + 1, kdop.slabs[i].min}; break;
-             case 3: kdop.slabs.pop_back(); break;
-             default: kdop = {};
-           }
-           return {kdop, p};
-         }},
-        {"many_slabs",
-         [](DrawStream& c) -> Question {
-           // The point is within all of them but for one, perhaps.
-           const Point3d p = lattice_point_in_space(c);
-           Kdop3d kdop{many_normals(c), {}};
-           for (const Vector3d& n : kdop.normals) {
-             const double value = product(n, p), below = static_cast<double>(1 + c.below(8));
-             kdop.slabs.push_back({value - below, value + static_cast<double>(1 + c.below(8))});
-           }
-           const std::size_t place = late_index(kdop.slabs.size(), c);
-           const double end = product(kdop.normals[place], p) + small_integer(c, 1);
-           kdop.slabs[place] = c.below(2) == 1 ? Slabd{end, end + 8} : Slabd{end - 8, end};
-           return {kdop, p};
-         },
-         /*unscaled=*/true},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("around", [](DrawStream& c) -> Question {
+      return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
+        const double below = up_to(d, 7), above = up_to(d, 7);
+        return Slabd{value - below, value + above};
+      });
+    });
+    add("beside_an_end", [](DrawStream& c) -> Question {
+      return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
+        const double end = value + small_integer(d, 1), other = one_to(d, 8);
+        return d.coin() ? Slabd{end, end + other} : Slabd{end - other, end};
+      });
+    });
+    add("flat_slab", [](DrawStream& c) -> Question {
+      return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
+        const double end = d.one_in(6) ? value + small_integer(d, 1) : value;
+        return d.coin() ? Slabd{end, end} : Slabd{value - 1, value + 1};
+      });
+    });
+    add("no_solid", [](DrawStream& c) -> Question {
+      // The same slab of one direction and its opposite, which have nothing in common unless they touch.
+      const Vector3d n = lattice_normal(c);
+      const Point3d p = lattice_point_in_space(c);
+      const double value = product(n, p), gap = up_to(c, 2);
+      return {{{n, {-n.x, -n.y, -n.z}}, {{value - 4, value}, {-value - 4 - gap, -value - gap}}}, p};
+    });
+    add("normals_of_any_size", [](DrawStream& c) -> Question {
+      auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
+      for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+        const int k = integer_in(c, -1050, 949);
+        kdop.normals[i] = scaled(kdop.normals[i], k);
+        kdop.slabs[i] = {std::ldexp(kdop.slabs[i].min, k), std::ldexp(kdop.slabs[i].max, k)};
+      }
+      return {kdop, p};
+    });
+    add("terms_below_least", [](DrawStream& c) -> Question {
+      const auto [plane, p] = terms_below_least(c);
+      const double end = -plane.offset;
+      return {{{plane.normal}, {c.coin() ? Slabd{end, 1} : Slabd{-1, end}}}, p};
+    });
+    add("subnormal_times_huge", [](DrawStream& c) -> Question {
+      const double huge = one_to(c, 8), small = one_to(c, 64), end = std::ldexp(huge * small, -531);
+      const Vector3d n{std::ldexp(huge, 500), 0, 0};
+      return {{{n}, {c.coin() ? Slabd{end, 2 * end} : Slabd{-end, end}}}, {std::ldexp(small, -1030), 0, 0}};
+    });
+    add("as_wide_as_a_lattice", [](DrawStream& c) -> Question {
+      // The terms span about 124 binary digits, from where on their sum does not fit two words.
+      const double size = 8 + up_to(c, 7);
+      const double x = std::ldexp(size, integer_in(c, 57, 60)), end = c.one_in(4) ? 0.0 : small_integer(c, 1);
+      return {{{{x, -x, 1}}, {c.coin() ? Slabd{end, x} : Slabd{-1, end}}}, {x, x, small_integer(c, 1)}};
+    });
+    add("beyond_range", [](DrawStream& c) -> Question {
+      const double x = std::ldexp(one_to(c, 8), 1020), y = either_sign(c) * x;
+      return {kdop_of(c, usual_normal,
+                      [](DrawStream& d, const Vector3d&) {
+                        const double end = std::ldexp(small_integer(d), 1020);
+                        return d.coin() ? Slabd{end, greatest_double} : Slabd{-greatest_double, end};
+                      }),
+              {x, y, x}};
+    });
+    add("rounded_end", [](DrawStream& c) -> Question { return rounded(c, ordinary); });
+    add("typed_end", [](DrawStream& c) -> Question { return rounded(c, typed); });
+    add("not_valid", [](DrawStream& c) -> Question {
+      auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
+      const std::size_t i = c.below(kdop.slabs.size());
+      switch (c.below(5)) {
+        case 0: break;
+        case 1: kdop.normals[i] = {0.0, -0.0, 0.0}; break;
+        case 2: kdop.slabs[i] = {kdop.slabs[i].max + 1, kdop.slabs[i].min}; break;
+        case 3: kdop.slabs.pop_back(); break;
+        default: kdop = {};
+      }
+      return {kdop, p};
+    });
+    add.unscaled("many_slabs", [](DrawStream& c) -> Question {
+      // The point is within all of them but for one, perhaps.
+      const Point3d p = lattice_point_in_space(c);
+      Kdop3d kdop{many_normals(c), {}};
+      for (const Vector3d& n : kdop.normals) {
+        const double value = product(n, p), below = one_to(c, 8);
+        kdop.slabs.push_back({value - below, value + one_to(c, 8)});
+      }
+      const std::size_t place = late_index(kdop.slabs.size(), c);
+      const double end = product(kdop.normals[place], p) + small_integer(c, 1);
+      kdop.slabs[place] = c.coin() ? Slabd{end, end + 8} : Slabd{end - 8, end};
+      return {kdop, p};
+    });
   }
 
   static void repair(Question& question) { catalogue::repair(std::get<0>(question)); }
@@ -163,8 +143,8 @@ struct point_in_kdop : signatures::point_in_kdop {
 
  private:
   static Slabd at_an_end(DrawStream& c, double value) {
-    const double other = static_cast<double>(c.below(4));
-    return c.below(2) == 1 ? Slabd{value, value + other} : Slabd{value - other, value};
+    const double other = up_to(c, 3);
+    return c.coin() ? Slabd{value, value + other} : Slabd{value - other, value};
   }
 
   /// A lattice point, and slabs that are drawn by N . P. slab(draws, N . P)
@@ -186,7 +166,7 @@ struct point_in_kdop : signatures::point_in_kdop {
     return {kdop_of(c, drawn,
                     [&](DrawStream& d, const Vector3d& n) {
                       const double value = product(n, point);
-                      return d.below(2) == 1 ? Slabd{value, value + 1} : Slabd{value - 1, value};
+                      return d.coin() ? Slabd{value, value + 1} : Slabd{value - 1, value};
                     }),
             point};
   }

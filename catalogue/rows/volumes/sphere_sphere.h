@@ -31,124 +31,97 @@ struct sphere_sphere : signatures::sphere_sphere {
     return metadata;
   }
 
-  static std::vector<HardCase<Question>> hard_cases() {
-    return {
-        {"tangent",
-         [](DrawStream& c) -> Question {
-           const Step step = whole_step(c);
-           const double r = part_of(step.length, c);
-           return apart_by(step, r, step.length - r, c);
-         }},
-        {"beside_tangent",
-         [](DrawStream& c) -> Question {
-           const Step step = whole_step(c);
-           const double r = part_of(step.length, c);
-           return apart_by(step, r, std::fabs(step.length - r + small_integer(c, 1)), c);
-         }},
-        {"tangent_inside",
-         [](DrawStream& c) -> Question {
-           const Step step = whole_step(c);
-           const double r = static_cast<double>(c.below(8));
-           return apart_by(step, r, r + step.length + small_integer(c, 1), c);
-         }},
-        {"concentric",
-         [](DrawStream& c) -> Question {
-           const double r = static_cast<double>(c.below(4));
-           const double s = static_cast<double>(c.below(4));
-           return apart_by({{0, 0, 0}, 0, c.below(2) == 1}, r, s, c);
-         }},
-        {"point_inside",
-         [](DrawStream& c) -> Question {
-           const Step step = whole_step(c);
-           return apart_by(step, 0, step.length + small_integer(c, 3), c);
-         }},
-        {"points",
-         [](DrawStream& c) -> Question {
-           const double x = small_integer(c, 1), y = small_integer(c, 1);
-           return apart_by({{x, y, 0}, 0, c.below(2) == 1}, 0, 0, c);
-         }},
-        {"long_tangent",
-         [](DrawStream& c) -> Question {
-           // A multiple of 3, 4, 5 whose squares do not fit a double.
-           const double w = 0x1p49 + static_cast<double>(c.below(std::uint64_t{1} << 49)), r = part_of(5 * w, c);
-           const Step step{{3 * w, c.below(2) == 1 ? -4 * w : 4 * w, 0}, 5 * w, c.below(2) == 1};
-           return seen({{0, 0, 0}, r}, {at(step), 5 * w - r}, step.in_plane, c);
-         }},
-        {"far_below",
-         [](DrawStream& c) -> Question {
-           // Tangent balls, one of them as large as the lattice just holds next to the other, or larger; or aside by a
-           // hair.
-           const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
-                        larger = c.below(2) == 1 ? std::ldexp(large, static_cast<int>(c.below(900))) : large;
-           const double m = 1 + static_cast<double>(c.below(3)), s = m + small_integer(c, 1);
-           const double side = small_integer(c, 1), hair = std::ldexp(side, -static_cast<int>(c.below(1074)));
-           return seen({{-larger, 0, 0}, larger}, {{m, hair, 0}, s}, c);
-         }},
-        {"rounded_tangent",
-         [](DrawStream& c) -> Question {
-           const auto position = [&c] {
-             const double x = ordinary(c), y = ordinary(c);
-             return Point3d{x, y, ordinary(c)};
-           };
-           const bool plane = c.below(2) == 1;
-           Point3d p = position(), q = position();
-           if (plane) p.z = q.z = 0;
-           const Vector3d v = q - p;
-           const double distance = std::sqrt(dot(v, v)), r = distance * static_cast<double>(c.below(9)) / 8;
-           const int ulps = static_cast<int>(c.below(7)) - 3;
-           return seen({p, r}, {q, std::fabs(moved_by_ulps(distance - r, ulps))}, plane, c);
-         }},
-        {"much_rounded",
-         [](DrawStream& c) -> Question {
-           // One position and one radius just above a power of two, the others far smaller: differences and sums round
-           // by all they may.
-           const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
-           const auto small = [&c] { return static_cast<double>(c.below(256)) * 0x1p-60; };
-           const double x = large(), r = large(), y = small(), s = small();
-           const int e = static_cast<int>(c.below(601)) - 300;
-           const double sign = c.below(2) == 1 ? -1 : 1;
-           return seen({{std::ldexp(x, e), 0, 0}, std::ldexp(s, e)},
-                       {{std::ldexp(sign * y, e), 0, 0}, std::ldexp(r, e)}, c);
-         }},
-        {"subnormal",
-         [](DrawStream& c) -> Question {
-           // Near the least normal number, and at the origin.
-           const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
-           const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
-           const double x = least(), y = least(), r = least(), s = least();
-           return seen({{from, 0, 0}, r}, {{from + x, y, 0}, s}, c);
-         }},
-        {"least_radius",
-         [](DrawStream& c) -> Question {
-           // A point, or a ball as small as can be, in another: only one of them has an interior.
-           const double r = std::ldexp(static_cast<double>(c.below(3)), -1074), x = small_integer(c, 2);
-           const double s = 1 + static_cast<double>(c.below(2));
-           return seen({{x, 0, 0}, r}, {{0, 0, 0}, s}, c);
-         }},
-        {"either_zero",
-         [](DrawStream& c) -> Question {
-           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
-           const double x = zero(), y = zero(), r = zero(), s = zero();
-           const double more = static_cast<double>(c.below(2)), aside = small_integer(c, 1);
-           return seen({{x, 0, 0}, r}, {{aside == 0 ? y : aside, 0, 0}, more == 0 ? s : more}, c);
-         }},
-        {"whole_range",
-         [](DrawStream& c) -> Question {
-           constexpr double greatest = 0x1.fffffffffffffp+1023;
-           const auto half = [&c] { return std::ldexp(1 + static_cast<double>(c.below(2)), 1022); };
-           const double r = half(), s = c.below(2) == 1 ? half() : greatest;
-           const double x = c.below(2) == 1 ? -half() : -greatest, y = c.below(2) == 1 ? 0.0 : half();
-           const double aside = small_integer(c, 1);
-           return seen({{x, 0, 0}, r}, {{y, aside, 0}, s}, c);
-         }},
-        {"typed_touch",
-         [](DrawStream& c) -> Question {
-           // As typed they touch.
-           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
-           const double scale = 1 + static_cast<double>(c.below(2));
-           return seen({{0, 0, 0}, k / 10}, {{3 * scale * (k + m) / 50, 4 * scale * (k + m) / 50, 0}, m / 10}, c);
-         }},
-    };
+  static void hard_cases(HardCases<Question>& add) {
+    add("tangent", [](DrawStream& c) -> Question {
+      const Step step = whole_step(c);
+      const double r = part_of(step.length, c);
+      return apart_by(step, r, step.length - r, c);
+    });
+    add("beside_tangent", [](DrawStream& c) -> Question {
+      const Step step = whole_step(c);
+      const double r = part_of(step.length, c);
+      return apart_by(step, r, std::fabs(step.length - r + small_integer(c, 1)), c);
+    });
+    add("tangent_inside", [](DrawStream& c) -> Question {
+      const Step step = whole_step(c);
+      const double r = up_to(c, 7);
+      return apart_by(step, r, r + step.length + small_integer(c, 1), c);
+    });
+    add("concentric", [](DrawStream& c) -> Question {
+      const double r = up_to(c, 3), s = up_to(c, 3);
+      return apart_by({{0, 0, 0}, 0, c.coin()}, r, s, c);
+    });
+    add("point_inside", [](DrawStream& c) -> Question {
+      const Step step = whole_step(c);
+      return apart_by(step, 0, step.length + small_integer(c, 3), c);
+    });
+    add("points", [](DrawStream& c) -> Question {
+      return apart_by({{small_integer(c, 1), small_integer(c, 1), 0}, 0, c.coin()}, 0, 0, c);
+    });
+    add("long_tangent", [](DrawStream& c) -> Question {
+      // A multiple of 3, 4, 5 whose squares do not fit a double.
+      const double w = 0x1p49 + static_cast<double>(c.below(std::uint64_t{1} << 49)), r = part_of(5 * w, c);
+      const Step step{{3 * w, c.coin() ? -4 * w : 4 * w, 0}, 5 * w, c.coin()};
+      return seen({{0, 0, 0}, r}, {at(step), 5 * w - r}, step.in_plane, c);
+    });
+    add("far_below", [](DrawStream& c) -> Question {
+      // Tangent balls, one of them as large as the lattice just holds next to the other, or larger; or aside by a
+      // hair.
+      const double large = power_of_two(c, 50, 69),
+                   larger = c.coin() ? std::ldexp(large, integer_in(c, 0, 899)) : large;
+      const double m = one_to(c, 3), s = m + small_integer(c, 1);
+      const double side = small_integer(c, 1), hair = std::ldexp(side, -integer_in(c, 0, 1073));
+      return seen({{-larger, 0, 0}, larger}, {{m, hair, 0}, s}, c);
+    });
+    add("rounded_tangent", [](DrawStream& c) -> Question {
+      const auto position = [&c] {
+        const double x = ordinary(c), y = ordinary(c);
+        return Point3d{x, y, ordinary(c)};
+      };
+      const bool plane = c.coin();
+      Point3d p = position(), q = position();
+      if (plane) p.z = q.z = 0;
+      const Vector3d v = q - p;
+      const double distance = std::sqrt(dot(v, v)), r = distance * up_to(c, 8) / 8;
+      return seen({p, r}, {q, std::fabs(moved_by_ulps(distance - r, integer_in(c, -3, 3)))}, plane, c);
+    });
+    add("much_rounded", [](DrawStream& c) -> Question {
+      // One position and one radius just above a power of two, the others far smaller: differences and sums round
+      // by all they may.
+      const auto large = [&c] { return 1 + up_to(c, 2) * 0x1p-52; };
+      const auto small = [&c] { return up_to(c, 255) * 0x1p-60; };
+      const double x = large(), r = large(), y = small(), s = small();
+      const int e = integer_in(c, -300, 300);
+      const double sign = either_sign(c);
+      return seen({{std::ldexp(x, e), 0, 0}, std::ldexp(s, e)}, {{std::ldexp(sign * y, e), 0, 0}, std::ldexp(r, e)}, c);
+    });
+    add("subnormal", [](DrawStream& c) -> Question {
+      // Near the least normal number, and at the origin.
+      const auto least = [&c] { return std::ldexp(up_to(c, 5), -1074); };
+      const double from = c.coin() ? 0x1p-1021 : 0.0, x = least(), y = least(), r = least(), s = least();
+      return seen({{from, 0, 0}, r}, {{from + x, y, 0}, s}, c);
+    });
+    add("least_radius", [](DrawStream& c) -> Question {
+      // A point, or a ball as small as can be, in another: only one of them has an interior.
+      const double r = std::ldexp(up_to(c, 2), -1074), x = small_integer(c, 2);
+      return seen({{x, 0, 0}, r}, {{0, 0, 0}, one_to(c, 2)}, c);
+    });
+    add("either_zero", [](DrawStream& c) -> Question {
+      const double x = zero(c), y = zero(c), r = zero(c), s = zero(c), more = up_to(c, 1), aside = small_integer(c, 1);
+      return seen({{x, 0, 0}, r}, {{aside == 0 ? y : aside, 0, 0}, more == 0 ? s : more}, c);
+    });
+    add("whole_range", [](DrawStream& c) -> Question {
+      const auto half = [&c] { return std::ldexp(one_to(c, 2), 1022); };
+      const double r = half(), s = c.coin() ? half() : greatest_double;
+      const double x = c.coin() ? -half() : -greatest_double, y = c.coin() ? 0.0 : half(), aside = small_integer(c, 1);
+      return seen({{x, 0, 0}, r}, {{y, aside, 0}, s}, c);
+    });
+    add("typed_touch", [](DrawStream& c) -> Question {
+      // As typed they touch.
+      const double k = one_to(c, 9), m = one_to(c, 9);
+      const double scale = one_to(c, 2);
+      return seen({{0, 0, 0}, k / 10}, {{3 * scale * (k + m) / 50, 4 * scale * (k + m) / 50, 0}, m / 10}, c);
+    });
   }
 
   /// What would make a radius negative is taken without its sign.
@@ -190,14 +163,11 @@ struct sphere_sphere : signatures::sphere_sphere {
 
   /// In space, or the same without z; in either order.
   static Question seen(const Sphere3d& a, const Sphere3d& b, bool in_plane, DrawStream& c) {
-    if (c.below(2) == 1) return in_order(b, a, in_plane);
+    if (c.coin()) return in_order(b, a, in_plane);
     return in_order(a, b, in_plane);
   }
   /// Centers with z = 0: either.
-  static Question seen(const Sphere3d& a, const Sphere3d& b, DrawStream& c) {
-    const bool in_plane = c.below(2) == 1;
-    return seen(a, b, in_plane, c);
-  }
+  static Question seen(const Sphere3d& a, const Sphere3d& b, DrawStream& c) { return seen(a, b, c.coin(), c); }
   static Question in_order(const Sphere3d& a, const Sphere3d& b, bool in_plane) {
     if (!in_plane) return InSpace{a, b};
     return InPlane{{{a.center.x, a.center.y}, a.radius}, {{b.center.x, b.center.y}, b.radius}};

@@ -74,7 +74,7 @@ bool same(const SimultaneousVelocities<Rational>& a, const SimultaneousVelocitie
 
 TEST_CASE("quadratic programs: CGAL finds the velocities of simultaneous_collisions that the oracle finds") {
   std::size_t possible = 0, impossible = 0;
-  for (const auto& family : Row::hard_cases()) {
+  for (const auto& family : catalogue::hard_cases_of<Row>()) {
     for (std::uint64_t i = 0; i < 40; ++i) {
       catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, family.name.c_str(), i));
       const Row::Question question = family.draw(draws);
