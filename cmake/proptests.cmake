@@ -107,9 +107,6 @@ foreach(name robust/ring_defect oracle/rings volumes/convex_hull volumes/convex_
     set_tests_properties(${name} PROPERTIES TIMEOUT 300)
   endif()
 endforeach()
-if(TARGET test_simulate)
-  set_tests_properties(simulate/engines PROPERTIES ENVIRONMENT TOUCHSTONE_ENGINE_PROGRAMS=${PROJECT_BINARY_DIR}/engines)
-endif()
 # Where all are written anew, vectors/are_as_written solves the same questions.
 if(TARGET touchstone AND (TOUCHSTONE_TEST_ROBUST_ALONE OR NOT TOUCHSTONE_FULL_TESTS))
   add_test(NAME vectors/hold COMMAND touchstone vectors check ${PROJECT_SOURCE_DIR}/vectors)
@@ -123,6 +120,8 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
     add_test(NAME ${name} COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/sessions.py
                                   --program $<TARGET_FILE:touchstone> ${session})
   endforeach()
+  set_tests_properties(simulate/sessions/engines PROPERTIES
+                       ENVIRONMENT TOUCHSTONE_ENGINE_PROGRAMS=${PROJECT_BINARY_DIR}/engines)
   add_test(NAME sessions/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/sessions.py --self-check)
 endif()
 if(NOT TOUCHSTONE_FULL_TESTS)

@@ -33,7 +33,7 @@ def parsed(text):
     step = re.compile(r"((?:# .*\n)*\$ .*\n(?:> .*\n)*)((?:(?!(?:# .*\n)*\$ |> ).*\n)*)")
     found = []
     for sentence, _, rest in (case.partition("\n") for case in cases):
-        rest = rest.rstrip() + "\n"
+        rest = rest.rstrip("\n") + "\n"
         steps = step.findall(rest)
         assert "".join(map("".join, steps)) == rest, f"{sentence}: a line belongs to no command"
         found.append((sentence, [(command, wanted.splitlines()) for command, wanted in steps]))
