@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # proptests/operations/CHAPTER, proptests/infrastructure/FOLDER and the other folders -> the program test_FOLDER; every file is a test of its own
-# in ctest, named FOLDER/FILE.
+# in ctest, named FOLDER/FILE. proptests/infrastructure/FOLDER/sessions/FILE.txt is one too, FOLDER/sessions/FILE.
 # A folder with a CMakeLists.txt builds itself; proptests/install is a project of its own that uses the installed package.
 
 # In two tiers: what a user needs to trust his build, and with TOUCHSTONE_TESTS=FULL all the rest.
@@ -106,12 +106,22 @@ foreach(name robust/ring_defect oracle/rings volumes/convex_hull volumes/convex_
     set_tests_properties(${name} PROPERTIES TIMEOUT 300)
   endif()
 endforeach()
-if(TARGET test_simulate)
-  set_tests_properties(simulate/engines PROPERTIES ENVIRONMENT TOUCHSTONE_ENGINE_PROGRAMS=${PROJECT_BINARY_DIR}/engines)
-endif()
 # Where all are written anew, vectors/are_as_written solves the same questions.
 if(TARGET touchstone AND (TOUCHSTONE_TEST_ROBUST_ALONE OR NOT TOUCHSTONE_FULL_TESTS))
   add_test(NAME vectors/hold COMMAND touchstone vectors check ${PROJECT_SOURCE_DIR}/vectors)
+endif()
+# proptests/infrastructure/FOLDER/sessions/FILE.txt: what the program prints at a shell.
+if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
+  file(GLOB sessions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/proptests/infrastructure/*/sessions/*.txt)
+  foreach(session ${sessions})
+    file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR}/proptests/infrastructure ${session})
+    string(REPLACE ".txt" "" name ${name})
+    add_test(NAME ${name} COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/sessions.py
+                                  --program $<TARGET_FILE:touchstone> ${session})
+  endforeach()
+  set_tests_properties(simulate/sessions/engines PROPERTIES
+                       ENVIRONMENT TOUCHSTONE_ENGINE_PROGRAMS=${PROJECT_BINARY_DIR}/engines)
+  add_test(NAME sessions/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/sessions.py --self-check)
 endif()
 if(NOT TOUCHSTONE_FULL_TESTS)
   return()

@@ -141,7 +141,7 @@ EACH_OPERATION("every outcome and stage is reached, and every family asks what i
   std::set<std::string> missing = possible, missing_stages;
   for (const auto& one : told_stages(operation.row()).each) missing_stages.insert(name_of(one.stage));
   // What the families reached when somebody last looked: a change of a family that loses an outcome, a stage or a
-  // refusal shows here. Written anew, to be looked at, with TOUCHSTONE_WRITE_REACHED=1.
+  // refusal shows here. Written anew, to be looked at, with TOUCHSTONE_WRITE_GOLDEN=1.
   const std::string file = "proptests/agreement/reached/" + operation.name() + ".jsonl";
   const std::vector<std::string> kept = lines_of(file);
   std::vector<std::string> ledger;
@@ -172,7 +172,7 @@ EACH_OPERATION("every outcome and stage is reached, and every family asks what i
   CHECK(missing.empty());
   CHECK(missing_stages.empty());
   INFO(file);
-  if (std::getenv("TOUCHSTONE_WRITE_REACHED") != nullptr) {
+  if (std::getenv("TOUCHSTONE_WRITE_GOLDEN") != nullptr) {
     std::ofstream written(file);
     for (const std::string& line : ledger) written << line << '\n';
   }

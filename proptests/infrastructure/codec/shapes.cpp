@@ -5,6 +5,7 @@
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
+#include "proptests/refusal.h"
 
 namespace touchstone::proptests::shapes_tests {
 namespace {
@@ -22,12 +23,7 @@ Question read_again(const Operation& operation, const Json& printed) {
 }
 
 std::string refusal(const Operation& operation, const Json& input) {
-  try {
-    read_again(operation, input);
-    return "read";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { read_again(operation, input); });
 }
 
 /// Every value inside a document, with its path as refusals spell it.
@@ -151,7 +147,7 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
   const auto change_by = [&rule](const std::function<void(Json&)>& change, bool to_an_array) {
     return [&rule, change, to_an_array](Json& value) {
       if (!value.is_array()) return false;
-      rule = is_list(value) ? to_an_array ? "read" : ": expected an array"
+      rule = is_list(value) ? to_an_array ? "accepted" : ": expected an array"
                             : ": expected an array of " + std::to_string(value.size());
       return change(value), true;
     };
@@ -168,11 +164,11 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
       CHECK_THAT(refusal(operation, document), StartsWith(path + ": "));
       return;
     }
-    if (ambiguous && rule != "read") {
+    if (ambiguous && rule != "accepted") {
       CHECK(refusal(operation, document).find(": expected an array") != std::string::npos);
       return;
     }
-    if (rule == "read") CHECK(refusal(operation, document) == rule);
+    if (rule == "accepted") CHECK(refusal(operation, document) == rule);
     else CHECK_THAT(refusal(operation, document), StartsWith(path + rule + ", got "));
   };
   with_each_changed(operation, change_by([](Json& value) { value.push_back(Json(value[0])); }, true), refused);

@@ -56,13 +56,6 @@ void require_lost(const std::vector<Reply>& replies, const std::vector<std::size
   }
 }
 
-void require_lost_by(const std::string& arguments, const std::vector<std::size_t>& lost, const std::string& remark,
-                     int restarts, double timeout = patient) {
-  Engineered with(arguments, with_timeout(timeout));
-  require_lost(with.engine.ask(orientation(), numbered(600)), lost, remark);
-  REQUIRE(with.engine.restarts() == restarts);
-}
-
 std::string refusal_to_start(const std::string& command) {
   PipeLimits limits;
   limits.start_timeout = 0.5;
@@ -74,8 +67,6 @@ std::string refusal_to_start(const std::string& command) {
   return "it started";
 }
 
-std::string refusal_of_first_line(const std::string& line) { return refusal_to_start("echo '" + line + "'; sleep 5"); }
-
 bool alive(const std::string& process) {
   std::string number, name, state;
   std::ifstream("/proc/" + process + "/stat") >> number >> name >> state;
@@ -84,24 +75,48 @@ bool alive(const std::string& process) {
 
 }  // namespace
 
-TEST_CASE("pipe: a well-behaved engine is asked once and answers everything") { require_lost_by("behaves", {}, "", 0); }
-
-TEST_CASE("pipe: answers in another order find their questions") { require_lost_by("swaps", {}, "", 0); }
+TEST_CASE("pipe: what an engine does loses the questions that it happens on, and no other") {
+  constexpr double soon = 0.4;  // a question has to time out
+  struct {
+    const char* behaviour;
+    std::vector<std::size_t> lost;
+    const char* remark;
+    int restarts;
+    double timeout = patient;
+  } const rows[]{
+      {"behaves", {}, "", 0},
+      {"swaps", {}, "", 0},  // answers in another order
+      {"answers_at_length", {}, "", 0},
+      {"counts_in_floats", {}, "", 0},  // the ids
+      {"crashes 13 14 577", {13, 14, 577}, "signal 11", 5},
+      {"exits 7", {7}, "exit code 1: no licence", 2},
+      {"hangs 300", {300}, "no answer in 0.4 s", 2, soon},
+      {"is_silent 0 599", {0, 599}, "no answer in 0.4 s", 3, soon},
+      {"babbles_only 5", {5}, "no answer in 0.4 s; the last line that is no answer: have a nice day", 2, soon},
+      // JSON's quotes are double ones: this is what Python prints of a dictionary.
+      {"prints_python 5", {5}, "a line that is no answer", 2},
+      {"indents 5", {5}, "a line that is no answer", 2},  // an answer over several lines
+      {"nests 5", {5}, "line: nested at most 64 deep", 2},
+      {"forgets_the_id 5", {5}, "id: missing", 2},
+      {"invents_an_id 5", {5}, "was not asked", 2},
+      {"answers_for_the_dead 13", {13}, "was not asked: id 2", 2},  // started anew, what its predecessor was asked
+      {"leaves_half_a_line 5", {5}, "exit code 1", 2},              // which is no part of its successor's first line
+      {"answers_twice 3 250 599", {3, 250, 599}, "answered twice", 0},
+      {"floods 20", {20}, "without the end of a line", 2},
+      {"has_an_error 4", {4}, "error: division by zero", 0},
+      {"answers_nothing 4", {4}, "neither", 0},
+      {"stops_reading 2", {2}, "no answer in 0.4 s", 2, soon}};
+  for (const auto& [behaviour, lost, remark, restarts, timeout] : rows) {
+    INFO(behaviour);
+    Engineered with(behaviour, with_timeout(timeout));
+    require_lost(with.engine.ask(orientation(), numbered(600)), lost, remark);
+    CHECK(with.engine.restarts() == restarts);
+  }
+}
 
 TEST_CASE("pipe: answers that arrive letter by letter are put together") {
   Engineered with("answers_in_pieces");
   require_lost(with.engine.ask(orientation(), numbered(40)), {}, "");
-}
-
-TEST_CASE("pipe: long answers and many questions do not wait for each other") {
-  require_lost_by("answers_at_length", {}, "", 0);
-}
-
-TEST_CASE("pipe: an id that comes back as a float is the same id") { require_lost_by("counts_in_floats", {}, "", 0); }
-
-TEST_CASE("pipe: control bytes in an engine's name are escaped") {
-  const PipeEngine engine(R"(printf '{"engine":"e\\u001b[31m\\u0007 2","ops":["orientation"]}\n'; cat)", PipeLimits{});
-  REQUIRE(engine.declaration().engine == "e\\x1b[31m\\x07 2");
 }
 
 TEST_CASE("pipe: numbers arrive as the doubles that they are") {
@@ -114,27 +129,11 @@ TEST_CASE("pipe: numbers arrive as the doubles that they are") {
   for (std::size_t i = 0; i < numbers.size(); ++i) REQUIRE(echoed(replies[i], numbers[i]));
 }
 
-TEST_CASE("pipe: a crash loses the question it happened on and no other") {
-  require_lost_by("crashes 13 14 577", {13, 14, 577}, "signal 11", 5);
-}
-
-TEST_CASE("pipe: an exit loses its question, and the last complaint is quoted") {
-  require_lost_by("exits 7", {7}, "exit code 1: no licence", 2);
-}
-
 TEST_CASE("pipe: an engine that dies now and then but never twice on the same question loses none") {
   Engineered with("dies_after_ten");
   with.engine.ask(orientation(), numbered(1));
   require_lost(with.engine.ask(orientation(), numbered(100)), {}, "");
   REQUIRE(with.engine.restarts() > 5);
-}
-
-TEST_CASE("pipe: a question without an answer in time is lost and no other") {
-  require_lost_by("hangs 300", {300}, "no answer in 0.4 s", 2, 0.4);
-}
-
-TEST_CASE("pipe: a question that is passed over in silence is lost and no other") {
-  require_lost_by("is_silent 0 599", {0, 599}, "no answer in 0.4 s", 3, 0.4);
 }
 
 TEST_CASE("pipe: a line that is not about a question costs neither the question nor a restart") {
@@ -152,17 +151,6 @@ TEST_CASE("pipe: a line that is not about a question costs neither the question 
     CHECK_THAT(told.str(),
                StartsWith("touchstone: engine: 600 lines of its standard output that are no answer, the last: "));
   }
-}
-
-TEST_CASE("pipe: what is said in place of an answer is quoted where the answer is missed") {
-  require_lost_by("babbles_only 5", {5}, "no answer in 0.4 s; the last line that is no answer: have a nice day", 2,
-                  0.4);
-}
-
-TEST_CASE("pipe: a line that was meant as an answer loses its question") {
-  // JSON's quotes are double ones: this is what Python prints of a dictionary. The other spreads over several lines.
-  require_lost_by("prints_python 5", {5}, "a line that is no answer", 2);
-  require_lost_by("indents 5", {5}, "a line that is no answer", 2);
 }
 
 TEST_CASE("pipe: it is told how often an engine was started anew, and why the last time") {
@@ -196,42 +184,6 @@ TEST_CASE("pipe: names of the first line that nobody knows are told, with what m
         "3 more\n");
 }
 
-TEST_CASE("pipe: an answer nested 40,000 deep loses its question") {
-  require_lost_by("nests 5", {5}, "line: nested at most 64 deep", 2);
-}
-
-TEST_CASE("pipe: an answer without an id loses its question") {
-  require_lost_by("forgets_the_id 5", {5}, "id: missing", 2);
-}
-
-TEST_CASE("pipe: an answer with the id of no question loses its question") {
-  require_lost_by("invents_an_id 5", {5}, "was not asked", 2);
-}
-
-TEST_CASE("pipe: an engine started anew may not answer what was put to its predecessor") {
-  require_lost_by("answers_for_the_dead 13", {13}, "was not asked: id 2", 2);
-}
-
-TEST_CASE("pipe: half a line of an engine that died is no part of its successor's first line") {
-  require_lost_by("leaves_half_a_line 5", {5}, "exit code 1", 2);
-}
-
-TEST_CASE("pipe: a second answer to a question takes the first one back") {
-  require_lost_by("answers_twice 3 250 599", {3, 250, 599}, "answered twice", 0);
-}
-
-TEST_CASE("pipe: an endless line loses its question") {
-  require_lost_by("floods 20", {20}, "without the end of a line", 2);
-}
-
-TEST_CASE("pipe: an error that is reported loses its question without a restart") {
-  require_lost_by("has_an_error 4", {4}, "error: division by zero", 0);
-}
-
-TEST_CASE("pipe: an answer that holds nothing loses its question without a restart") {
-  require_lost_by("answers_nothing 4", {4}, "neither", 0);
-}
-
 TEST_CASE("pipe: unsupported is an answer") {
   Engineered with("does_not_support 1");
   const auto replies = with.engine.ask(orientation(), numbered(3));
@@ -242,10 +194,6 @@ TEST_CASE("pipe: unsupported is an answer") {
 TEST_CASE("pipe: a flood of complaints on standard error does not stand in the way") {
   Engineered with("complains_at_length");
   require_lost(with.engine.ask(orientation(), numbered(40)), {}, "");
-}
-
-TEST_CASE("pipe: an engine that stops reading breaks its own pipe, not the program") {
-  require_lost_by("stops_reading 2", {2}, "no answer in 0.4 s", 2, 0.4);
 }
 
 TEST_CASE("pipe: an engine that dies on every question is given up, and asked again in the next operation") {
@@ -327,29 +275,30 @@ TEST_CASE("pipe: what the engine started dies with it") {
   REQUIRE_FALSE(alive(child));
 }
 
-TEST_CASE("pipe: an engine that does not start is one line of explanation") {
-  REQUIRE_THAT(refusal_to_start("no_such_engine_here"),
-               ContainsSubstring("exit code 127") && ContainsSubstring("not found"));
-  REQUIRE_THAT(refusal_to_start("exit 3"), ContainsSubstring("said nothing") && ContainsSubstring("exit code 3"));
-  REQUIRE_THAT(refusal_to_start("sleep 5"), ContainsSubstring("no first line in 0.5 s"));
-  REQUIRE_THAT(refusal_to_start("head -c 3000000 /dev/zero; sleep 5"), ContainsSubstring("first line does not end"));
-  REQUIRE(refusal_to_start("no_such_engine_here").find('\n') == std::string::npos);
-}
-
-TEST_CASE("pipe: a first line that is not as it should be is refused by its field") {
-  REQUIRE_THAT(refusal_of_first_line("hello"),
-               ContainsSubstring(R"(first line: expected {"engine":"NAME","ops":["OPERATION",...]}, got hello)"));
-  REQUIRE_THAT(refusal_of_first_line("[]"), ContainsSubstring(R"("ops":["OPERATION",...]}, got [])"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"ops":[]})"), ContainsSubstring("engine: missing"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e"})"), ContainsSubstring("ops: missing"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":1,"ops":[]})"), ContainsSubstring("engine: expected text, got 1"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[1]})"), ContainsSubstring("ops: expected text, got 1"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"boundary":"half"})"),
-               ContainsSubstring(R"(boundary: expected one of closed, open, unspecified, got "half")"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"number":"f32"})"),
-               ContainsSubstring(R"(number: expected one of binary64, binary32, got "f32")"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"tolerance":-1})"),
-               ContainsSubstring("tolerance: expected a number >= 0, got -1"));
+TEST_CASE("pipe: an engine that does not start is one line of explanation, which names the field of a first line") {
+  const auto says = [](const std::string& line) { return "echo '" + line + "'; sleep 5"; };
+  const std::pair<std::string, std::string> rows[]{
+      {"no_such_engine_here", "not found"},
+      {"no_such_engine_here", "exit code 127"},
+      {"exit 3", "it said nothing and ended: exit code 3"},
+      {"sleep 5", "no first line in 0.5 s"},
+      {"head -c 3000000 /dev/zero; sleep 5", "first line does not end"},
+      {says("hello"), R"(first line: expected {"engine":"NAME","ops":["OPERATION",...]}, got hello)"},
+      {says("[]"), R"("ops":["OPERATION",...]}, got [])"},
+      {says(R"({"ops":[]})"), "engine: missing"},
+      {says(R"({"engine":"e"})"), "ops: missing"},
+      {says(R"({"engine":1,"ops":[]})"), "engine: expected text, got 1"},
+      {says(R"({"engine":"e","ops":[1]})"), "ops: expected text, got 1"},
+      {says(R"({"engine":"e","ops":[],"boundary":"half"})"),
+       R"(boundary: expected one of closed, open, unspecified, got "half")"},
+      {says(R"({"engine":"e","ops":[],"number":"f32"})"), R"(number: expected one of binary64, binary32, got "f32")"},
+      {says(R"({"engine":"e","ops":[],"tolerance":-1})"), "tolerance: expected a number >= 0, got -1"}};
+  for (const auto& [command, explanation] : rows) {
+    const std::string refused = refusal_to_start(command);
+    INFO(command);
+    CHECK_THAT(refused, ContainsSubstring(explanation));
+    CHECK(refused.find('\n') == std::string::npos);
+  }
 }
 
 TEST_CASE("pipe: what an engine declares is known") {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/gate/gate.h"
 
-#include <sys/wait.h>
-
-#include <functional>
-
 #include "audit/counting/audit_run.h"
 #include "audit/gate/baseline.h"
 #include "audit/gate/junit.h"
@@ -12,7 +8,9 @@
 #include "audit/gate/shown.h"
 #include "program/runs/audit_gate.h"
 #include "proptests/catch.h"
+#include "proptests/golden.h"
 #include "proptests/infrastructure/program/called.h"
+#include "proptests/refusal.h"
 #include "proptests/uses.h"
 
 /// What makes an audit fail in CI, and the files that say so.
@@ -55,26 +53,6 @@ Gate with_causes(const std::string& causes) {
   return gate;
 }
 
-std::string refusal(const std::function<void()>& read) {
-  try {
-    read();
-    return "read";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
-}
-
-/// What a line of Python says of a file, by a parser that is not ours.
-std::string python_says(const std::string& file, const std::string& program) {
-  const TextFile script("says.py", program);
-  const TextFile said("said.txt", "");
-  const std::string command = std::string("python3 ") + script.path() + " " + file + " > " + said.path();
-  REQUIRE(std::system(command.c_str()) == 0);
-  std::stringstream text;
-  text << std::ifstream(said.path()).rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 TEST_CASE("gate: a gate fails by the causes that it names, and by no other") {
@@ -92,8 +70,8 @@ TEST_CASE("gate: a gate fails by the causes that it names, and by no other") {
   CHECK_FALSE(passes(tally_of(0, 0, 1), with_causes("rounding")));
   CHECK(passes(tally_of(1), with_causes("rounding,inexact")));
   CHECK(passes(tally_of(0), {}));
-  CHECK_THAT(refusal([] { causes_named("algorithm,wrong"); }), StartsWith("\"wrong\": one of none, rounding, "));
-  CHECK_THAT(refusal([] { causes_named("invald"); }), EndsWith("(did you mean \"invalid\"?)"));
+  CHECK_THAT(refusal_of([] { causes_named("algorithm,wrong"); }), StartsWith("\"wrong\": one of none, rounding, "));
+  CHECK_THAT(refusal_of([] { causes_named("invald"); }), EndsWith("(did you mean \"invalid\"?)"));
 }
 
 TEST_CASE("gate: conventions, unsupported questions and tolerated ones fail only where they are named") {
@@ -194,7 +172,7 @@ TEST_CASE("gate: a baseline reads back, an entry a line, and what is none is ref
   const auto said = [&](const std::string& from, const std::string& to) {
     std::string changed = text;
     changed.replace(changed.find(from), from.size(), to);
-    return refusal([&] { read_baseline(changed); });
+    return refusal_of([&] { read_baseline(changed); });
   };
   CHECK(said("\"orientation\"", "\"orientate\"") == "known[0].operation: operation of the catalogue");
   CHECK_THAT(said("\"cancellation\"", "\"rounding\""), StartsWith("known[0].cause: one of cancellation, "));
@@ -202,10 +180,10 @@ TEST_CASE("gate: a baseline reads back, an entry a line, and what is none is ref
   CHECK(said("\"findings\":2", "\"findings\":101") == "known[0].findings: no more than cases");
   CHECK(said("\"touchstone\":1", "\"touchstone\":2") == "touchstone: version 1");
   CHECK(said("\"kind\":\"baseline\"", "\"kind\":\"tally\"") == "kind: baseline");
-  CHECK_THAT(refusal([] { read_baseline("{"); }), ContainsSubstring("one JSON object"));
+  CHECK_THAT(refusal_of([] { read_baseline("{"); }), ContainsSubstring("one JSON object"));
 }
 
-TEST_CASE("gate: JUnit's file has a case for each family, which fails where the gate does; a parser reads it") {
+TEST_CASE("gate: JUnit's file has a case for each family, which fails where the gate does") {
   Tally tally = tally_of(3, 2);
   Cell silent;
   add(silent, judged_as(Verdict::unsupported, ""), 4);
@@ -213,31 +191,8 @@ TEST_CASE("gate: JUnit's file has a case for each family, which fails where the 
   tally.operations[0].families.emplace_back("typed", tally_of(0).operations[0].families[0].second);
   Gate gate;
   gate.baseline = baseline_of(tally_of(0, 2), usual_causes());
-  const TextFile file("junit.xml", junit_xml(tally, held_against(tally, gate)));
-  const std::string said = python_says(file.path(), R"(import sys, xml.etree.ElementTree as tree
-root = tree.parse(sys.argv[1]).getroot()
-print(root.tag, root.get("name"), root.get("tests"), root.get("failures"), root.get("errors"), root.get("skipped"))
-for suite in root:
-    print(suite.tag, suite.get("name"), suite.get("tests"), suite.get("failures"), suite.get("skipped"))
-    for case in suite:
-        print(case.tag, case.get("classname"), case.get("name"), [part.tag for part in case])
-        for part in case:
-            print(part.get("type"), part.get("message"))
-            print(part.text)
-)");
-  CHECK_THAT(said, StartsWith("testsuites touchstone audit of e <1> 3 1 0 1\n"
-                              "testsuite orientation 3 1 1\n"
-                              "testcase touchstone.orientation collinear ['failure', 'system-out']\n"
-                              "algorithm algorithm in 3 of 100 cases\n"
-                              "algorithm in 3 of 100 cases\n"
-                              "input:  {\"p0\":[0,0],\"p1\":[1,0],\"p\":[0,1]}\n"));
-  CHECK_THAT(said, ContainsSubstring("\ncancellation in 2 of 100 cases, known: 2\n") &&
-                       ContainsSubstring("testcase touchstone.orientation grid ['skipped']\n"
-                                         "None the engine does not answer this\n") &&
-                       EndsWith("testcase touchstone.orientation typed []\n"));
-  CHECK_THAT(said, ContainsSubstring("\nanswer: \"said <&>\\u0001\"\n") && ContainsSubstring("\nrepeat: echo '"));
-  const std::string passed = junit_xml(tally_of(0), held_against(tally_of(0), {}));
-  CHECK_THAT(passed, ContainsSubstring(R"(failures="0")") && !ContainsSubstring("<failure"));
+  check_golden("gate/golden/new_and_known.xml", junit_xml(tally, held_against(tally, gate)));
+  check_golden("gate/golden/passed.xml", junit_xml(tally_of(0), held_against(tally_of(0), {})));
 }
 
 TEST_CASE("gate: text in XML has no control characters and no bytes that are no UTF-8") {
@@ -253,40 +208,12 @@ TEST_CASE("gate: the SARIF file has what version 2.1.0 requires, and says what i
   const Tally tally = tally_of(3, 2);
   Gate gate;
   gate.baseline = baseline_of(tally_of(0, 2), usual_causes());
-  const Json log = parse_own_line(sarif_json(tally, gate, held_against(tally, gate), "src/engine.cpp"));
-  CHECK(log["$schema"] == "https://json.schemastore.org/sarif-2.1.0.json");
-  CHECK(log["version"] == "2.1.0");
-  REQUIRE(log["runs"].size() == 1);
-  const Json& run = log["runs"][0];
-  const Json& driver = run["tool"]["driver"];
-  CHECK(driver["name"] == "touchstone");
-  REQUIRE(driver["rules"].size() == 2);
-  REQUIRE(run["results"].size() == 2);
-  const std::vector<std::tuple<const char*, const char*, const char*>> expected{
-      {"orientation/cancellation", "note", "unchanged"}, {"orientation/algorithm", "error", "new"}};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto& [rule, level, state] = expected[i];
-    const Json& result = run["results"][i];
-    CHECK(result["ruleId"] == rule);
-    CHECK(driver["rules"][result["ruleIndex"].get<std::size_t>()]["id"] == rule);
-    CHECK(result["level"] == level);
-    CHECK(result["baselineState"] == state);
-    CHECK(result["message"]["text"].is_string());
-    const Json& location = result["locations"][0];
-    CHECK(location["physicalLocation"]["artifactLocation"]["uri"] == "src/engine.cpp");
-    CHECK(location["physicalLocation"]["region"]["startLine"] == 1);
-    CHECK(location["logicalLocations"][0]["name"] == "orientation");
-    CHECK(result["partialFingerprints"].size() == 1);
-    CHECK(result["properties"]["family"] == "collinear");
-    CHECK(result["properties"]["hex"]["p1"][0] == "0x1p+0");
-    CHECK(result["properties"]["repeat"].get<std::string>().rfind("echo '", 0) == 0);
-  }
-  CHECK(run["results"][1]["properties"]["findings"] == 3);
-  const Json without = parse_own_line(sarif_json(tally, {}, held_against(tally, {}), "engine"));
-  CHECK_FALSE(without["runs"][0]["results"][0].contains("baselineState"));
-  const Json none = parse_own_line(sarif_json(tally_of(0), {}, held_against(tally_of(0), {}), "engine"));
-  CHECK(none["runs"][0]["results"].is_array());
-  CHECK(none["runs"][0]["results"].empty());
+  const auto sarif = [](const Tally& audited, const Gate& held, const char* engine) {
+    return parse_own_line(sarif_json(audited, held, held_against(audited, held), engine)).dump(1) + '\n';
+  };
+  check_golden("gate/golden/new_and_known.sarif", sarif(tally, gate, "src/engine.cpp"));
+  CHECK_THAT(sarif(tally, {}, "engine"), !ContainsSubstring("baselineState"));
+  check_golden("gate/golden/passed.sarif", sarif(tally_of(0), {}, "engine"));
 }
 
 TEST_CASE("gate: an interrupted audit leaves the baseline as it is") {
@@ -304,37 +231,6 @@ TEST_CASE("gate: an interrupted audit leaves the baseline as it is") {
   };
   CHECK(after(true) == "as it was");
   CHECK(after(false) == baseline_json(baseline_of(tally_of(3), usual_causes())));
-}
-
-TEST_CASE("gate: the program's exit code is the gate's, and the baseline that it writes is known from then on") {
-  const TextFile baseline("baseline.json", ""), junit("junit.xml", ""), sarif("sarif.json", "");
-  const auto audit = [](std::vector<const char*> more) {
-    more.insert(more.begin(), {"audit", "--ops", "orientation", "--cases", "500", "--jobs", "1", "--summary"});
-    return called(more);
-  };
-  CHECK(audit({}).code == findings);
-  CHECK(audit({"--fail-on", "algorithm,invalid"}).code == nothing_found);  // of this formula rounding alone is to blame
-  CHECK(audit({"--fail-on", "cancellation"}).code == findings);
-  CHECK(audit({"--max-rate", "1"}).code == nothing_found);
-  CHECK(audit({"--max-rate", "0.0001"}).code == findings);
-  const Called wrote = audit({"--write-baseline", baseline.path()});
-  CHECK(wrote.code == nothing_found);
-  CHECK_THAT(wrote.out, ContainsSubstring("\ngate: passed; known: "));
-  const Called same = audit({"--baseline", baseline.path(), "--junit", junit.path(), "--sarif", sarif.path()});
-  CHECK(same.code == nothing_found);
-  CHECK(std::filesystem::file_size(junit.path()) > 100);
-  CHECK(std::filesystem::file_size(sarif.path()) > 100);
-  const TextFile empty("empty.json", R"({"touchstone":1,"kind":"baseline","engine":"e","seed":1,"known":[]})");
-  const Called fresh = audit({"--baseline", empty.path()});
-  CHECK(fresh.code == findings);
-  CHECK_THAT(fresh.out, ContainsSubstring("\ngate: failed: ") && ContainsSubstring("\n  orientation, "));
-  require_refused(audit({"--fail-on", "algorithms"}), bad_usage, "--fail-on \"algorithms\": one of none, rounding");
-  require_refused(audit({"--fail-on", ""}), bad_usage, "--fail-on");
-  require_refused(audit({"--max-rate", "2"}), bad_usage, "a number from 0 to 1");
-  require_refused(audit({"--baseline", "/nowhere/b.json"}), bad_usage, "--baseline /nowhere/b.json");
-  require_refused(audit({"--baseline", junit.path()}), bad_usage, "--baseline ");
-  require_refused(audit({"--junit", "/nowhere/j.xml"}), bad_usage, "--junit /nowhere/j.xml");
-  require_refused(audit({"--write-baseline", "/nowhere/b.json"}), bad_usage, "--write-baseline /nowhere/b.json");
 }
 
 }  // namespace touchstone::proptests::gate_tests

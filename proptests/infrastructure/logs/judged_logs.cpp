@@ -205,38 +205,4 @@ TEST_CASE("judge: table and page show each count in its own column") {
   CHECK_THAT(page, ContainsSubstring("a.c:1") && ContainsSubstring("width:57.76%"));  // 134 of 232
 }
 
-TEST_CASE("judge: one line says what options do not go together") {
-  const TextFile log("log", left);
-  require_refused(called({"judge", log.path(), "--engine", "true"}), 2, "--engine: expected --pairs or --columns");
-  require_refused(called({"judge", log.path(), "--engine", "true", "--columns", "orientation", "--shard", "1/2"}), 2,
-                  "--shard");
-  require_refused(called({"judge", log.path(), "--against", "true", "--columns", "orientation"}), 2, "excludes");
-  require_refused(called({"judge", log.path(), "--shard", "2/2"}), 2, "no recorded call of this shard");
-}
-
-TEST_CASE("judge --columns: what an engine leaves out, cannot do or does not live to see") {
-  const auto asked = [](const std::string& rows, const std::string& declared, const std::string& each) {
-    const TextFile table("rows.csv", rows);
-    const std::string engine = "read greeting; echo '{\"engine\":\"planted\",\"ops\":[\"orientation\"]" + declared +
-                               "}'; while read -r q; do id=${q#*:}; id=${id%%,*}; " + each + "; done";
-    return called({"judge", "--columns", "orientation", table.path(), "--engine", engine.c_str()});
-  };
-  const auto answer = [](const std::string& fields) { return "echo \"{\\\"id\\\":$id," + fields + "}\""; };
-  const std::string row = "0,0,1,0,0,1\n", left_side = answer(R"(\"answer\":{\"side\":\"left\"})");
-  require_refused(asked(row, "", answer(R"(\"unsupported\":true)")), 2, "the engine answered none of the questions");
-  require_refused(asked(row + "x0,y0,x1,y1,x,y\n", "", left_side), 2,
-                  "rows.csv: line 2: column 1: expected a number, got x0");
-  require_refused(asked("0,0,1,0,O,1\n" + row, "", left_side), 2, "line 1: column 5: expected a number, got O");
-  CHECK(asked("x0,y0,x1,y1,x,y\n" + row, "", left_side).code == 0);
-  CHECK_THAT(asked(row, "", answer(R"(\"error\":\"overflow\")")).out,
-             ContainsSubstring("1 of 1 answers wrong: 1 invalid") && ContainsSubstring("overflow"));
-  // 2^24 + 1 is no float: rounded, p is on the line.
-  const Called in_float = asked("0,0,16777216,16777216,16777216,16777217\n", R"(,"number":"binary32")",
-                                answer(R"(\"answer\":{\"side\":\"on\"})"));
-  CHECK(in_float.code == 0);
-  const Called dead = asked(repeated(row, 100), "", "exit 7");
-  CHECK(dead.code == 1);
-  CHECK_THAT(dead.out, ContainsSubstring(" questions not asked: the engine was "));
-}
-
 }  // namespace touchstone::proptests::judged_logs_tests

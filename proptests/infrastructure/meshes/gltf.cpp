@@ -2,9 +2,9 @@
 #include <cstdint>
 
 #include "audit/meshes/formats/mesh_file.h"
-#include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"
+#include "proptests/refusal.h"
 
 namespace touchstone::proptests::gltf_tests {
 namespace {
@@ -43,12 +43,7 @@ std::string glb(const std::string& members, const std::string& buffer = square_b
 MeshFile read(const std::string& members) { return parse_mesh_file("a.glb", glb(members)); }
 
 std::string refusal(const std::string& bytes, const std::string& name = "a.glb") {
-  try {
-    parse_mesh_file(name, bytes);
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { parse_mesh_file(name, bytes); });
 }
 
 std::string refused(const std::string& members) { return refusal(glb(members)); }

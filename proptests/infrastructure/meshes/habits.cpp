@@ -3,9 +3,9 @@
 
 #include "audit/meshes/formats/mesh_file.h"
 #include "audit/meshes/formats/places.h"
-#include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"
+#include "proptests/refusal.h"
 
 namespace touchstone::proptests::habits_tests {
 namespace {
@@ -17,12 +17,7 @@ using Faces = std::vector<std::vector<Index>>;
 using Notes = std::vector<std::string>;
 
 std::string refusal(const std::string& name, const std::string& bytes) {
-  try {
-    parse_mesh_file(name, bytes);
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { parse_mesh_file(name, bytes); });
 }
 
 /// The triangle (0,0,0), (1,0,0), (0,1,0) `count` times, each with `attribute` and that many bytes behind it.

@@ -12,6 +12,7 @@
 #include "oracle/exact/solids/polygon_faces.h"
 #include "oracle/polyhedra/point_in_polyhedron.h"
 #include "proptests/drawn.h"
+#include "proptests/refusal.h"
 #include "robust/kernel/solids/polygon_faces.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/polyhedron_complexity.h"
@@ -59,12 +60,7 @@ TEST_CASE("polygon cuts: every valid cut of a polygon is drawn, and no other") {
 }
 
 std::string refusal(void (*validate)(const std::string&, const Meshd&), const Meshd& mesh) {
-  try {
-    validate("mesh", mesh);
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { validate("mesh", mesh); });
 }
 
 std::string refused_by_both(const Meshd& mesh) {
@@ -141,16 +137,6 @@ TEST_CASE("polygon cuts: robust answers of any valid cut as of its own") {
   CHECK(other > 100);
   CHECK(meeting > 20);
   CHECK(meeting < other);
-}
-
-template <class Asked>
-std::string refusal_of(const Asked& asked) {
-  try {
-    asked();
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
 }
 
 TEST_CASE("polygon cuts: the edge that keeps a mesh open is named as its face has it, whatever the cut") {

@@ -11,6 +11,7 @@
 #include "oracle/polyhedra/point_in_polyhedron.h"
 #include "oracle/polyhedra/polyhedron_complexity.h"
 #include "proptests/drawn.h"
+#include "proptests/refusal.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/polyhedron_complexity.h"
 #include "robust/structures/polygon_mesh.h"
@@ -89,12 +90,7 @@ Location where(const Meshd& mesh, const Point3d& p) {
 }
 
 std::string refusal(const std::vector<Point3d>& vertices, const Polygons& polygons) {
-  try {
-    robust::polygon_mesh(vertices, polygons);
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { robust::polygon_mesh(vertices, polygons); });
 }
 
 TEST_CASE("polygon meshes: a concave face is the polygon that it is") {

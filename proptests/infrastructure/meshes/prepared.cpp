@@ -7,6 +7,7 @@
 #include "audit/meshes/diagnosis.h"
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
+#include "proptests/refusal.h"
 #include "proptests/uses.h"
 
 /// Meshes of files with merged vertices and other cuts; all expected values are worked by hand.
@@ -27,12 +28,7 @@ audit::PreparedMesh made(const std::string& obj, const Preparation& how = {}) {
 }
 
 void require_refused(const std::string& obj, const Preparation& how, const std::string& words) {
-  try {
-    made(obj, how);
-    FAIL("taken: " << obj);
-  } catch (const InvalidInput& refused) {
-    CHECK(std::string(refused.what()) == words);
-  }
+  CHECK(refusal_of([&] { made(obj, how); }) == words);
 }
 
 bool all_have(const std::vector<Face>& faces, Index one, Index other) {

@@ -10,9 +10,9 @@
 
 #include "audit/meshes/formats/mesh_file.h"
 #include "audit/meshes/prepared.h"
-#include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"
+#include "proptests/refusal.h"
 
 namespace touchstone::proptests::read_mesh_tests {
 namespace {
@@ -22,12 +22,7 @@ Meshd parse_mesh(const std::string& name, std::string_view bytes) {
 }
 
 std::string refusal(const std::string& name, const std::string& bytes) {
-  try {
-    parse_mesh(name, bytes);
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { parse_mesh(name, bytes); });
 }
 
 /// A tetrahedron at the origin, as every reader should give it back.

@@ -2,9 +2,9 @@
 #include <cstdint>
 
 #include "audit/meshes/formats/mesh_file.h"
-#include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/meshes/binary.h"
+#include "proptests/refusal.h"
 
 namespace touchstone::proptests::threemf_tests {
 namespace {
@@ -95,12 +95,7 @@ MeshFile read(const std::string& resources, const std::string& build) {
 }
 
 std::string refusal(const std::string& bytes) {
-  try {
-    parse_mesh_file("a.3mf", bytes);
-    return "accepted";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
+  return refusal_of([&] { parse_mesh_file("a.3mf", bytes); });
 }
 
 std::string refused(const std::string& resources, const std::string& build) {

@@ -14,6 +14,7 @@
 #include "oracle/exact/numbers/nearest_double.h"
 #include "oracle/lines/explicit_line.h"
 #include "proptests/catch.h"
+#include "proptests/refusal.h"
 
 namespace touchstone::proptests::rationals_tests {
 namespace {
@@ -88,16 +89,6 @@ Rational typed(const std::string& digits) {
 }
 Point2<Rational> at(const std::string& x, const std::string& y) { return {typed(x), typed(y)}; }
 Vector2<Rational> by(const std::string& x, const std::string& y) { return {typed(x), typed(y)}; }
-
-template <class Ask>
-std::string refusal(const Ask& ask) {
-  try {
-    ask();
-    return "answered";
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
-}
 
 }  // namespace
 
@@ -239,14 +230,14 @@ TEST_CASE("rationals: refused with the field and the rule that doubles are refus
   const auto p = at("0.1", "0.2");
   const auto zero = by("0", "0");
   const Segment s{p, p};
-  CHECK(refusal([&] { oracle::line_line(Line{p, p}, Line{p, p}); }) == "a: two distinct points");
-  CHECK(refusal([&] { oracle::line_line(Line{p, at("0", "0")}, Line{p, p}); }) == "b: two distinct points");
-  CHECK(refusal([&] { oracle::ray_segment(Ray{p, zero}, s); }) == "ray.direction: nonzero direction");
-  CHECK(refusal([&] {
+  CHECK(refusal_of([&] { oracle::line_line(Line{p, p}, Line{p, p}); }) == "a: two distinct points");
+  CHECK(refusal_of([&] { oracle::line_line(Line{p, at("0", "0")}, Line{p, p}); }) == "b: two distinct points");
+  CHECK(refusal_of([&] { oracle::ray_segment(Ray{p, zero}, s); }) == "ray.direction: nonzero direction");
+  CHECK(refusal_of([&] {
           oracle::line_point_at(ParametricLine2<Rational>{p, zero}, Rational(1));
         }) == "line.direction: nonzero direction");
-  CHECK(refusal([&] { oracle::implicit_circle(Circle{p, typed("-0.1")}, p); }) == "circle.radius: radius >= 0");
-  CHECK(refusal([&] {
+  CHECK(refusal_of([&] { oracle::implicit_circle(Circle{p, typed("-0.1")}, p); }) == "circle.radius: radius >= 0");
+  CHECK(refusal_of([&] {
           oracle::parametric_circle(Circle{p, typed("-0.1")}, Rational(1));
         }) == "circle.radius: radius >= 0");
 }

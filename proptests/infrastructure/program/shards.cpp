@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <signal.h>
-#include <sys/wait.h>
-
-#include <chrono>
+#include <algorithm>
 #include <map>
-#include <thread>
+#include <string>
+#include <vector>
 
-#include "catalogue/codec/json.h"
 #include "program/runs/rounds.h"
 #include "program/runs/shard.h"
-#include "program/terminal/exit_codes.h"
-#include "proptests/infrastructure/program/called.h"
+#include "proptests/catch.h"
+#include "proptests/uses.h"
 
-/// Runs in parts: which part a process has, what is kept when it is stopped, and what merges.
+/// Which part of a run a process has.
 namespace touchstone::proptests::shards_tests {
 namespace {
 
-namespace fs = std::filesystem;
 using Variables = std::map<std::string, std::string>;
 
 Shard shard_under(const Variables& variables, const std::string& option = "") {
@@ -24,51 +20,6 @@ Shard shard_under(const Variables& variables, const std::string& option = "") {
     const auto found = variables.find(name);
     return found == variables.end() ? nullptr : found->second.c_str();
   });
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A folder of this process that is gone afterwards.
-class Folder {
- public:
-  Folder() { fs::create_directories(path_); }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  fs::path path() const { return path_; }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  fs::path path_ = fs::temp_directory_path() / (std::to_string(::getpid()) + "_parts");
-};
-
-Called called_with(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments;
-  for (const std::string& word : words) arguments.push_back(word.c_str());
-  return called(arguments);
-}
-
-/// The program in a process of its own, which is killed as soon as its state has been kept.
-void killed_once_kept(const std::vector<std::string>& words, const std::string& part) {
-  const pid_t child = fork();
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    called_with(words);
-    _exit(0);
-  }
-  for (int i = 0; i < 6000 && !fs::exists(part); ++i) {
-    INFO("it ended before anything was kept");
-    REQUIRE(waitpid(child, nullptr, WNOHANG) == 0);
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  REQUIRE(kill(child, SIGKILL) == 0);
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  REQUIRE(WIFSIGNALED(status));
 }
 
 }  // namespace
@@ -172,138 +123,6 @@ TEST_CASE("shards: rounds give every index to one job, whatever their size") {
   }
   CHECK(std::count(seen.begin(), seen.end(), 1) == 99'994);
   CHECK(seen[4] + seen[99'999] == 0);
-}
-
-TEST_CASE(
-    "shards: a run that was killed goes on where its state was kept, and its result is that of a run that was not") {
-  const Folder folder;
-  const std::string whole = folder / "whole", file = folder / "result", part = file + ".part";
-  const std::vector<std::vector<std::string>> runs{
-      {"exhaust", "segment_segment", "--grid", "11", "--decisions", "--jobs", "1"},
-      {"exhaust", "ray_segment", "--grid", "6", "--jobs", "1"},
-      {"soak", "orientation,ray_segment", "--cases", "600000", "--jobs", "2"},
-      {"audit", "--ops", "orientation,ray_segment,line_line,segment_triangle", "--cases", "9000", "--jobs", "1"}};
-  for (const auto& run : runs) {
-    const auto with = [&](const std::string& json) {
-      auto words = run;
-      words.insert(words.end(), {"--shard", "2/3", "--json", json});
-      return words;
-    };
-    INFO(run[0] + " " + run[1]);
-    const int code = called_with(with(whole)).code;
-    CHECK(!fs::exists(whole + ".part"));
-    fs::remove(file);
-    killed_once_kept(with(file), part);
-    CHECK(!fs::exists(file));
-    const Called again = called_with(with(file));
-    CHECK(again.code == code);
-    CHECK_THAT(again.err, ContainsSubstring("resumes from " + part));
-    CHECK(text_of(file) == text_of(whole));
-    CHECK(!fs::exists(part));
-  }
-  // Neither temporary files nor states are left.
-  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 2);
-}
-
-TEST_CASE("shards: the state of another run is refused, and one that is damaged") {
-  const Folder folder;
-  const std::string file = folder / "result";
-  const auto go_on = [&](const std::string& part) {
-    std::ofstream(file + ".part") << part;
-    return called({"exhaust", "orientation", "--grid", "2", "--decisions", "--shard", "1/2", "--json", file.c_str()});
-  };
-  require_refused(go_on("{}"), bad_usage, "expected the state of a run that was stopped");
-  require_refused(go_on("{\"run\":"), bad_usage, "expected the state of a run that was stopped");
-  require_refused(go_on(R"({"run":"{\"exhaust\":\"orientation\",\"version\":\"0.0.9\"}","state":null})"), bad_usage,
-                  "expected the state of this run");
-  CHECK(!fs::exists(file));
-}
-
-TEST_CASE("shards: soaks and audits merge to those of one run; what is missing is named") {
-  const Folder folder;
-  const std::vector<std::vector<std::string>> runs{
-      {"soak", "orientation,ray_segment", "--cases", "1000", "--seed", "3"},
-      {"audit", "--ops", "line_line", "--cases", "1000", "--seed", "3"}};
-  for (const auto& run : runs) {
-    INFO(run[0]);
-    const auto result = [&](const std::string& shard) {
-      auto words = run;
-      const std::string file = folder / (run[0] + "_" + shard.substr(0, 1) + shard.substr(2));
-      words.insert(words.end(), {"--shard", shard, "--json", file});
-      called_with(words);
-      return file;
-    };
-    const std::string first = result("1/3"), second = result("2/3"), third = result("3/3"), whole = result("1/1");
-    const std::string sum = folder / "sum";
-    const Called merged = called({"merge", third.c_str(), first.c_str(), second.c_str(), "--json", sum.c_str()});
-    CHECK(merged.code != bad_usage);
-    const auto counted = [](const std::string& file) {  // all that the cut leaves as it is
-      const catalogue::Json json = catalogue::parse_line(text_of(file));
-      std::string text;
-      for (const auto& operation : json["operations"]) {
-        if (!operation.contains("families")) text += catalogue::one_line(operation);
-        for (const auto& family : operation.value("families", catalogue::Json::array()))
-          text += catalogue::one_line(family["counts"]) + catalogue::one_line(family["hash"]) +
-                  catalogue::one_line(family["refused"]);
-      }
-      return text;
-    };
-    CHECK(!counted(whole).empty());
-    CHECK(counted(sum) == counted(whole));
-
-    const Called some = called({"merge", third.c_str(), first.c_str(), "--json", sum.c_str()});
-    CHECK(some.code == bad_usage);
-    CHECK_THAT(some.err, EndsWith("touchstone: merge: 1 of 3 shards are missing: 2\n"));
-    CHECK(called({"merge", second.c_str(), sum.c_str()}).code == merged.code);  // the sum of some is one of them
-    require_refused(called({"merge", first.c_str(), second.c_str(), first.c_str()}), bad_usage, "duplicate shard 1");
-    require_refused(called({"merge", first.c_str(), sum.c_str()}), bad_usage, "duplicate shard 1");
-    require_refused(called({"merge", first.c_str(), whole.c_str()}), bad_usage, "shards: the same in every file");
-
-    const auto with = [&](const std::string& from, const std::string& to) {
-      std::string text = text_of(second);
-      REQUIRE(text.find(from) != std::string::npos);
-      text.replace(text.find(from), from.size(), to);
-      std::ofstream(folder / "tampered") << text;
-      return folder / "tampered";
-    };
-    for (const auto& [from, to, words] :
-         {std::tuple{"\"version\":\"0.1.0\"", "\"version\":\"0.2.0\"", "version: the same in every file"},
-          {"\"seed\":3", "\"seed\":4", "seed: the same"},
-          {"\"touchstone\":1", "\"touchstone\":2", "touchstone: version 1"},
-          {"\"done\":[2]", "\"done\":[4]", "one of the shards"}}) {
-      INFO(from);
-      require_refused(called({"merge", first.c_str(), with(from, to).c_str()}), bad_usage, words);
-    }
-    if (run[0] == "soak") continue;
-    require_refused(called({"merge", first.c_str(), (folder / "soak_13").c_str()}), bad_usage,
-                    "kind: the same in every file");
-  }
-  // Ranges and sums of a soak.
-  const std::string second = folder / "soak_23";
-  for (const auto& [from, to, words] : {std::tuple{"[[333,666]]", "[[333,665]]", "as many as were counted"},
-                                        {"[[333,666]]", "[[332,665]]", "all of shard 2"},
-                                        {"[[333,666]]", "[[333,500],[499,665]]", "every case once"},
-                                        {"\"wrong\":0", "\"wrong\":999", "no more than were counted"}}) {
-    INFO(to);
-    std::string text = text_of(second);
-    REQUIRE(text.find(from) != std::string::npos);
-    text.replace(text.find(from), std::string(from).size(), to);
-    std::ofstream(folder / "tampered") << text;
-    require_refused(called({"merge", (folder / "tampered").c_str()}), bad_usage, words);
-  }
-}
-
-TEST_CASE("soak: it ends when its time is over, having asked every operation") {
-  const Folder folder;
-  const std::string file = folder / "result";
-  const Called soak =
-      called({"soak", "orientation,line_line", "--seconds", "0.3", "--jobs", "1", "--json", file.c_str()});
-  CHECK(soak.code == nothing_found);
-  for (const char* operation : {"orientation", "line_line"}) {
-    INFO(operation);
-    CHECK_THAT(soak.out, ContainsSubstring(operation));
-  }
-  for (const auto& operation : catalogue::parse_line(text_of(file))["operations"]) CHECK(!operation["counted"].empty());
 }
 
 }  // namespace touchstone::proptests::shards_tests

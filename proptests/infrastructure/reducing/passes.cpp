@@ -338,6 +338,14 @@ TEST_CASE("reduce --until: a question outside the contract is not asked, unless 
   CHECK(Until(operation, "exit 10", 10, true).look(0, none) == Look::fails);
 }
 
+TEST_CASE("reduce: complaints are the same whatever numbers they name; exit codes and signals are not") {
+  CHECK(reason_of("vertex 12 of 400: no face") == reason_of("vertex 7 of 9: no face"));
+  CHECK(reason_of("vertex 12 of 400: no face") != reason_of("vertex 12 of 400: no edge"));
+  CHECK(reason_of("exit code 1: out of memory") == reason_of("exit code 1: KeyError: 5"));
+  CHECK(reason_of("exit code 1") != reason_of("exit code 2"));
+  CHECK(reason_of("signal 6 (Aborted)") != reason_of("signal 11 (Segmentation fault)"));
+}
+
 TEST_CASE("reduce: a finding stays the same answer to the same truth, unless any will do") {
   const Operation& operation = *find_operation("orientation");
   /// Says `left` of everything.

@@ -5,6 +5,7 @@
 #include "audit/counting/audit_run.h"
 #include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
+#include "proptests/golden.h"
 #include "proptests/uses.h"
 #include "report/figures/svg.h"
 #include "report/pages/contract.h"
@@ -58,13 +59,58 @@ std::size_t place_of(const std::string& page, const std::string& part) {
   return at;
 }
 
+/// What people read of a page, a block a line: without styles, scripts, drawings, contracts and the footer.
+std::string outline(std::string page) {
+  const auto cut = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = page.find(from, at)) != std::string::npos; ++at)
+      page.erase(at, page.find(to, at) + to.size() - at);
+  };
+  cut("<style", "</style>"), cut("<script", "</script>"), cut("<footer", "</footer>");
+  cut("<div class=\"view\">", "</div>"), cut("<div class=\"card contract\">", "</details></div>");
+  for (const char* block : {"<h1", "<h2", "<h3", "<p", "<tr", "<div", "<section", "<details", "<li"})
+    for (std::size_t at = 0; (at = page.find(block, at)) != std::string::npos; at += 2)
+      if (at > 0 && page[at - 1] != '\n') page.insert(at, 1, '\n');
+  return page + '\n';
+}
+
 }  // namespace
 
-TEST_CASE("pages: the first lines say how much is wrong, at which size and why") {
-  const std::string page = index_page(tally_of({{"orientation", cell_of_orientation()}}), {});
-  CHECK_THAT(page, ContainsSubstring("<h1>The textbook formulas in double: 10.0% of 100 hard questions wrong</h1>"));
-  CHECK_THAT(page, ContainsSubstring("At ordinary size (every number 0 or between 2^-100 and 2^100): 5 of 95 wrong "
-                                     "(5.3%). Of all 10 wrong answers: 5 by cancellation, 5 by over- or underflow."));
+TEST_CASE("pages: the index: how much is wrong, at which size and why, the worst operation first, and the gate") {
+  Cell right;
+  right.ways[{Verdict::agree, "above", "above"}].cases = {100, 0};
+  const Tally tally = tally_of({{"point_ground_plane", right}, {"orientation", cell_of_orientation()}});
+  // Where nothing fails there is no map.
+  const std::string page =
+      index_page(tally, {{"point_ground_plane", failure_maps(*find_operation("point_ground_plane"), 2)}},
+                 {"", nullptr, "gate: failed: 1 new finding\n  a < b\n"});
+  check_golden("report/golden/index.html", outline(page));
+}
+
+TEST_CASE("pages: an operation: its contract, truth against answer, and an example of each way to fail") {
+  Cell boxes, numbers;
+  boxes.ways[{Verdict::agree, "apart", "no"}].cases = {7, 0};
+  boxes.ways[{Verdict::algorithm, "apart", "yes"}].cases = {3, 0};
+  numbers.ways[{Verdict::inexact, "value", "value"}].cases = {1, 0};
+  check_golden("report/golden/orientation.html",
+               outline(operation_page(tally_of({{"orientation", cell_of_orientation()}}), 0, {})));
+  // A plain yes or no is right where it was judged right.
+  check_golden("report/golden/yes_or_no.html", outline(confusion_matrix(*find_operation("aabb_aabb"), boxes, "e")));
+  CHECK(confusion_matrix(*find_operation("line_point_at"), numbers, "the formula").empty());
+}
+
+TEST_CASE("pages: before and after a fix, what changed most first") {
+  Cell fixed, worse = cell_of_orientation();
+  fixed.ways[{Verdict::agree, "left", "left"}].cases = {100, 0};
+  worse.ways[{Verdict::algorithm, "on", "left"}].cases = {1, 0};
+  const Tally before = tally_of({{"point_on_segment", cell_of_orientation()}, {"orientation", cell_of_orientation()}}),
+              after = tally_of({{"point_on_segment", worse}, {"orientation", fixed}, {"line_line", fixed}});
+  Tally other = before;
+  other.seed = 2;
+  CHECK(comparison(before, after, "line_line").empty());
+  check_golden("report/golden/before_and_now.html", outline(comparison(before, after)) +
+                                                        outline(comparison(before, after, "orientation")) +
+                                                        outline(comparison(other, after)));
+  CHECK_THAT(index_page(after, {}, {"", &before}), ContainsSubstring("Before and now"));
 }
 
 TEST_CASE("pages: an engine is called by its name, and where nothing is wrong the headline says none") {
@@ -74,36 +120,6 @@ TEST_CASE("pages: an engine is called by its name, and where nothing is wrong th
   tally.declaration = {"my engine 1.0", Declaration::Boundary::closed, true, 0};
   CHECK_THAT(index_page(tally, {}),
              ContainsSubstring("<h1>my engine 1.0 in float: none of 7 hard questions wrong</h1>"));
-}
-
-TEST_CASE("pages: the worst operation comes first, and where nothing fails there is no map") {
-  Cell right;
-  right.ways[{Verdict::agree, "above", "above"}].cases = {100, 0};
-  const Tally tally = tally_of({{"point_ground_plane", right}, {"orientation", cell_of_orientation()}});
-  const std::string page =
-      index_page(tally, {{"point_ground_plane", failure_maps(*find_operation("point_ground_plane"), 2)}});
-  CHECK(place_of(page, "href=\"orientation.html\"") < place_of(page, "href=\"point_ground_plane.html\""));
-  CHECK(page.find("Where it goes wrong") == std::string::npos);
-  CHECK(page.find("collinear") == std::string::npos);  // families stand on the pages of operations
-  CHECK_THAT(operation_page(tally, 1, {}), ContainsSubstring("collinear"));
-}
-
-TEST_CASE("pages: truth against answer, each pair once, with what is of ordinary size") {
-  const std::string matrix = confusion_matrix(*find_operation("orientation"), cell_of_orientation(), "the formula");
-  CHECK_THAT(matrix, ContainsSubstring("<td class=\"right\" data-label=\"answered: left of the line\">90</td>"));
-  CHECK_THAT(matrix,
-             ContainsSubstring("<td class=\"found\" data-label=\"answered: on it\">10<small>5 ordinary</small>"));
-  Cell numbers;
-  numbers.ways[{Verdict::inexact, "value", "value"}].cases = {1, 0};
-  CHECK(confusion_matrix(*find_operation("line_point_at"), numbers, "the formula").empty());
-}
-
-TEST_CASE("pages: an example says the truth and the answer in words") {
-  const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
-  const std::string page = operation_page(tally, 0, {});
-  CHECK_THAT(page, ContainsSubstring("Truth:</b> right of the line. <b class=\"who-said\">Formula:</b> on it."));
-  CHECK_THAT(page, ContainsSubstring("\u201con it\u201d where the truth is \u201cright of the line\u201d"));
-  CHECK_THAT(page, ContainsSubstring("10 cases, 5 of ordinary size; 5 by over- or underflow"));
 }
 
 TEST_CASE("pages: a report can be read before the first map is made, then the worst operation has its map first") {
@@ -342,44 +358,6 @@ TEST_CASE("pages: a gap is magnified only on request") {
   drawing.figures.push_back({Figure::Kind::point, "point", {1, 0x1p-30}});
   CHECK(drawing_svg(drawing, "", mpq_class(0)).find("; gap ") != std::string::npos);
   CHECK(drawing_svg(drawing, "", std::nullopt).find("; gap ") == std::string::npos);
-}
-
-TEST_CASE("pages: before and after a fix, what changed most first") {
-  Cell fixed, worse = cell_of_orientation();
-  fixed.ways[{Verdict::agree, "left", "left"}].cases = {100, 0};
-  worse.ways[{Verdict::algorithm, "on", "left"}].cases = {1, 0};
-  const Tally before = tally_of({{"point_on_segment", cell_of_orientation()}, {"orientation", cell_of_orientation()}}),
-              after = tally_of({{"point_on_segment", worse}, {"orientation", fixed}, {"line_line", fixed}});
-  const std::string text = comparison(before, after);
-  CHECK(place_of(text, "orientation.html") < place_of(text, "point_on_segment.html"));
-  CHECK_THAT(text, ContainsSubstring("10 of 100 (10.0%)</td><td data-label=\"wrong now\">0 of 100 (0%)"));
-  CHECK_THAT(text, ContainsSubstring(">fixed</td>"));
-  CHECK_THAT(text, ContainsSubstring(">more</td>"));
-  CHECK_THAT(text, ContainsSubstring("Not in the earlier audit: line_line."));
-  CHECK(text.find("not asked the same") == std::string::npos);
-  CHECK(comparison(before, after, "line_line").empty());
-  CHECK_THAT(comparison(before, after, "orientation"), ContainsSubstring(">collinear</th>"));
-  Tally other = before;
-  other.seed = 2;
-  CHECK_THAT(comparison(other, after), ContainsSubstring("not asked the same questions"));
-  CHECK_THAT(index_page(after, {}, {"", &before}), ContainsSubstring("Before and now"));
-}
-
-TEST_CASE("pages: what the gate says stands above the tables, and no gate says nothing") {
-  const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
-  const std::string page = index_page(tally, {}, {"", nullptr, "gate: failed: 1 new finding\n  a < b\n"});
-  CHECK_THAT(page, ContainsSubstring("<h2>Gate</h2><div class=\"card\"><pre>gate: failed: 1 new finding\n  a &lt; b"));
-  CHECK(place_of(page, "<h2>Gate</h2>") < place_of(page, "<h2>By operation</h2>"));
-  CHECK(index_page(tally, {}).find("<h2>Gate</h2>") == std::string::npos);
-}
-
-TEST_CASE("pages: a plain yes or no is right where it was judged right") {
-  Cell cell;
-  cell.ways[{Verdict::agree, "apart", "no"}].cases = {7, 0};
-  cell.ways[{Verdict::algorithm, "apart", "yes"}].cases = {3, 0};
-  const std::string matrix = confusion_matrix(*find_operation("aabb_aabb"), cell, "e");
-  CHECK_THAT(matrix, ContainsSubstring("<td class=\"right\" data-label=\"answered: no\">7") &&
-                         ContainsSubstring("<td class=\"found\" data-label=\"answered: yes\">3"));
 }
 
 TEST_CASE("pages: the footer holds the versions and the command that gives the same") {

@@ -7,7 +7,7 @@
 #include "audit/counting/audit_run.h"
 #include "audit/counting/tally_json.h"
 #include "proptests/catch.h"
-#include "proptests/infrastructure/program/called.h"
+#include "proptests/golden.h"
 #include "proptests/uses.h"
 
 /// The table that an audit prints: its numbers add up.
@@ -160,19 +160,7 @@ TEST_CASE("table: the closing sentence is the sum of its parts, ordinary and ext
   add(judged_as(Verdict::inexact, "on"), 1, 7);
   add(judged_as(Verdict::unsupported, ""), 1, 2);
   tally.operations.push_back({"explicit_line", {{"grid", cell}}});
-  const std::string text = text_table(tally);
-  CHECK_THAT(text, EndsWith("\ntextbook formulas (binary64): 16 of 38 answers wrong (ordinary size: 9 of 26): "
-                            "9 by rounding (5 cancellation, 4 overflow or underflow), 6 by algorithm, 1 invalid; "
-                            "7 inexact, 2 not supported\n"));
-  const std::vector<Line> rows = rows_of(text);
-  REQUIRE(rows.size() == 7);
-  CHECK(rows[0].name == "explicit_line");
-  CHECK(rows[0].cells == Cells{40, 15, 9, 6, 7, 0, 0, 1, 2});
-  CHECK(rows[1].name == "ordinary size");
-  CHECK(rows[1].cells == Cells{28, 10, 3, 6, 7, 0, 0, 0, 2});
-  CHECK(rows[2].name == "extreme size");
-  CHECK(rows[2].cells == Cells{12, 5, 6, 0, 0, 0, 0, 1, 0});
-  CHECK(rows[6].name == "extreme size");
+  check_golden("report/golden/closing_sentence.txt", text_table(tally));
 }
 
 TEST_CASE("table: where nothing is right of twenty answers or more, the connection is to be looked at first") {
@@ -205,23 +193,12 @@ TEST_CASE("table: an example for each way of answering, wrong ones before inexac
   add(Verdict::algorithm, "on", "right", 3);
   add(Verdict::algorithm, "left", "right", 9, 1e200);
   tally.operations.push_back({"orientation", {{"grid", cell}}});
-  const std::string text = text_table(tally);
-  const std::size_t first = text.find("\norientation, algorithm: right where the truth is on, 3 cases; example: "),
-                    second = text.find("\norientation, algorithm: left where the truth is on, 2 cases; example: "),
-                    third = text.find(
-                        "\norientation, algorithm: right where the truth is left, 9 cases, 0 of ordinary "
-                        "size; example: "),
-                    fourth = text.find("\norientation, inexact: 50 cases; example: ");
-  CHECK(first < second);
-  CHECK(second < third);  // none of ordinary size
-  CHECK(third < fourth);
-  REQUIRE(fourth != std::string::npos);
-  CHECK(text_table(tally, Detail::operations).find("example") == std::string::npos);
+  const std::string few = text_table(tally), summary = text_table(tally, Detail::operations);
   for (const char* said : {"left", "right"}) {
     for (const char* truth : {"left", "on", "right"}) add(Verdict::rounding, truth, said, 1);
   }
   tally.operations[0].families[0].second = cell;
-  CHECK_THAT(text_table(tally), ContainsSubstring("\norientation: 4 less frequent ways in the file of --json\n"));
+  check_golden("report/golden/examples.txt", few + "\n====\n\n" + summary + "\n====\n\n" + text_table(tally));
 }
 
 TEST_CASE("table: a summary has a row for each operation and no family") {
@@ -246,21 +223,6 @@ TEST_CASE("table: an audit of ordinary size alone says what was left out, and ha
                        ContainsSubstring("drawn but of extreme size, so not asked: ") &&
                        !ContainsSubstring("extreme size  "));
   CHECK_THAT(text_table(all), !ContainsSubstring("not asked"));
-}
-
-TEST_CASE("table: --range and --summary reach the table, and limits that are none are refused") {
-  const std::vector<const char*> asked{"audit", "--ops", "orientation", "--cases", "500", "--jobs", "1"};
-  const auto with = [&](std::vector<const char*> more) {
-    more.insert(more.begin(), asked.begin(), asked.end());
-    return called(more);
-  };
-  CHECK(with({"--range", "ordinary"}).out.find("ordinary size only") != std::string::npos);
-  CHECK(with({"--range", "ordinary", "--ordinary", "0x1p-1074,1e308"}).out.find("so not asked") == std::string::npos);
-  CHECK(rows_of(with({"--summary"}).out).size() == 4);
-  require_refused(with({"--range", "small"}), bad_usage, "--range");
-  for (const char* limits : {"1", ",", "1,", ",1", "a,b", "2,1", "0,1", "-1,1", "1,inf", "nan,1", "1,2x", "1,2,3"})
-    require_refused(with({"--ordinary", limits}), bad_usage,
-                    std::string("--ordinary ") + limits + ": LEAST,MOST, two positive numbers");
 }
 
 }  // namespace touchstone::proptests::table_tests

@@ -4,6 +4,7 @@
 
 #include "catalogue/operation/operation.h"
 #include "proptests/infrastructure/simulate/scene_text.h"
+#include "proptests/refusal.h"
 #include "simulate/trajectory.h"
 #include "simulate/world/hash.h"
 
@@ -46,12 +47,7 @@ std::string refusal_of(const std::string& text, const Scene& scene = two_balls()
                        const std::vector<std::string>& runs = every) {
   Simulation simulation(scene, runs);
   std::istringstream in(text);
-  try {
-    read_trajectory(in, simulation, [](const Frame&) {});
-  } catch (const InvalidInput& refused) {
-    return refused.what();
-  }
-  return "read";
+  return proptests::refusal_of([&] { read_trajectory(in, simulation, [](const Frame&) {}); });
 }
 
 /// The first characters of `from` that stand in that line, replaced.
@@ -117,7 +113,7 @@ TEST_CASE("trajectory: at the start nothing has drifted") {
 
 TEST_CASE("trajectory: of another scene or other runs, with a line missing or a number changed, it is refused") {
   const std::string& text = whole();
-  CHECK(refusal_of(text) == "read");
+  CHECK(refusal_of(text) == "accepted");
   CHECK(refusal_of(text, two_balls(), {"double"}) == "line 1: the trajectory is of another scene, or of other runs");
   CHECK(refusal_of(with(text, 1, "0.9375", "0.9376")) ==
         "line 1: the trajectory is of another scene, or of other runs");

@@ -52,9 +52,4 @@ TEST_CASE("implicit_circle: radius zero, huge, subnormal and negative zero") {
   example<Row>({{{0, 0}, tiny}, {tiny, tiny}}, Location::outside, "rounding");  // every square rounds to 0
 }
 
-TEST_CASE("implicit_circle: of two broken rules the first is named") {
-  refused<Row>({{{0, infinity}, -1}, {0, 0}}, "circle.center[1]", "finite number");
-  refused<Row>({{{0, 0}, -tiny}, {9, infinity}}, "point[1]", "finite number");
-}
-
 }  // namespace touchstone::proptests::implicit_circle_tests

@@ -85,10 +85,6 @@ TEST_CASE("line_point_at: families draw products that overflow in sums that do n
   }
 }
 
-TEST_CASE("line_point_at: of two broken rules the first is named") {
-  refused<Row>({{{0, 0}, {0, -0.0}}, not_a_number}, "t", "finite number");
-}
-
 CONTRACT("line_point_at: the formula in double stays within the bound of its contract", line, t) {
   const auto kept = [&](double origin, double direction, double computed, const Rational& exactly) {
     const double product = t * direction;

@@ -85,10 +85,6 @@ TEST_CASE("parametric_circle: huge and subnormal angles and radii, negative zero
   gives({{{0, 0}, 1}, 1e22}, {0.52321478539513894549759447338470949214, -0.85220084976718880177270589375302936826});
 }
 
-TEST_CASE("parametric_circle: of two broken rules the first is named") {
-  refused<Row>({{{0, 0}, -1}, not_a_number}, "u", "finite number");
-}
-
 CONTRACT("parametric_circle: the formula in double stays within the bound of its contract", circle, u) {
   const Rational w = unit();
   const auto kept = [&](double center, double turn, double computed, const Rational& exactly) {

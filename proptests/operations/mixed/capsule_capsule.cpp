@@ -75,12 +75,6 @@ TEST_CASE("capsule_capsule: rounding and huge") {
   worked({along_x(1), across(huge, huge)}, overlapping, Rational(2 * exact(huge) + 1), "rounding");  // (h + 1)^2 - h^2
 }
 
-TEST_CASE("capsule_capsule: of two broken rules the first is named: numbers before radii, a before b") {
-  refused<Row>({along_x(-1), across(infinity, -1)}, "b.segment[0][1]", "finite number");
-  refused<Row>({along_x(-1), across(1, -1)}, "a.radius", "radius >= 0");
-  refused<Row>({along_x(1), across(1, -tiny)}, "b.radius", "radius >= 0");
-}
-
 CONTRACT("capsule_capsule: where the formula in double is certain by its contract it answers disjoint", a, b) {
   const auto [x, y] = reference::nearest_of_segments<double>(a.segment.a, a.segment.b, b.segment.a, b.segment.b);
   const double sum = a.radius + b.radius;

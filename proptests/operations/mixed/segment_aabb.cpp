@@ -99,18 +99,6 @@ TEST_CASE("segment_aabb: rounding moves an entry to an exit") {
   worked(InPlane{{{-0x1p-60, 0}, {4, 4}}, {{1, -1}, {2, 1}}}, none, Rational(3 * hair / (8 + hair)), "rounding");
 }
 
-TEST_CASE("segment_aabb: huge, subnormal and negative zero") {
-  worked(InPlane{{{-huge, 0}, {huge, 0}}, {{0, 0}, {huge, 1}}}, from_to(Rational(1, 2), 1), 0, "rounding");
-  worked(InPlane{{{-tiny, 0}, {3 * tiny, 0}}, {{0, -1}, {1, 1}}}, from_to(Rational(1, 4), 1), exact(3 * tiny));
-  worked(InPlane{{{-0.0, 0}, {0.0, 4}}, {{-0.0, 1}, {0.0, 3}}}, from_to(Rational(1, 4), Rational(3, 4)), 0);
-}
-
-TEST_CASE("segment_aabb: of two broken rules the first is named, numbers first") {
-  refused<Row>(InSpace{{{0, 0, 0}, {0, 0, 0}}, {{9, 9, 9}, {9, 8, infinity}}}, "aabb.max[2]", "finite number");
-  refused<Row>(InPlane{{{0, 0}, {0, not_a_number}}, {{9, infinity}, {9, 8}}}, "segment[1][1]", "finite number");
-  refused<Row>(InPlane{{{0, 0}, {0, 1}}, {{9, 9}, {9, 8}}}, "aabb.max[1]", "min <= max");
-}
-
 CONTRACT("segment_aabb: the formula in double keeps its contract", segment, box) {
   const auto from = coordinates(segment.a), to = coordinates(segment.b), min = coordinates(box.min),
              max = coordinates(box.max);

@@ -122,11 +122,6 @@ TEST_CASE("segment_segment_distance: rounding, huge and subnormal") {
   rounds_to(InPlane{{{-greatest, 0}, {-huge, 0}}, {{huge, 0}, {greatest, 0}}}, {-huge, 0, huge, 0, infinity, infinity});
 }
 
-TEST_CASE("segment_segment_distance: of two numbers that are not finite the first is named") {
-  refused<Row>(InPlane{{{1, 1}, {0, infinity}}, {{not_a_number, 0}, {0, 0}}}, "a[1][1]", "finite number");
-  refused<Row>(InSpace{{{1, 1, 1}, {0, 0, 0}}, {{0, 0, -infinity}, {not_a_number, 0, 0}}}, "b[0][2]", "finite number");
-}
-
 CONTRACT("segment_segment_distance: the formula in double is never too short by more than its contract", a, b) {
   const auto extent = [](const auto& s, const auto& x) {
     const Rational u = unit();

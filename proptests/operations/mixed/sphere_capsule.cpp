@@ -69,13 +69,6 @@ TEST_CASE("sphere_capsule: rounding, huge and subnormal") {
   worked({{{5, 2 * tiny, 0}, tiny}, along_x(tiny)}, touching, 0);
 }
 
-TEST_CASE("sphere_capsule: of two broken rules the first is named: numbers, the ball's radius, the capsule's") {
-  refused<Row>({{{0, 0, 0}, -1}, {{{0, 0, 0}, {1, infinity, 0}}, -1}}, "capsule.segment[1][1]", "finite number");
-  refused<Row>({{{0, 0, 0}, -1}, {{{0, 0, 0}, {1, 1, 0}}, -1}}, "sphere.radius", "radius >= 0");
-  refused<Row>({{{0, 0, 0}, 1}, {{{0, 0, 0}, {1, 1, 0}}, -tiny}}, "capsule.radius", "radius >= 0");
-  refused<Row>({{{90, 90, 90}, 1}, {{{0, 0, 0}, {1, 1, 1}}, -tiny}}, "capsule.radius", "radius >= 0");  // far away
-}
-
 CONTRACT("sphere_capsule: the formula in double keeps its contract", ball, capsule) {
   const auto& [a, b] = capsule.segment;
   const Point3d x = reference::nearest_between<double>(ball.center, a, b);

@@ -79,12 +79,6 @@ TEST_CASE("sphere_triangle: rounding, huge and subnormal") {
          "rounding");
 }
 
-TEST_CASE("sphere_triangle: of two broken rules the first is named, numbers before the radius") {
-  refused<Row>({{{0, 0, 0}, -1}, {{0, 0, 0}, {1, infinity, 0}, {0, 1, 0}}}, "triangle[1][1]", "finite number");
-  refused<Row>({{{0, not_a_number, 0}, -1}, corner}, "sphere.center[1]", "finite number");
-  refused<Row>({{{90, 90, 90}, -tiny}, {{0, 0, 0}, {1, 1, 0}, {0, 1, 1}}}, "sphere.radius", "radius >= 0");  // far away
-}
-
 CONTRACT("sphere_triangle: beyond the corner a the formula in double keeps its contract", ball, t) {
   const Rational u = unit();
   const std::vector<Rational> from = exact_coordinates(t.a), p = exact_coordinates(ball.center);

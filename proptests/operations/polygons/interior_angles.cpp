@@ -100,7 +100,6 @@ TEST_CASE("interior_angles: p. 6's angles worked by hand") {
 TEST_CASE("interior_angles: a last position that repeats the first has no angle") {
   gives({Polygon2d{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}}, {pi / 2, pi / 2, pi / 2, pi / 2});
   gives({Polygon2d{{{0, 0}, {1, 0}, {0, 1}, {-0.0, -0.0}}}}, {pi / 2, pi / 4, pi / 4});
-  refused<Row>({Polygon2d{{{0, 0}, {4, 0}, {0, 0}}}}, "polygon", "at least 3 vertices");
 }
 
 TEST_CASE("interior_angles: what acos loses near 0 and pi") {

@@ -85,7 +85,6 @@ TEST_CASE("polygon_polygon: a last position that repeats the first is dropped, o
   example<Row>({{{{0, -0.0}, {4, 0}, {4, 4}, {0, 4}, {-0.0, 0}}}, beside}, Contact::touching);
   refused<Row>({closed(closed(square)), {{{0, 0}, {1, 1}, {0, 0}}}}, "a[4]",
                "different from vertex 0: drop one of the two");
-  refused<Row>({closed(square), {{{0, 0}, {1, 1}, {0, 0}}}}, "b", "at least 3 vertices");
 }
 
 TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {

@@ -193,9 +193,6 @@ TEST_CASE("polyhedron_polyhedron: meshes of many faces, in trees") {
 
 TEST_CASE("polyhedron_polyhedron: meshes are refused by the first rule that they break") {
   const Meshd bad = with_vertex(cube, {0, infinity, 0});
-  refused<Row>({cube, bad}, "b.vertices[8][1]", "finite number");
-  refused<Row>({bad, bad}, "a.vertices[8][1]", "finite number");
-  refused<Row>({with_faces(cube, {{0, 1, 8}}), bad}, "b.vertices[8][1]", "finite number");
   refused<Row>({cube, with_faces(cube, {{0, 1, 8}})}, "b.faces[12][2]", "index of a vertex");
   refused<Row>({with_faces(cube, {{0, 1, 1}}), with_faces(cube, {{0, 1, 8}})}, "a.faces[12]",
                "three different vertices");

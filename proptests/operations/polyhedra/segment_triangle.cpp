@@ -119,23 +119,6 @@ TEST_CASE("segment_triangle: a segment of length zero is a point, a triangle wit
   worked({{{1, 1, 3}, {1, 1, 2}}, dot_at_1}, none, 1);
 }
 
-TEST_CASE("segment_triangle: huge, subnormal and negative zero") {
-  const Rational least = exact(tiny);
-  // E is beyond the range: infinity less infinity.
-  example<Row>({upright(1, 1, -huge, huge), {{-huge, -huge, 0}, {huge, -huge, 0}, {0, huge, 0}}},
-               point(Rational(1, 2), 1, 1, 0), "rounding");
-  // E is 0 at both ends: no product of three least numbers is one.
-  worked({upright(tiny, tiny, -tiny, tiny), {{0, 0, 0}, {4 * tiny, 0, 0}, {0, 4 * tiny, 0}}},
-         point(Rational(1, 2), least, least, 0), Rational(least * least), "rounding");
-  worked({upright(-0.0, 1, -1, 1), {{-0.0, -0.0, 0}, {4, 0, -0.0}, {0, 4, 0}}}, point(Rational(1, 2), 0, 1, 0), 0);
-}
-
-TEST_CASE("segment_triangle: of two broken rules the first is named") {
-  refused<Row>({{{0, 0, 0}, {0, 0, infinity}}, {{not_a_number, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, "segment[1][2]",
-               "finite number");
-  refused<Row>({upright(1, 1, 5, 9), {{0, 0, 0}, {4, 0, 0}, {0, infinity, 0}}}, "triangle[2][1]", "finite number");
-}
-
 CONTRACT("segment_triangle: the formula in double keeps its contract", segment, triangle) {
   const SideBound p(triangle, segment.a), q(triangle, segment.b);
   if (p.overflow || q.overflow) return true;

@@ -94,10 +94,6 @@ TEST_CASE("contact_state: rounding, huge, subnormal and negative zero") {
         Rational((exact(0.02) - exact(0.1) * exact(0.2)) * (exact(0.02) - exact(0.1) * exact(0.2))));
 }
 
-TEST_CASE("contact_state: of two broken rules the first is named") {
-  refused<Row>({still, still, {0, infinity, 0}, {0, 0, 0}}, "point[1]", "finite number");
-}
-
 CONTRACT("contact_state: the formula in double keeps its contract", a, b, p, n) {
   if (!moderate(a, b, p, n)) return true;
   const Rational bound = 9 * unit() * dot(size_of(n), size_at(a, p) + size_at(b, p)),

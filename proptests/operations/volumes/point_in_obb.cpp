@@ -131,10 +131,8 @@ TEST_CASE("point_in_obb: rounding, huge, subnormal and negative zero") {
   worked({{{0.1, 0, 0}, {{0.2, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.3, 0, 0}}, inside, power_of_two(-110));
 }
 
-TEST_CASE("point_in_obb: of two broken rules the first is named, numbers before independence") {
+TEST_CASE("point_in_obb: half axes in one plane are refused") {
   const auto of = [](const Vector3d& u, const Vector3d& v, const Vector3d& w) { return Obb3d{{0, 0, 0}, {u, v, w}}; };
-  refused<Row>({of({not_a_number, 0, 0}, {0, 0, 0}, {0, 0, 1}), {1, 2, 3}}, "obb.half_axes[0][0]", "finite number");
-  refused<Row>({of({1, 2, 3}, {4, 5, 6}, {7, 8, 9}), {infinity, 0, 0}}, "point[0]", "finite number");
   refused<Row>({of({1, 2, 3}, {4, 5, 6}, {7, 8, 9}), {0, 0, 0}}, "obb.half_axes", "linearly independent");
 }
 

@@ -150,12 +150,6 @@ TEST_CASE("sphere_aabb: rounding, huge, subnormal and negative zero") {
          Rational(4 * exact(huge) * exact(huge) - 1));
 }
 
-TEST_CASE("sphere_aabb: of two broken rules the first is named: numbers before rules, the ball's before the box's") {
-  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, {4, 4, 4}}}, "aabb.min[0]", "finite number");
-  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{5, 0, 0}, {4, 4, 4}}}, "sphere.radius", "radius >= 0");
-  refused<Row>(InSpace{{{0, 0, 0}, 1}, {{5, 0, 0}, {4, 4, infinity}}}, "aabb.max[2]", "finite number");
-}
-
 CONTRACT("sphere_aabb: the formula in double keeps its contract", ball, box) {
   if (!certain(ball, box)) return true;
   const auto [s, r] = squares(ball, box);

@@ -106,13 +106,6 @@ TEST_CASE("sphere_sphere: rounding, huge, subnormal and negative zero") {
   worked(InSpace{{{0, 0, 0}, huge}, {{0, 0, 1}, 1}}, overlapping, Rational(2 * exact(huge) + 1));  // less huge^2
 }
 
-TEST_CASE(
-    "sphere_sphere: of two broken rules the first is named: numbers before rules, the first shape before the second") {
-  refused<Row>(InSpace{{{0, 0, 0}, not_a_number}, {{0, 0, 0}, -1}}, "a.radius", "finite number");
-  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, 1}}, "b.center[0]", "finite number");
-  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{0, 0, 0}, -2}}, "a.radius", "radius >= 0");
-}
-
 CONTRACT("sphere_sphere: the formula in double keeps its contract", a, b) {
   if (!certain(a, b)) return true;
   const auto [s, r] = squares(a, b);
