@@ -8,13 +8,13 @@
 #include "catalogue/judge/verdict.h"
 #include "catalogue/shape/encoded_value.h"
 
-/// A C++ engine with its types forgotten: what audit/engines/adapter.h makes of a struct.
+/// A C++ engine with its types erased, as audit/engines/adapter.h makes it of a struct.
 namespace touchstone::audit {
 
-/// What a member function of an engine returned.
+/// The return value of an engine's member function.
 struct MemberAnswer {
   enum class Kind {
-    unsupported,  ///< nothing
+    unsupported,  ///< std::nullopt
     whole,        ///< an answer of the operation
     word,         ///< the enumerator of one field of the answer
     flag,         ///< true or false
@@ -28,7 +28,7 @@ struct MemberAnswer {
 struct Member {
   const char* operation;
   MemberAnswer (*ask)(void* engine, const catalogue::Question&);
-  /// For which alternatives of the question the engine has an overload, and for which it has none.
+  /// The alternatives of the question for which the engine has an overload, and those for which it has none.
   std::vector<std::size_t> answered{}, left_out{};
 };
 

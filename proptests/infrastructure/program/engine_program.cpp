@@ -22,7 +22,7 @@ Called called_program(std::vector<const char*> arguments) {
   auto* const previous_err = std::cerr.rdbuf(err.rdbuf());
   MyEngine mine;
   Called call;
-  call.code = engine_program(served(mine), static_cast<int>(arguments.size()), arguments.data());
+  call.code = engine_program(members_of(mine), static_cast<int>(arguments.size()), arguments.data());
   std::cout.rdbuf(previous_out);
   std::cerr.rdbuf(previous_err);
   call.out = out.str(), call.err = err.str();

@@ -7,6 +7,7 @@
 
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/sha256.h"
+#include "audit/vectors/vectors.h"
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/families/meshes/named_meshes.h"
 #include "catalogue/operation/operation.h"
@@ -29,6 +30,8 @@ std::vector<Line> stored(const std::string& operation) {
   REQUIRE(lines.size() > 20);
   return lines;
 }
+
+std::string complaint(const Line& line) { return vector_complaint(line.dump(), "vectors"); }
 
 /// Each of the meshes is named by a line of the operation, and none else.
 void expect_named(const Operation& operation, const std::vector<NamedMesh>& meshes) {
