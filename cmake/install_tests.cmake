@@ -60,11 +60,6 @@ set_tests_properties(install/consumer install/my_engine install/own_tests instal
 add_test(NAME install/my_engine_audits COMMAND ${consumers}/my_engine/my_engine --cases 1000 --seed 1)
 set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
                                                          "my engine 1.0.*segment_segment")
-# By touchstone_add_engine: what every operation brings along is compiled once, not with each change of the engine.
-add_test(NAME install/my_engine_precompiles
-         COMMAND ${CMAKE_COMMAND} -E cat ${consumers}/my_engine/CMakeFiles/my_engine.dir/cmake_pch.hxx)
-set_tests_properties(install/my_engine_precompiles PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
-                                                              "touchstone/program/engine_main.h")
 # So does its ctest, by touchstone_add_audit.
 add_test(NAME install/my_engine_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${consumers}/my_engine --output-on-failure)
 set_tests_properties(install/my_engine_fails PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
