@@ -18,6 +18,4 @@ namespace touchstone::report {
 @scripts@
 }  // namespace touchstone::report
 ]])
-set_source_files_properties(${PROJECT_SOURCE_DIR}/report/parts/html_parts.cpp ${PROJECT_SOURCE_DIR}/report/pages/deck_page.cpp
-                            ${PROJECT_SOURCE_DIR}/report/pages/contract.cpp ${PROJECT_SOURCE_DIR}/program/documentation.cpp
-                            PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/embedded)
+set(touchstone_embedded ${PROJECT_BINARY_DIR}/embedded)
