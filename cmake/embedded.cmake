@@ -18,4 +18,3 @@ namespace touchstone::report {
 @scripts@
 }  // namespace touchstone::report
 ]])
-set(touchstone_embedded ${PROJECT_BINARY_DIR}/embedded)
