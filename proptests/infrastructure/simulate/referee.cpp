@@ -2,8 +2,9 @@
 #include "simulate/gas/referee.h"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
-#include "proptests/infrastructure/program/called.h"
 #include "proptests/infrastructure/simulate/scene_text.h"
 
 /// An exact gas as referee: engines of our own, which part from it at a hit that is known.
@@ -201,20 +202,7 @@ TEST_CASE("referee: a gas whose unit became smaller is no referee") {
   CHECK_THROWS_AS(verdict_of({}, gas), simulate::gas::GasError);
 }
 
-TEST_CASE("referee: the scenes that ship, by the command") {
-  const std::string still = "python3 proptests/infrastructure/simulate/misbehaving_engine.py behaves";
-  const std::string lacks = "python3 proptests/infrastructure/simulate/misbehaving_engine.py lacks_spheres";
-  const std::string crashes = "python3 proptests/infrastructure/simulate/misbehaving_engine.py crashes";
-  for (const char* scene : {"simulate/scenes/gas_of_27.json", "simulate/scenes/gas_in_the_plane.json"}) {
-    CAPTURE(scene);
-    const Called call = called({"simulate", scene, "--engine", still.c_str(), "--engine", lacks.c_str()});
-    CHECK(call.code == nothing_found);
-    for (const char* words : {"run backwards        identical", "\nmisbehaving 1: parts at hit 1 of ",
-                              "which it does not answer\n", "\nmisbehaving 1: unsupported: boxes, walls\n"})
-      CHECK_THAT(call.out, ContainsSubstring(words));
-  }
-  require_refused(called({"simulate", "simulate/scenes/gas_of_27.json", "--engine", crashes.c_str()}), engine_failed,
-                  "step 3: signal 11");
+TEST_CASE("referee: a gas in the plane is known as one") {
   std::ifstream in("simulate/scenes/gas_in_the_plane.json");
   const GasScene plane =
       simulate::gas::read_gas(catalogue::parse_line(std::string(std::istreambuf_iterator<char>(in), {})));
