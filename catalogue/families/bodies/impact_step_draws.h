@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "catalogue/families/bodies/simultaneous_draws.h"
+#include "catalogue/families/bodies/step_draws.h"
 #include "catalogue/shape/described_impacts.h"
 
 /// Balls and walls before a step in which they collide when they meet, drawn from a draw stream.
@@ -339,17 +339,7 @@ inline Impacting impacts_of_many_walls(DrawStream& c) {
 /// Something that is refused, somewhere.
 inline Impacting refused_impacts(DrawStream& c) {
   Impacting s = lattice_impacts(c);
-  const Vector3d n = zero_vector(c);
-  StepBodyd& body = s.bodies[c.below(s.bodies.size())];
-  switch (c.below(7)) {
-    case 0: s.timestep = zero(c); break;
-    case 1: s.timestep = c.coin() ? -0x1p-1074 : -1; break;
-    case 2: s.restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
-    case 3: s.walls.push_back({n, small_integer(c)}); break;
-    case 4: body.inverse_mass = c.coin() ? -0x1p-1074 : -1; break;
-    case 5: body.sphere.radius = c.coin() ? -0x1p-1074 : -1; break;
-    default: body.inverse_mass = 0, body.velocity = {0, 0, c.coin() ? 0x1p-1074 : 1};
-  }
+  break_one_rule(s.bodies, s.walls, s.timestep, s.restitution, c);
   return s;
 }
 

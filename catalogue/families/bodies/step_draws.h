@@ -306,20 +306,27 @@ inline Stepping many_walls(DrawStream& c) {
   return s;
 }
 
-/// Something that is refused, somewhere.
-inline Stepping refused_step(DrawStream& c) {
-  Stepping s = lattice_balls(c);
+/// A timestep that is not positive, a restitution beyond its ends, a wall without a normal, a body of a negative mass or
+/// radius, or a velocity of one that never moves.
+inline void break_one_rule(std::vector<StepBodyd>& bodies, std::vector<Plane3d>& walls, double& timestep,
+                           double& restitution, DrawStream& c) {
   const Vector3d n = zero_vector(c);
-  StepBodyd& body = s.bodies[c.below(s.bodies.size())];
+  StepBodyd& body = bodies[c.below(bodies.size())];
   switch (c.below(7)) {
-    case 0: s.settings.timestep = zero(c); break;
-    case 1: s.settings.timestep = c.coin() ? -0x1p-1074 : -1; break;
-    case 2: s.settings.restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
-    case 3: s.walls.push_back({n, small_integer(c)}); break;
+    case 0: timestep = zero(c); break;
+    case 1: timestep = c.coin() ? -0x1p-1074 : -1; break;
+    case 2: restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
+    case 3: walls.push_back({n, small_integer(c)}); break;
     case 4: body.inverse_mass = c.coin() ? -0x1p-1074 : -1; break;
     case 5: body.sphere.radius = c.coin() ? -0x1p-1074 : -1; break;
     default: body.inverse_mass = 0, body.velocity = {0, 0, c.coin() ? 0x1p-1074 : 1};
   }
+}
+
+/// Something that is refused, somewhere.
+inline Stepping refused_step(DrawStream& c) {
+  Stepping s = lattice_balls(c);
+  break_one_rule(s.bodies, s.walls, s.settings.timestep, s.settings.restitution, c);
   return s;
 }
 

@@ -131,12 +131,6 @@ Point3d between_vertices(const Meshd& mesh, DrawStream& draws) {
   return middle(mesh.vertices[first], mesh.vertices[second]);
 }
 
-LinearMap::LinearMap(DrawStream& draws) {
-  std::array<Vector3d, 3> rows{};
-  for (Vector3d& row : rows) row = {small_integer(draws, 4), small_integer(draws, 4), small_integer(draws, 4)};
-  if (dot(rows[0], cross(rows[1], rows[2])) != 0) rows_ = rows;
-}
-
 Meshd broken(Meshd mesh, DrawStream& draws) {
   const std::size_t which = draws.below(mesh.faces.size());
   switch (draws.below(7)) {

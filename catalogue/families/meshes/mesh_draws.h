@@ -43,23 +43,18 @@ inline Meshd shifted(Meshd mesh, const Vector3d& by) {
   return mesh;
 }
 
-/// An integer map of determinant not 0, entries at most 4.
-class LinearMap {
- public:
-  explicit LinearMap(DrawStream& draws);
-  template <class T>
-  void operator()(T& p) const {
-    const auto row = [&p](const Vector3d& r) { return r.x * p.x + r.y * p.y + r.z * p.z; };
-    p = {row(rows_[0]), row(rows_[1]), row(rows_[2])};
-  }
-
- private:
-  std::array<Vector3d, 3> rows_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-};
-
+/// By one integer map of determinant not 0, entries at most 4; they stay where a singular one is drawn.
 template <class... Shapes>
 void map_linearly(DrawStream& draws, Shapes&... shapes) {
-  const LinearMap map(draws);
+  const auto row = [&draws] {
+    return Vector3d{small_integer(draws, 4), small_integer(draws, 4), small_integer(draws, 4)};
+  };
+  const Vector3d u = row(), v = row(), w = row();
+  if (dot(u, cross(v, w)) == 0) return;
+  const auto map = [&](auto& p) {
+    const auto image = [&p](const Vector3d& r) { return r.x * p.x + r.y * p.y + r.z * p.z; };
+    p = {image(u), image(v), image(w)};
+  };
   (change_each(shapes, map), ...);
 }
 

@@ -112,8 +112,7 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     return in_either<Row>(c, {{-low, 0, 0}, {speed * 0x1p54, 0, 0}}, Aabb3d{{high, -1, -1}, {0x1p90, 1, 1}});
   });
   add("least_beside_greatest", [](DrawStream& c) -> Question {
-    const double least = subnormal(c), greatest = huge(c);
-    const double v = c.coin() ? greatest : 4, y = c.coin() ? least : 1;
+    const double least = subnormal(c), greatest = huge(c), v = c.coin() ? greatest : 4, y = c.coin() ? least : 1;
     const double from = c.coin() ? -greatest : -4, end = c.coin() ? greatest : 1;
     return in_either<Row>(c, {{from, least, 0}, {v, y, 0}}, Aabb3d{{0, 0, 0}, {end, 1, 1}});
   });

@@ -116,7 +116,7 @@ struct convex_distance : signatures::convex_distance {
     });
     add("rounding", [](DrawStream& c) -> Question {
       // The foot of b's corner on a diagonal edge is half an odd step along: x is halfway between two doubles.
-      const double x = halfway_number(c).most, odd = 1 + 2 * up_to(c, 7);
+      const double x = halfway_number(c), odd = 1 + 2 * up_to(c, 7);
       const Point3d end{x + odd, 0, hair(c)};
       return {tetrahedron_over({{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}}),
               tetrahedron_over({{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}})};

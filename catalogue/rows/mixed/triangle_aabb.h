@@ -77,8 +77,7 @@ struct triangle_aabb : signatures::triangle_aabb {
       return {in_some_order(t, c), box};
     });
     add("on_small_grid", [](DrawStream& c) -> Question {
-      const Triangle3d t = triangle_of(c, small_lattice_point);
-      return {t, {{1, 1, 1}, {one_to(c, 2), one_to(c, 2), 2}}};
+      return {triangle_of(c, small_lattice_point), {{1, 1, 1}, {one_to(c, 2), one_to(c, 2), 2}}};
     });
     add("parallel_to_axes", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 12);
@@ -199,8 +198,7 @@ struct triangle_aabb : signatures::triangle_aabb {
       return {{a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, box};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Triangle3d t = triangle_of(c, point_of_whole_range);
-      return {t, box_of(c, of_whole_range)};
+      return {triangle_of(c, point_of_whole_range), box_of(c, of_whole_range)};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d a = zero_point(c), b = zero_point(c), d = zero_point(c), p = zero_point(c), q = zero_point(c);

@@ -66,8 +66,7 @@ struct aabb_aabb : signatures::aabb_aabb {
       return seen({p, p}, {q, q}, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      const auto least = [&c] { return subnormal(c, 3); };
-      const double p = least(), q = least(), r = least(), s = least();
+      const double p = subnormal(c, 3), q = subnormal(c, 3), r = subnormal(c, 3), s = subnormal(c, 3);
       return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {

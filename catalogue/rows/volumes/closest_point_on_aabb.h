@@ -44,8 +44,7 @@ struct closest_point_on_aabb : signatures::closest_point_on_aabb {
       return seen(p, box, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      const auto least = [&c] { return subnormal(c, 3); };
-      const double p = least(), q = least(), x = least(), y = least();
+      const double p = subnormal(c, 3), q = subnormal(c, 3), x = subnormal(c, 3), y = subnormal(c, 3);
       return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {

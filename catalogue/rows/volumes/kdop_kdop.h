@@ -51,8 +51,7 @@ struct kdop_kdop : signatures::kdop_kdop {
     });
     add("subnormal", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
-        const auto least = [&d] { return subnormal(d, 3); };
-        const double p = least(), q = least(), r = least(), s = least();
+        const double p = subnormal(d, 3), q = subnormal(d, 3), r = subnormal(d, 3), s = subnormal(d, 3);
         return Pair{{std::min(p, q), std::max(p, q)}, {std::min(r, s), std::max(r, s)}};
       });
     });

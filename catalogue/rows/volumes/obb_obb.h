@@ -75,9 +75,8 @@ struct obb_obb : signatures::obb_obb {
     });
     add("ridges", [](DrawStream& c) -> Question {
       // One roof upside down on another: the ridges cross at an angle of a few times the least number, or are one.
-      const auto least = [&c] { return subnormal(c, 2); };
       const auto slope = [&c] { return one_to(c, 3); };
-      const double p = slope(), q = slope(), r = slope(), s = slope(), y = least(), z = small_integer(c, 1);
+      const double p = slope(), q = slope(), r = slope(), s = slope(), y = subnormal(c, 2), z = small_integer(c, 1);
       const HalfAxes3d roof{{4, 0, 0}, {0, p, q}, {0, -1, 1}}, other{{4, y, 0}, {0, r, s}, {0, -1, 1}};
       return {{{0, 0, 0}, roof}, {{0, 0, 2 + q + s + z}, other}};
     });
