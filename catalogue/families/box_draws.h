@@ -11,16 +11,13 @@
 namespace touchstone::catalogue {
 
 inline Point3d lattice_point_of_box(DrawStream& draws, int bits = 24) {
-  const double x = integer(draws, bits), y = integer(draws, bits);
-  return {x, y, integer(draws, bits)};
+  return {integer(draws, bits), integer(draws, bits), integer(draws, bits)};
 }
 
 /// With an interior; 1 wide at the least.
 inline Aabb3d lattice_box(DrawStream& draws, int bits = 24) {
   const Point3d p = lattice_point_of_box(draws, bits);
-  const auto width = [&draws] { return one_to(draws, 8); };
-  const double x = width(), y = width(), z = width();
-  return {p, {p.x + x, p.y + y, p.z + z}};
+  return {p, p + Vector3d{one_to(draws, 8), one_to(draws, 8), one_to(draws, 8)}};
 }
 
 /// Another box that has a part of a's interior.
@@ -28,10 +25,8 @@ inline Aabb3d overlapping(const Aabb3d& a, DrawStream& draws) {
   const auto least = [&draws](double low, double high) {
     return low + static_cast<double>(draws.below(static_cast<std::uint64_t>(high - low)));
   };
-  const auto width = [&draws] { return one_to(draws, 8); };
-  const double x = least(a.min.x, a.max.x), y = least(a.min.y, a.max.y), z = least(a.min.z, a.max.z);
-  const double dx = width(), dy = width(), dz = width();
-  return {{x, y, z}, {x + dx, y + dy, z + dz}};
+  const Point3d p{least(a.min.x, a.max.x), least(a.min.y, a.max.y), least(a.min.z, a.max.z)};
+  return {p, p + Vector3d{one_to(draws, 8), one_to(draws, 8), one_to(draws, 8)}};
 }
 
 /// A part of a, perhaps all, perhaps flat.
@@ -53,8 +48,7 @@ inline Aabb2d without_z(const Aabb3d& b) { return {{b.min.x, b.min.y}, {b.max.x,
 /// A vector of multiples of 2^-30 below 1: what is moved by it has digits to lose.
 inline Vector3d fractions(DrawStream& draws) {
   const auto fraction = [&draws] { return std::ldexp(static_cast<double>(draws.below(1 << 30)), -30); };
-  const double x = fraction(), y = fraction();
-  return {x, y, fraction()};
+  return {fraction(), fraction(), fraction()};
 }
 
 /// The sides that p does not see are moved away, by 2^20 to 2^56: half the sum of both ends, and half their difference,
@@ -77,6 +71,14 @@ inline void put_in_order(double& min, double& max) {
 inline void put_in_order(Aabb2d& b) { put_in_order(b.min.x, b.max.x), put_in_order(b.min.y, b.max.y); }
 inline void put_in_order(Aabb3d& b) {
   put_in_order(b.min.x, b.max.x), put_in_order(b.min.y, b.max.y), put_in_order(b.min.z, b.max.z);
+}
+
+/// The box between two points that number(draws) draws.
+template <class Draw>
+Aabb3d box_of(DrawStream& draws, const Draw& number) {
+  Aabb3d box{{number(draws), number(draws), number(draws)}, {number(draws), number(draws), number(draws)}};
+  put_in_order(box);
+  return box;
 }
 
 }  // namespace touchstone::catalogue

@@ -34,13 +34,9 @@ struct LatticeLine {
   Segment3d between(double i, double j) const { return {at(i), at(j)}; }
 };
 
-/// 54 binary digits of which the last is 1: halfway between two doubles, or, as the sum of both, a hair off. `most` is
-/// below 2^53.
-struct HalfwayNumber {
-  double most, half;
-};
-inline HalfwayNumber halfway_number(DrawStream& draws) {
-  return {0x1p52 + static_cast<double>(draws.below(std::uint64_t{1} << 51)), 0.5};
+/// An integer of 53 digits below 2^53: half more is halfway between two doubles, or, with a hair, next to that.
+inline double halfway_number(DrawStream& draws) {
+  return 0x1p52 + static_cast<double>(draws.below(std::uint64_t{1} << 51));
 }
 
 /// Nothing, or so little that no other digit of the number is near it.
@@ -64,24 +60,13 @@ inline double of_whole_range(DrawStream& draws) {
   return std::ldexp(n, draws.coin() ? 1023 : integer_in(draws, -1, 1));
 }
 inline Point3d point_of_whole_range(DrawStream& draws) {
-  const double x = of_whole_range(draws), y = of_whole_range(draws);
-  return {x, y, of_whole_range(draws)};
+  return {of_whole_range(draws), of_whole_range(draws), of_whole_range(draws)};
 }
 /// Beside the least number.
-inline Point3d subnormal_point(DrawStream& draws) {
-  const auto number = [&draws] { return std::ldexp(small_integer(draws), -1074); };
-  const double x = number(), y = number();
-  return {x, y, number()};
-}
-inline Point3d typed_point(DrawStream& draws) {
-  const double x = typed(draws), y = typed(draws);
-  return {x, y, typed(draws)};
-}
+inline Point3d subnormal_point(DrawStream& draws) { return {subnormal(draws), subnormal(draws), subnormal(draws)}; }
+inline Point3d typed_point(DrawStream& draws) { return {typed(draws), typed(draws), typed(draws)}; }
 /// Each coordinate 0 or -0.
-inline Point3d zero_point(DrawStream& draws) {
-  const double x = zero(draws), y = zero(draws);
-  return {x, y, zero(draws)};
-}
+inline Point3d zero_point(DrawStream& draws) { return {zero(draws), zero(draws), zero(draws)}; }
 
 /// A way of whole length, and two ways across it, which may be parallel or 0.
 struct WholeAcross {
@@ -91,8 +76,7 @@ struct WholeAcross {
   static WholeAcross of(DrawStream& draws) {
     const auto [n, length] = whole_normal(draws);
     const double k = one_to(draws, 64);
-    const Vector3d u = lattice_across(draws, n);
-    return {k * n, u, lattice_across(draws, n), k * length};
+    return {k * n, lattice_across(draws, n), lattice_across(draws, n), k * length};
   }
 };
 

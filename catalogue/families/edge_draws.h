@@ -16,13 +16,13 @@ namespace touchstone::catalogue {
 /// it also is the only one that separates them. `steep`: along the box's edge, the triangle's is 2^steep times as long
 /// as across it. The box's edge is any of the twelve, the triangle's any of the three.
 inline std::tuple<Triangle3d, Aabb3d> edge_over_edge(DrawStream& draws, int steep) {
-  const auto from_1 = [&draws](std::uint64_t most) { return one_to(draws, most); };
   // Here the box's edge is parallel to z, at x = y = 0, the greatest of the box.
-  const double x = from_1(4), y = from_1(4), length = std::ldexp(from_1(3), steep);
+  const double x = one_to(draws, 4), y = one_to(draws, 4), length = std::ldexp(one_to(draws, 3), steep);
   const Vector3d edge{x, -y, either_sign(draws) * length}, outwards{y, x, 0};
   const double distance = std::ldexp(std::array{0.0, 1.0, 1.0, -1.0}[draws.below(4)], -6 - steep);
   const Point3d over = Point3d{0, 0, 0} + distance * outwards;
-  const double before = from_1(3), after = from_1(3), beside = small_integer(draws) / 8, out = from_1(8);
+  const double before = one_to(draws, 3), after = one_to(draws, 3), beside = small_integer(draws) / 8,
+               out = one_to(draws, 8);
   Triangle3d t{along(over, -before, edge), along(over, after, edge), along(over, beside, edge)};
   t.c = along(t.c, out, outwards);
   const auto width = [&draws] { return 5 + up_to(draws, 7); };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,12 @@ class HardCases {
  private:
   std::vector<HardCase<Question>> all_;
 };
+
+/// The two parts of a question, whichever first.
+template <class T>
+std::tuple<T, T> in_either_order(DrawStream& draws, const T& a, const T& b) {
+  return draws.coin() ? std::tuple(b, a) : std::tuple(a, b);
+}
 
 template <class Row>
 std::vector<HardCase<typename Row::Question>> hard_cases_of() {

@@ -16,8 +16,7 @@ inline double product(const Vector3d& n, const Point3d& p) { return dot(n, Vecto
 
 /// The directions that k-DOPs mostly have: components -1, 0, 1; (1, 0, 0) is the simplest.
 inline Vector3d usual_normal(DrawStream& draws) {
-  const double x = 1 - up_to(draws, 1), y = small_integer(draws, 1);
-  const double z = small_integer(draws, 1);
+  const double x = 1 - up_to(draws, 1), y = small_integer(draws, 1), z = small_integer(draws, 1);
   return x == 0 && y == 0 && z == 0 ? Vector3d{0, 0, 1} : Vector3d{x, y, z};
 }
 

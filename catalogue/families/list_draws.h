@@ -19,6 +19,14 @@ auto one_by_one(DrawStream& draws, std::size_t most, const Draw& draw) {
   return list;
 }
 
+/// The same, and each is the last once in `odds`.
+template <class Draw>
+auto until(DrawStream& draws, std::size_t most, std::uint64_t odds, const Draw& draw) {
+  std::vector list{draw(draws)};
+  while (list.size() < most && draws.below(odds) != 0) list.push_back(draw(draws));
+  return list;
+}
+
 /// Lists that outgrow arrays of a fixed length and counters of 4, 6 or 8 bits: every second has more than 16 elements,
 /// every tenth more than 64, one in 32 more than 256, as far as `most` lets them; more would be dear. One after another
 /// ("one more?"); of one element where the stream is simple.
@@ -38,6 +46,16 @@ auto long_list(DrawStream& draws, const Draw& draw, std::size_t most = 300) {
 inline std::size_t late_index(std::size_t size, DrawStream& draws) {
   const std::size_t from_end = draws.one_in(4) ? draws.below(size) : draws.below(3);
   return size - 1 - std::min(from_end, size - 1);
+}
+
+/// One to `most` of them once more, at the end.
+template <class T>
+std::vector<T> with_repeated(std::vector<T> list, std::uint64_t most, DrawStream& draws) {
+  for (std::uint64_t more = 1 + draws.below(most); more > 0; --more) {
+    const T again = list[draws.below(list.size())];
+    list.push_back(again);
+  }
+  return list;
 }
 
 /// In another order; as it is where the stream is simple.

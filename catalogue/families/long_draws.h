@@ -15,10 +15,7 @@ inline double long_number(DrawStream& draws) {
   return either_sign(draws) * x;
 }
 
-inline Vector2d long_direction(DrawStream& draws) {
-  const double x = long_number(draws);
-  return {x, long_number(draws)};
-}
+inline Vector2d long_direction(DrawStream& draws) { return {long_number(draws), long_number(draws)}; }
 
 /// Three points on one line through the origin, the third between the others. The differences from the first are about
 /// as long as it, and none of them is a double: that is where an orientation is off most.

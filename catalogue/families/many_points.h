@@ -11,10 +11,8 @@ namespace touchstone::catalogue {
 
 /// Points near the origin, and one that is beyond them on every axis: without it the answer is another one.
 inline std::vector<Point3d> many_points_and_one_far(DrawStream& draws) {
-  std::vector<Point3d> points = long_list(draws, [](DrawStream& c) {
-    const double x = small_integer(c), y = small_integer(c);
-    return Point3d{x, y, small_integer(c)};
-  });
+  std::vector<Point3d> points =
+      long_list(draws, [](DrawStream& c) { return point_of(c, [](DrawStream& d) { return small_integer(d); }); });
   const auto far = [&draws] {
     const auto size = static_cast<double>(9 + draws.below(16));
     return either_sign(draws) * size;

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "catalogue/families/draw_stream.h"
 
 /// Single numbers, drawn from a draw stream; the first choice gives the simplest.
 namespace touchstone::catalogue {
+
+inline constexpr double greatest_double = std::numeric_limits<double>::max();
 
 /// 0, 1, -1, 2, -2, ... up to +-most.
 inline double small_integer(DrawStream& draws, int most = 8) {
@@ -32,6 +35,11 @@ inline double power_of_two(DrawStream& draws, int least, int most) {
 
 inline double zero(DrawStream& draws) { return draws.coin() ? -0.0 : 0.0; }
 inline double either_sign(DrawStream& draws) { return draws.coin() ? -1 : 1; }
+
+/// The least number times a small integer.
+inline double subnormal(DrawStream& draws, int most = 8) { return std::ldexp(small_integer(draws, most), -1074); }
+/// Near 2^1022.
+inline double huge(DrawStream& draws) { return std::ldexp(1 + small_integer(draws, 1) / 4, 1022); }
 
 /// 1 to `most` times 2^k, 0 <= k < `exponents`, or 2^-k; both drawn, k second.
 inline double scaled_up(DrawStream& draws, std::uint64_t most, std::uint64_t exponents) {
@@ -61,6 +69,12 @@ double mixed_exponent(DrawStream& draws);
 /// Half a unit in the last place of 1, give or take one bit at 2^first or less than `places` below.
 double beside_half_an_ulp(DrawStream& draws, int first, int places);
 
+/// The greatest number or 2^1022, of either sign.
+inline double end_of_range(DrawStream& draws) {
+  const double size = draws.coin() ? greatest_double : 0x1p1022;
+  return either_sign(draws) * size;
+}
+
 /// An exponent for scaling a whole input: mostly 0, else +-39, one end of the range or the other (see numbers.cpp).
 int scale_exponent(DrawStream& draws);
 
@@ -70,7 +84,12 @@ std::size_t list_length(DrawStream& draws);
 /// `value` moved by `ulps` units in the last place; finite values stay finite, zero passes through the subnormals.
 double moved_by_ulps(double value, int ulps);
 
-/// `value` moved by at most so many units in the last place.
+/// `value`, or moved by up to so many units in the last place, few first.
+inline double ulps_apart(DrawStream& draws, double value, int most) {
+  return moved_by_ulps(value, static_cast<int>(small_integer(draws, most)));
+}
+
+/// `value` moved by -most to most units in the last place.
 inline double within_ulps(DrawStream& draws, double value, int most) {
   return moved_by_ulps(value, integer_in(draws, -most, most));
 }

@@ -50,8 +50,7 @@ inline HalfAxes3d skew_half_axes(DrawStream& c, int bits = 3) {
 
 /// Nearly dependent: the second differs from the first by little, the third from their plane.
 inline HalfAxes3d slanted_half_axes(DrawStream& c) {
-  const Vector3d u = 2.0 * lattice_normal(c, 20);
-  const Vector3d little = 2.0 * lattice_normal(c, 2);
+  const Vector3d u = 2.0 * lattice_normal(c, 20), little = 2.0 * lattice_normal(c, 2);
   const double k = small_integer(c, 2);
   const HalfAxes3d h{u, u + little, k * u + 2.0 * lattice_normal(c, 2)};
   return volume_of(h) == 0 ? HalfAxes3d{u, {2, 2 * u.x + 2, 0}, {0, 0, 2 * u.x * u.x + 2}} : h;
@@ -71,10 +70,21 @@ inline Obb3d lattice_obb(DrawStream& c) {
   return {lattice_point_in_space(c, 20), h};
 }
 
+inline HalfAxes3d ordinary_half_axes(DrawStream& c) {
+  const auto axis = [&c] { return Vector3d{ordinary(c), ordinary(c), ordinary(c)}; };
+  return {axis(), axis(), axis()};
+}
+
 /// center + (r u + s v + t w) / 2
 inline Point3d halves_along(const Obb3d& box, double r, double s, double t) {
   const auto& [u, v, w] = box.half_axes;
   return box.center + (r / 2 * u + (s / 2 * v + t / 2 * w));
+}
+
+/// Inside, or on the boundary.
+inline Point3d in_obb(const Obb3d& box, DrawStream& c) {
+  const double r = small_integer(c, 2), s = small_integer(c, 2);
+  return halves_along(box, r, s, small_integer(c, 2));
 }
 
 /// On the boundary: on a face, on an edge, or a corner.
@@ -124,11 +134,9 @@ inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, D
 inline std::pair<Obb3d, Obb3d> beams_on_edge(DrawStream& c) {
   static constexpr double halves[] = {0.5e-4, 0.5e-3, 0.5e-5, 0.5e-6};
   const double half = halves[c.below(4)], length = 2 / half * scaled_up(c, 4, 8), more = 1 + half * half;
-  const double x = (1 - half * half) / more, y = 2 * half / more;
-  const double r = one_to(c, 4), s = one_to(c, 4);
+  const double x = (1 - half * half) / more, y = 2 * half / more, r = one_to(c, 4), s = one_to(c, 4);
   const double way = small_integer(c, 2), gap = std::ldexp(way, -integer_in(c, 0, 19));
-  const Obb3d below{{0, 0, 0}, {{length, 0, 0}, {0, r, r}, {0, -r, r}}};
-  return {below,
+  return {{{0, 0, 0}, {{length, 0, 0}, {0, r, r}, {0, -r, r}}},
           {{small_integer(c, 4), 0, 2 * r + 2 * s + gap},
            {{length * x, length * y, 0}, {-s * y, s * x, s}, {s * y, -s * x, s}}}};
 }
@@ -147,32 +155,12 @@ inline Obb3d alike(const Obb3d& a, DrawStream& c) {
   return b;
 }
 
-/// Each coordinate by its own power of two: past the lattice, past the filter's guard, below its absolute term.
-class Stretch {
- public:
-  explicit Stretch(DrawStream& c) {
-    static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, -355};
-    for (int& e : exponents_) e = exponents[c.below(7)];
-  }
-  template <class T>
-  void operator()(T& v) const {
-    v = {std::ldexp(v.x, exponents_[0]), std::ldexp(v.y, exponents_[1]), std::ldexp(v.z, exponents_[2])};
-  }
-  void operator()(Obb3d& box) const {
-    (*this)(box.center);
-    for (Vector3d* axis : each_of(box.half_axes)) (*this)(*axis);
-  }
-
- private:
-  std::array<int, 3> exponents_{};
-};
-
 /// A box around the origin, each half axis of its own size, from one end of the range to the other.
 inline Obb3d long_and_thin_obb(DrawStream& c) {
   Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
   for (Vector3d* axis : each_of(box.half_axes)) {
     const int k = integer_in(c, -1080, 919);
-    *axis = {std::ldexp(axis->x, k), std::ldexp(axis->y, k), std::ldexp(axis->z, k)};
+    *axis = scaled(*axis, k);
   }
   return box;
 }

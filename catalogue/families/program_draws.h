@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "catalogue/families/box_draws.h"
-#include "catalogue/families/draw_stream.h"
+#include "catalogue/families/triangle_draws.h"
 #include "geometry/commands.h"
 
 /// Programs, drawn from a draw stream.
@@ -62,6 +62,10 @@ class Programming {
   void start_with(const Aabb3d& box) {
     boxes_.push_back(box);
     there_.push_back(next_++);
+  }
+  template <class Draw>
+  void start_with(std::size_t bodies, const Draw& box) {
+    while (boxes_.size() < bodies) start_with(box(draws_));
   }
   void insert(const Aabb3d& box) {
     commands_.push_back(Insertd{box});
@@ -122,22 +126,17 @@ class Programming {
 
 /// Boxes of small integers, wider ones, and those of a lattice that touch.
 inline Aabb3d small_box(DrawStream& c) {
-  const double x = small_integer(c, 4), y = small_integer(c, 4), z = small_integer(c, 4);
-  const auto width = [&c] { return up_to(c, 3); };
-  const double dx = width(), dy = width(), dz = width();
-  return {{x, y, z}, {x + dx, y + dy, z + dz}};
+  const Point3d p{small_integer(c, 4), small_integer(c, 4), small_integer(c, 4)};
+  return {p, p + Vector3d{up_to(c, 3), up_to(c, 3), up_to(c, 3)}};
 }
 inline Aabb3d wide_box(DrawStream& c) {
-  const double x = integer(c, 6), y = integer(c, 6), z = integer(c, 3);
-  const auto width = [&c] { return up_to(c, 11); };
-  const double dx = width(), dy = width(), dz = width();
-  return {{x, y, z}, {x + dx, y + dy, z + dz}};
+  const Point3d p{integer(c, 6), integer(c, 6), integer(c, 3)};
+  return {p, p + Vector3d{up_to(c, 11), up_to(c, 11), up_to(c, 11)}};
 }
 /// Of the lattice of unit boxes.
 inline Aabb3d cell(DrawStream& c) {
-  const double x = up_to(c, 2), y = up_to(c, 2);
-  const double z = up_to(c, 2);
-  return {{x, y, z}, {x + 1, y + 1, z + 1}};
+  const Point3d p = small_lattice_point(c);
+  return {p, p + Vector3d{1, 1, 1}};
 }
 
 /// So many bodies to start with and so many commands at most, one after another ("one more?"), so that the draws of

@@ -167,10 +167,7 @@ Rings turned_ring(DrawStream& c) {
   return {turned(ring, c)};
 }
 
-Polygon2d flat_vertices(DrawStream& c) {
-  const Polygon2d ring = simple_ring(c);
-  return with_flat_vertices(ring, c);
-}
+Polygon2d flat_vertices(DrawStream& c) { return with_flat_vertices(simple_ring(c), c); }
 
 Rings closed_ring(DrawStream& c) {
   const Polygon2d ring = c.coin() ? flat_vertices(c) : simple_ring(c);

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "catalogue/families/list_draws.h"
-#include "catalogue/families/numbers.h"
+#include "catalogue/families/plane_draws.h"
 #include "oracle/rings/simple.h"
 
 namespace touchstone::catalogue {
@@ -32,10 +32,7 @@ Polygon2d moved(Polygon2d ring, const Vector2d& by) {
   return ring;
 }
 
-Vector2d small_vector(DrawStream& draws) {
-  const double x = integer(draws, 24);
-  return {x, integer(draws, 24)};
-}
+Vector2d small_vector(DrawStream& draws) { return {integer(draws, 24), integer(draws, 24)}; }
 
 }  // namespace
 
@@ -182,14 +179,36 @@ Polygon2d closed(Polygon2d ring, DrawStream& draws) {
   return ring;
 }
 
+Point2d on_line_of_an_edge(const Polygon2d& ring, DrawStream& draws) {
+  const std::size_t i = draws.below(ring.size());
+  return along(ring[i], small_integer(draws), ring.next(i) - ring[i]);
+}
+
+std::tuple<Polygon2d, Point2d> needle_and_point(DrawStream& draws) {
+  const Point2d a = lattice_point(draws);
+  const Vector2d v = lattice_direction(draws, 40);
+  const double width = small_integer(draws, 1);
+  return {turned({{a, along(a, 4, v), {a.x + width, a.y + 1}}}, draws), beside(along(a, up_to(draws, 4), v), draws)};
+}
+
+Polygon2d nearly_flat_ring(DrawStream& draws) {
+  const Point2d p = lattice_point(draws, 40);
+  const double x = std::fabs(integer(draws, 40)) + 1, y = integer(draws, 40), off = small_integer(draws, 1);
+  return turned({{p, {p.x + x, p.y + y}, {p.x + 2 * x, p.y + 2 * y + off}, {p.x + x, p.y + 0x1p42}}}, draws);
+}
+
+Polygon2d typed_flat_ring(DrawStream& draws) {
+  const double x = typed(draws), y = typed(draws), far = typed(draws);
+  return turned({{{0, 0}, {x, y}, {2 * x, 2 * y}, {3 * x, 3 * y}, {far, -far}}}, draws);
+}
+
 Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws) {
   const std::size_t i = draws.below(ring.size());
   return ring[i] + up_to(draws, 8) / 8 * (ring.next(i) - ring[i]);
 }
 
 Point2d beside(const Point2d& p, DrawStream& draws) {
-  const double x = small_integer(draws, 2), y = small_integer(draws, 2);
-  return {p.x + x, p.y + y};
+  return {p.x + small_integer(draws, 2), p.y + small_integer(draws, 2)};
 }
 
 std::tuple<Polygon2d, Point2d> beside_least_edge(DrawStream& draws) {

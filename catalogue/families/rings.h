@@ -54,8 +54,35 @@ Polygon2d closed(Polygon2d ring, DrawStream& draws);
 /// bits.
 Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws);
 
+/// A ring that draw_ring(draws) draws, from any vertex on and in either direction, and a point that
+/// draw_point(ring, draws) draws.
+template <auto draw_ring, auto draw_point>
+std::tuple<Polygon2d, Point2d> turned_with_point(DrawStream& draws) {
+  const Polygon2d ring = turned(draw_ring(draws), draws);
+  return {ring, draw_point(ring, draws)};
+}
+
+inline Point2d any_vertex(const Polygon2d& ring, DrawStream& draws) { return ring[draws.below(ring.size())]; }
+
+/// On the line through the ends of an edge.
+Point2d on_line_of_an_edge(const Polygon2d& ring, DrawStream& draws);
+
 /// p, or a point at most 2 away from it in each coordinate.
 Point2d beside(const Point2d& p, DrawStream& draws);
+
+inline Point2d beside_an_edge(const Polygon2d& ring, DrawStream& draws) {
+  return beside(on_an_edge(ring, draws), draws);
+}
+
+/// Four units along a direction of up to 2^40, at most one wide, and a point of its long edges or beside it.
+std::tuple<Polygon2d, Point2d> needle_and_point(DrawStream& draws);
+
+/// The second vertex is on the line of its neighbours or beside it: its cross product is -1, 0 or 1, of products far
+/// beyond 2^53. The others are not flat.
+Polygon2d nearly_flat_ring(DrawStream& draws);
+
+/// Flat at three vertices, in numbers that people type.
+Polygon2d typed_flat_ring(DrawStream& draws);
 
 /// A triangle with an edge from the origin that rises by the least normal number, and a point on it or near it: every
 /// difference in y is subnormal, and lost where such numbers are read as zero.

@@ -22,6 +22,22 @@ inline BesideTie beside_tie(DrawStream& draws) {
   return {static_cast<double>(t), static_cast<double>(v), static_cast<double>(static_cast<std::int64_t>(rest))};
 }
 
+/// way / speed is an odd integer of 54 digits, and one `speed`th more or less: near a halfway case by far less than
+/// enclosures can tell. The way is low + high; speed is an integer of 31 digits.
+struct WayBesideTie {
+  double low, high, speed;
+};
+
+inline WayBesideTie way_beside_tie(DrawStream& draws) {
+  __extension__ using Wide = __int128;
+  const std::uint64_t half = std::uint64_t{1} << 52, least = std::uint64_t{1} << 30;
+  const auto odd = static_cast<Wide>(2 * (half + draws.below(half)) + 1);
+  const auto speed = static_cast<std::int64_t>(least + draws.below(least));
+  const Wide way = odd * speed + (draws.coin() ? -1 : 1);
+  return {static_cast<double>(static_cast<std::int64_t>(way & 0xffffffff)),
+          static_cast<double>(static_cast<std::int64_t>(way >> 32)) * 0x1p32, static_cast<double>(speed)};
+}
+
 /// (2 d q + d + 1) / d is 2 q + 1, an odd integer of 54 digits, and 1 / d more.
 struct QuotientBesideTie {
   double d, q;

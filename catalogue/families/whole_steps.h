@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "catalogue/families/draw_stream.h"
+#include "catalogue/families/numbers.h"
 #include "geometry/space.h"
 
 /// Displacements of integer length, drawn from a draw stream.

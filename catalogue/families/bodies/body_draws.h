@@ -19,10 +19,7 @@ Bodies drawn_bodies(DrawStream& c, const Draw& draw) {
   return list;
 }
 
-inline Bodyd lattice_body(DrawStream& c) {
-  const double m = lattice_mass(c);
-  return {m, lattice_velocity(c, 20)};
-}
+inline Bodyd lattice_body(DrawStream& c) { return {lattice_mass(c), lattice_velocity(c, 20)}; }
 inline Bodies lattice_bodies(DrawStream& c) { return drawn_bodies(c, lattice_body); }
 
 /// Each of which counts.

@@ -15,17 +15,10 @@ struct Bounce {
 };
 
 inline Vector3d lattice_velocity(DrawStream& c, int bits = 26) {
-  const double x = integer(c, bits), y = integer(c, bits);
-  return {x, y, integer(c, bits)};
+  return {integer(c, bits), integer(c, bits), integer(c, bits)};
 }
-inline Vector3d ordinary_vector(DrawStream& c) {
-  const double x = ordinary(c), y = ordinary(c);
-  return {x, y, ordinary(c)};
-}
-inline Vector3d zero_vector(DrawStream& c) {
-  const double x = zero(c), y = zero(c);
-  return {x, y, zero(c)};
-}
+inline Vector3d ordinary_vector(DrawStream& c) { return {ordinary(c), ordinary(c), ordinary(c)}; }
+inline Vector3d zero_vector(DrawStream& c) { return {zero(c), zero(c), zero(c)}; }
 
 /// The normal along an axis, of any sign: zeros next to one number.
 inline Vector3d axis_normal(DrawStream& c) {
@@ -39,10 +32,7 @@ inline Vector3d axis_normal(DrawStream& c) {
   return n;
 }
 
-inline Bounce lattice_bounce(DrawStream& c) {
-  const Vector3d v = lattice_velocity(c);
-  return {v, lattice_normal(c)};
-}
+inline Bounce lattice_bounce(DrawStream& c) { return {lattice_velocity(c), lattice_normal(c)}; }
 
 /// Along the plane: the velocity stays as it is, and both products that cancel are long.
 inline Bounce along_the_plane(DrawStream& c) {
@@ -74,17 +64,13 @@ inline Vector3d stretched_normal(DrawStream& c) {
   const int length = lengths[c.below(6)], more = integer_in(c, 0, 7);
   return std::ldexp(1, length + more) * n;
 }
-inline Bounce stretched_bounce(DrawStream& c) {
-  const Vector3d v = lattice_velocity(c);
-  return {v, stretched_normal(c)};
-}
+inline Bounce stretched_bounce(DrawStream& c) { return {lattice_velocity(c), stretched_normal(c)}; }
 
 /// Full digits at an exponent where a product of two underflows in part, or squares overflow.
 inline double at_the_end(DrawStream& c, int exponent) { return std::ldexp(ordinary(c), exponent); }
 inline Vector3d at_the_end_of_products(DrawStream& c) {
   const int size = integer_in(c, 480, 549), exponent = c.one_in(4) ? size : -size;
-  const double x = at_the_end(c, exponent), y = at_the_end(c, exponent);
-  return {x, y, at_the_end(c, exponent)};
+  return {at_the_end(c, exponent), at_the_end(c, exponent), at_the_end(c, exponent)};
 }
 inline Bounce products_at_the_end(DrawStream& c) {
   const Vector3d v = c.coin() ? ordinary_vector(c) : at_the_end_of_products(c);
@@ -97,13 +83,9 @@ inline Vector3d at_the_end_of_range(DrawStream& c) {
     const double size = std::numeric_limits<double>::max() / one_to(c, 3);
     return either_sign(c) * size;
   };
-  const double x = end(), y = end();
-  return {x, y, end()};
+  return {end(), end(), end()};
 }
-inline Bounce at_end_of_range(DrawStream& c) {
-  const Vector3d v = at_the_end_of_range(c);
-  return {v, lattice_normal(c, 3)};
-}
+inline Bounce at_end_of_range(DrawStream& c) { return {at_the_end_of_range(c), lattice_normal(c, 3)}; }
 
 /// With n = (1, b, 0), x - 2 (x + b y) / (1 + b^2) is an odd number of 54 digits, and 1 / (1 + b^2) less: near a tie
 /// by 2^-103 of it.
@@ -116,9 +98,6 @@ inline Bounce bounce_beside_a_tie(DrawStream& c) {
 }
 
 /// No normal.
-inline Bounce without_a_normal(DrawStream& c) {
-  const Vector3d v = lattice_velocity(c);
-  return {v, zero_vector(c)};
-}
+inline Bounce without_a_normal(DrawStream& c) { return {lattice_velocity(c), zero_vector(c)}; }
 
 }  // namespace touchstone::catalogue

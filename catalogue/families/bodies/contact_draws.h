@@ -19,14 +19,11 @@ inline Vector3d going(const MovingBodyd& body, const Point3d& point) {
 }
 
 inline MovingBodyd lattice_moving_body(DrawStream& c, int bits) {
-  const Point3d x = lattice_point_in_space(c, bits);
-  const Vector3d v = lattice_velocity(c, bits);
-  return {x, v, lattice_velocity(c, bits)};
+  return {lattice_point_in_space(c, bits), lattice_velocity(c, bits), lattice_velocity(c, bits)};
 }
 inline Meeting lattice_meeting(DrawStream& c, int bits = 12) {
   const MovingBodyd a = lattice_moving_body(c, bits), b = lattice_moving_body(c, bits);
-  const Point3d p = lattice_point_in_space(c, bits);
-  return {a, b, p, lattice_normal(c, bits)};
+  return {a, b, lattice_point_in_space(c, bits), lattice_normal(c, bits)};
 }
 
 /// As plane physics has it: all in the plane z = 0, turns about z.
@@ -110,8 +107,7 @@ inline Meeting as_wide_as_lattices(DrawStream& c) {
   const double turn = long_number(), place = long_number(), v = 8 * turn * place;
   const Point3d x{place, place, place};
   const MovingBodyd a{x, {v, 0, 0}, {1, turn, -turn}}, b{x, {0, 0, 0}, {1, -turn, turn}};
-  const Vector3d n{either_sign(c), small_integer(c, 1), 0};
-  return {a, b, {1, -place, -place}, n};
+  return {a, b, {1, -place, -place}, {either_sign(c), small_integer(c, 1), 0}};
 }
 
 /// The way from a to the contact is beyond the range.

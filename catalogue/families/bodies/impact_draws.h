@@ -14,15 +14,11 @@ struct Impact {
 };
 
 inline double lattice_mass(DrawStream& c) { return one_to(c, 16); }
-inline Massesd lattice_masses(DrawStream& c) {
-  const double m = lattice_mass(c);
-  return {m, lattice_mass(c)};
-}
+inline Massesd lattice_masses(DrawStream& c) { return {lattice_mass(c), lattice_mass(c)}; }
 
 inline Impact lattice_impact(DrawStream& c) {
   const Massesd m = lattice_masses(c);
-  const Vector3d v = lattice_velocity(c), w = lattice_velocity(c);
-  return {m, {v, w}, lattice_normal(c)};
+  return {m, {lattice_velocity(c), lattice_velocity(c)}, lattice_normal(c)};
 }
 
 /// Both move along the normal; bodies of one mass exchange their velocities.
@@ -46,7 +42,7 @@ inline Impact grazing_impact(DrawStream& c) {
 inline Impact in_company(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d v = ordinary_vector(c);
-  const auto beside = [&c](double x) { return moved_by_ulps(x, static_cast<int>(small_integer(c, 2))); };
+  const auto beside = [&c](double x) { return ulps_apart(c, x, 2); };
   const double x = beside(v.x), y = beside(v.y), z = beside(v.z);
   return {m, {v, {x, y, z}}, c.coin() ? ordinary_vector(c) : lattice_normal(c, 4)};
 }
@@ -71,8 +67,7 @@ inline Impact fly_and_wall(DrawStream& c) {
 
 inline Impact stretched_impact(DrawStream& c) {
   const Massesd m = lattice_masses(c);
-  const Vector3d v = lattice_velocity(c), w = lattice_velocity(c);
-  return {m, {v, w}, stretched_normal(c)};
+  return {m, {lattice_velocity(c), lattice_velocity(c)}, stretched_normal(c)};
 }
 
 /// Full digits, all of them at the end of products or one of the three alone.
@@ -87,8 +82,7 @@ inline Impact impact_at_the_end(DrawStream& c) {
 
 inline Impact impact_at_end_of_range(DrawStream& c) {
   const Massesd m = lattice_masses(c);
-  const Vector3d v = at_the_end_of_range(c), w = at_the_end_of_range(c);
-  return {m, {v, w}, lattice_normal(c, 3)};
+  return {m, {at_the_end_of_range(c), at_the_end_of_range(c)}, lattice_normal(c, 3)};
 }
 
 /// With m1 + m2 = M and m2 = (M + 1) / 4, both of up to 53 digits: 2 q + 4 m2 / M is 2 q + 1, an odd number of 54
@@ -126,7 +120,7 @@ inline void make_positive(double& mass) {
 /// A coefficient of restitution on a bound, or the first number beyond.
 inline double restitution_at_a_bound(DrawStream& c) {
   const double bound = c.coin() ? 1 : 0;
-  return moved_by_ulps(bound, static_cast<int>(small_integer(c, 1)));
+  return ulps_apart(c, bound, 1);
 }
 
 }  // namespace touchstone::catalogue

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "catalogue/families/bodies/simultaneous_draws.h"
+#include "catalogue/families/bodies/step_draws.h"
 #include "catalogue/shape/described_impacts.h"
 
 /// Balls and walls before a step in which they collide when they meet, drawn from a draw stream.
@@ -52,9 +52,8 @@ inline Impacting balls_head_on(DrawStream& c) {
   const double part = up_to(c, 4) / 4, other = lattice_inverse_mass(c);
   const Vector3d v = n, u = c.coin() ? Vector3d{0, 0, 0} : -1.0 * n;
   const double closing = validation::zero(u.x) && validation::zero(u.y) && validation::zero(u.z) ? 1 : 2;
-  const double speed = validation::zero(other) ? 1 : closing;
-  const double apart = 1 + wait * speed * s.timestep;
-  const double radius = moved_by_ulps((1 - part) * length, static_cast<int>(small_integer(c, 1)));
+  const double speed = validation::zero(other) ? 1 : closing, apart = 1 + wait * speed * s.timestep;
+  const double radius = ulps_apart(c, (1 - part) * length, 1);
   s.add({0, 0, 0}, part * length, w, v);
   s.add(Point3d{0, 0, 0} + apart * n, std::fabs(radius), other, u);
   return s;
@@ -65,9 +64,8 @@ inline Impacting grazing_balls(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const auto [n, length] = whole_normal(c);
   const Vector3d along = lattice_across(c, n);
-  const double part = up_to(c, 4) / 4, w = lattice_inverse_mass(c);
-  const double far = up_to(c, 3) / 4 * s.timestep;
-  const double radius = moved_by_ulps((1 - part) * length, static_cast<int>(small_integer(c, 1)));
+  const double part = up_to(c, 4) / 4, w = lattice_inverse_mass(c), far = up_to(c, 3) / 4 * s.timestep;
+  const double radius = ulps_apart(c, (1 - part) * length, 1);
   s.add(Point3d{0, 0, 0} + (-far) * along, part * length, 1 + lattice_inverse_mass(c), along);
   s.add(Point3d{0, 0, 0} + n, std::fabs(radius), w, {0, 0, 0});
   if (c.one_in(4)) s.walls.push_back({n, part * length * length});
@@ -79,8 +77,7 @@ inline Impacting row_of_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const auto [n, length] = whole_normal(c);
   const std::uint64_t balls = 2 + c.below(4), moving = 1 + c.below(2);
-  const double speed = one_to(c, 8);
-  const double gap = up_to(c, 2) / 4;
+  const double speed = one_to(c, 8), gap = up_to(c, 2) / 4;
   const bool alike = c.below(4) != 3;
   double place = 0;
   for (std::uint64_t i = 0; i < balls; ++i) {
@@ -118,8 +115,7 @@ inline Impacting impact_in_a_corner(DrawStream& c) {
   Impacting s = empty_impacting(c);
   const double x = small_integer(c, 20), y = small_integer(c, 20), z = small_integer(c, 20);
   const double radius = up_to(c, 4), when = up_to(c, 4) / 4 * s.timestep;
-  const Vector3d v = lattice_velocity(c, 5);
-  const Vector3d meets{x, y, z};
+  const Vector3d v = lattice_velocity(c, 5), meets{x, y, z};
   s.add(Point3d{x, y, z} + (-when) * v, radius, 1 + lattice_inverse_mass(c), v);
   const std::uint64_t walls = 2 + c.below(3);
   while (s.walls.size() < walls) {
@@ -127,7 +123,7 @@ inline Impacting impact_in_a_corner(DrawStream& c) {
     const double side = dot(wall.n, v) > 0 ? -1 : 1;
     const Vector3d n = side * wall.n;
     const double offset = radius * wall.length - dot(n, meets);
-    s.walls.push_back({n, moved_by_ulps(offset, static_cast<int>(small_integer(c, 1)))});
+    s.walls.push_back({n, ulps_apart(c, offset, 1)});
   }
   return s;
 }
@@ -139,7 +135,7 @@ inline Impacting overlapping_impacts(DrawStream& c) {
   const double x = integer(c, 10), y = integer(c, 10), radius = up_to(c, 3);
   const Vector3d v = lattice_velocity(c, 3);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const double aside = c.coin() ? moved_by_ulps(x, static_cast<int>(small_integer(c, 2))) : x;
+    const double aside = c.coin() ? ulps_apart(c, x, 2) : x;
     const double w = lattice_inverse_mass(c), up = small_integer(c, 1), off = small_integer(c, 2);
     s.add({aside, y + off, 0}, radius, w, {v.x, v.y + up, v.z});
   }
@@ -213,8 +209,7 @@ inline Impacting broken_racks(DrawStream& c) {
   constexpr Vector3d mirrored[]{{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}};
   const double high = one_to(c, 2), radius = 1, speed = one_to(c, 8);
   const std::uint64_t balls = 2 + c.below(3), first = c.below(2);
-  const double far = one_to(c, 4), w = one_to(c, 3);
-  const double lower = c.one_in(4) ? 0x1p-30 : 0;
+  const double far = one_to(c, 4), w = one_to(c, 3), lower = c.one_in(4) ? 0x1p-30 : 0;
   s.add({-far, 0, 0}, radius, 1, {speed, 0, 0});
   for (std::uint64_t i = 0; i < balls; ++i) {
     const Vector3d& m = mirrored[(first * 2 + i) % 4];
@@ -253,10 +248,8 @@ inline Impacting to_and_fro(DrawStream& c) {
 /// Pairs far from each other that meet at one moment, or so little apart that only many digits tell.
 inline Impacting equal_moments(DrawStream& c) {
   Impacting s = empty_impacting(c);
-  const double x = 2 + up_to(c, 2), y = up_to(c, 1);
-  const double w = lattice_inverse_mass(c);
-  const double speed = one_to(c, 8), far = 0x1p10;
-  const double other_speed = moved_by_ulps(speed, static_cast<int>(small_integer(c, 1)));
+  const double x = 2 + up_to(c, 2), y = up_to(c, 1), w = lattice_inverse_mass(c);
+  const double speed = one_to(c, 8), far = 0x1p10, other_speed = ulps_apart(c, speed, 1);
   s.add({0, 0, 0}, 1, 1, {speed, 0, 0});
   s.add({x, y, 0}, 1, w, {0, 0, 0});
   s.add({far, 0, 0}, 1, 1, {0, other_speed, 0});
@@ -346,17 +339,7 @@ inline Impacting impacts_of_many_walls(DrawStream& c) {
 /// Something that is refused, somewhere.
 inline Impacting refused_impacts(DrawStream& c) {
   Impacting s = lattice_impacts(c);
-  const Vector3d n = zero_vector(c);
-  StepBodyd& body = s.bodies[c.below(s.bodies.size())];
-  switch (c.below(7)) {
-    case 0: s.timestep = zero(c); break;
-    case 1: s.timestep = c.coin() ? -0x1p-1074 : -1; break;
-    case 2: s.restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
-    case 3: s.walls.push_back({n, small_integer(c)}); break;
-    case 4: body.inverse_mass = c.coin() ? -0x1p-1074 : -1; break;
-    case 5: body.sphere.radius = c.coin() ? -0x1p-1074 : -1; break;
-    default: body.inverse_mass = 0, body.velocity = {0, 0, c.coin() ? 0x1p-1074 : 1};
-  }
+  break_one_rule(s.bodies, s.walls, s.timestep, s.restitution, c);
   return s;
 }
 

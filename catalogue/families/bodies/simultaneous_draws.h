@@ -36,8 +36,7 @@ inline double lattice_inverse_mass(DrawStream& c, std::uint64_t immovable = 8) {
   return c.one_in(immovable) ? 0 : one_to(c, 4);
 }
 inline PointBodyd lattice_point_body(DrawStream& c, int bits = 6) {
-  const double w = lattice_inverse_mass(c);
-  return {w, lattice_velocity(c, bits)};
+  return {lattice_inverse_mass(c), lattice_velocity(c, bits)};
 }
 
 /// The same contact seen from the other body.
@@ -178,7 +177,7 @@ inline Touching at_rest(DrawStream& c) {
   Touching t = c.coin() ? lattice_net(c) : stack(c);
   const Vector3d v = ordinary_vector(c);
   for (PointBodyd& body : t.bodies) {
-    const double x = moved_by_ulps(v.x, static_cast<int>(small_integer(c, 2)));
+    const double x = ulps_apart(c, v.x, 2);
     body.velocity = {x, v.y, v.z};
   }
   return t;

@@ -60,8 +60,7 @@ inline Stepping tangent_balls(DrawStream& c) {
   const WholeNormal direction = whole_normal(c);
   const double part = up_to(c, 8) / 8, times = one_to(c, 4);
   const double x = integer(c, 8), y = integer(c, 8), w = lattice_inverse_mass(c), other = 1 + lattice_inverse_mass(c);
-  const double length = times * direction.length, radius = part * length;
-  const double reach = moved_by_ulps(length - radius, static_cast<int>(small_integer(c, 1)));
+  const double length = times * direction.length, radius = part * length, reach = ulps_apart(c, length - radius, 1);
   const Vector3d v = lattice_velocity(c, 4), u = lattice_velocity(c, 4);
   const Point3d at{x, y, 0};
   s.add(at, radius, w, v);
@@ -118,7 +117,7 @@ inline Stepping ball_in_a_corner(DrawStream& c) {
     const double side = either_sign(c);
     const Vector3d n = side * wall.n;
     const double offset = radius * wall.length - dot(n, Vector3d{x, y, z});
-    s.walls.push_back({n, moved_by_ulps(offset, static_cast<int>(small_integer(c, 1)))});
+    s.walls.push_back({n, ulps_apart(c, offset, 1)});
   }
   return s;
 }
@@ -130,7 +129,7 @@ inline Stepping overlapping_balls(DrawStream& c) {
   const double x = integer(c, 10), y = integer(c, 10), radius = up_to(c, 3);
   const Vector3d v = lattice_velocity(c, 3);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const double aside = c.coin() ? moved_by_ulps(x, static_cast<int>(small_integer(c, 2))) : x;
+    const double aside = c.coin() ? ulps_apart(c, x, 2) : x;
     const double w = lattice_inverse_mass(c), up = small_integer(c, 1);
     s.add({aside, y, 0}, radius, w, {v.x, v.y + up, v.z});
   }
@@ -179,7 +178,7 @@ inline Stepping sliding_balls(DrawStream& c) {
   s.walls.push_back({n, length * radius});
   if (c.coin()) s.add(Point3d{0, 0, 0} + (2 * radius / length) * n, radius, lattice_inverse_mass(c), further);
   const double x = s.bodies[0].velocity.x;
-  s.bodies[0].velocity.x = moved_by_ulps(x, static_cast<int>(small_integer(c, 1)));
+  s.bodies[0].velocity.x = ulps_apart(c, x, 1);
   return s;
 }
 
@@ -227,8 +226,7 @@ inline Stepping rounded_tangent_balls(DrawStream& c) {
   const Vector3d p = ordinary_vector(c), q = ordinary_vector(c), v = ordinary_vector(c), w = ordinary_vector(c);
   s.settings.gravity = {0, 0, 0};
   const double h = s.settings.timestep, distance = std::sqrt(dot(q - p, q - p));
-  const double radius = distance * up_to(c, 8) / 8;
-  const double other = moved_by_ulps(distance - radius, static_cast<int>(small_integer(c, 3)));
+  const double radius = distance * up_to(c, 8) / 8, other = ulps_apart(c, distance - radius, 3);
   const Vector3d back = -h * v, other_back = -h * w;
   s.bodies.push_back({1, v, {Point3d{p.x, p.y, p.z} + back, radius}});
   s.bodies.push_back({1, w, {Point3d{q.x, q.y, q.z} + other_back, std::fabs(other)}});
@@ -308,20 +306,27 @@ inline Stepping many_walls(DrawStream& c) {
   return s;
 }
 
-/// Something that is refused, somewhere.
-inline Stepping refused_step(DrawStream& c) {
-  Stepping s = lattice_balls(c);
+/// A timestep that is not positive, a restitution beyond its ends, a wall without a normal, a body of a negative mass or
+/// radius, or a velocity of one that never moves.
+inline void break_one_rule(std::vector<StepBodyd>& bodies, std::vector<Plane3d>& walls, double& timestep,
+                           double& restitution, DrawStream& c) {
   const Vector3d n = zero_vector(c);
-  StepBodyd& body = s.bodies[c.below(s.bodies.size())];
+  StepBodyd& body = bodies[c.below(bodies.size())];
   switch (c.below(7)) {
-    case 0: s.settings.timestep = zero(c); break;
-    case 1: s.settings.timestep = c.coin() ? -0x1p-1074 : -1; break;
-    case 2: s.settings.restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
-    case 3: s.walls.push_back({n, small_integer(c)}); break;
+    case 0: timestep = zero(c); break;
+    case 1: timestep = c.coin() ? -0x1p-1074 : -1; break;
+    case 2: restitution = c.coin() ? -0x1p-1074 : 0x1.0000000000001p0; break;
+    case 3: walls.push_back({n, small_integer(c)}); break;
     case 4: body.inverse_mass = c.coin() ? -0x1p-1074 : -1; break;
     case 5: body.sphere.radius = c.coin() ? -0x1p-1074 : -1; break;
     default: body.inverse_mass = 0, body.velocity = {0, 0, c.coin() ? 0x1p-1074 : 1};
   }
+}
+
+/// Something that is refused, somewhere.
+inline Stepping refused_step(DrawStream& c) {
+  Stepping s = lattice_balls(c);
+  break_one_rule(s.bodies, s.walls, s.settings.timestep, s.settings.restitution, c);
   return s;
 }
 

@@ -17,8 +17,7 @@ using Points = std::vector<Point3d>;
 Point3d times(double factor, const Point3d& p) { return {factor * p.x, factor * p.y, factor * p.z}; }
 
 Point3d on_grid(DrawStream& c, int most) {
-  const double x = small_integer(c, most), y = small_integer(c, most);
-  return {x, y, small_integer(c, most)};
+  return {small_integer(c, most), small_integer(c, most), small_integer(c, most)};
 }
 
 /// x y z, y z x or z x y.
@@ -132,19 +131,11 @@ Points between_corners(DrawStream& c) {
   return shuffled(points, c);
 }
 
-Points repeated(DrawStream& c) {
-  Points points = lattice_polyhedron(c).vertices;
-  for (std::uint64_t more = 1 + c.below(8); more > 0; --more) {
-    const Point3d again = points[c.below(points.size())];
-    points.push_back(again);
-  }
-  return shuffled(points, c);
-}
+Points repeated(DrawStream& c) { return shuffled(with_repeated(lattice_polyhedron(c).vertices, 8, c), c); }
 
 Points mapped(DrawStream& c) {
   Meshd mesh = lattice_polyhedron(c);
-  Point3d unused{0, 0, 0};
-  map_linearly(mesh, unused, c);
+  map_linearly(c, mesh);
   return mesh.vertices;
 }
 
@@ -152,15 +143,14 @@ Points tiny_beside_huge(DrawStream& c) {
   return one_by_one(c, 12, [](DrawStream& d) {
     static constexpr std::array<int, 5> exponents{0, 60, -60, 1000, -1074};
     const Point3d p = lattice_point_in_space(d, 10);
-    const int k = exponents[d.below(5)];
-    return Point3d{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+    return scaled(p, exponents[d.below(5)]);
   });
 }
 
 Points subnormal(DrawStream& c) {
   Points points = tilted(c, 20, 12);
   points.push_back(lattice_point_in_space(c, 20));
-  for (Point3d& p : points) p = {std::ldexp(p.x, -1074), std::ldexp(p.y, -1074), std::ldexp(p.z, -1074)};
+  for (Point3d& p : points) p = scaled(p, -1074);
   return points;
 }
 

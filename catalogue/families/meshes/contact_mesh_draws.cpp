@@ -167,9 +167,7 @@ Meshd reported_faces(DrawStream& draws) {
 }
 
 Meshd with_stretched_axes(Meshd mesh, DrawStream& draws) {
-  static constexpr int exponents[]{0, 60, 255, -170, 300, -300};
-  const int x = exponents[draws.below(6)], y = exponents[draws.below(6)], z = exponents[draws.below(6)];
-  for (Point3d& p : mesh.vertices) p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+  Stretch{draws}(mesh);
   return mesh;
 }
 

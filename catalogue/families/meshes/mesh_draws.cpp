@@ -131,22 +131,6 @@ Point3d between_vertices(const Meshd& mesh, DrawStream& draws) {
   return middle(mesh.vertices[first], mesh.vertices[second]);
 }
 
-void map_linearly(Meshd& mesh, Point3d& point, DrawStream& draws) {
-  Whole rows[3];
-  for (Whole& row : rows) {
-    for (long& entry : row) entry = static_cast<long>(small_integer(draws, 4));
-  }
-  if (dot(rows[0], cross(rows[1], rows[2])) == 0) return;
-  const auto image = [&rows](const Point3d& p) {
-    const auto row = [&p](const Whole& r) {
-      return static_cast<double>(r[0]) * p.x + static_cast<double>(r[1]) * p.y + static_cast<double>(r[2]) * p.z;
-    };
-    return Point3d{row(rows[0]), row(rows[1]), row(rows[2])};
-  };
-  for (Point3d& vertex : mesh.vertices) vertex = image(vertex);
-  point = image(point);
-}
-
 Meshd broken(Meshd mesh, DrawStream& draws) {
   const std::size_t which = draws.below(mesh.faces.size());
   switch (draws.below(7)) {
@@ -165,6 +149,12 @@ Meshd broken(Meshd mesh, DrawStream& draws) {
       for (const Face& f : faces) mesh.faces.push_back({f.a + count, f.b + count, f.c + count});
     }
   }
+  return mesh;
+}
+
+Meshd tetrahedron_over(const std::array<Point3d, 4>& corners) {
+  Meshd mesh{{corners.begin(), corners.end()}, {}};
+  make_tetrahedron(mesh);
   return mesh;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tuple>
+#include <array>
 
-#include "catalogue/families/draw_stream.h"
+#include "catalogue/families/space_draws.h"
 #include "geometry/polyhedra.h"
 
 /// Closed convex meshes, drawn from a draw stream; the simplest is a tetrahedron.
@@ -38,12 +38,37 @@ Point3d on_a_face_plane(const Meshd& mesh, DrawStream& draws);
 /// The middle of two vertices; inside, or on a face.
 Point3d between_vertices(const Meshd& mesh, DrawStream& draws);
 
-/// Mesh and point by one integer map of determinant not 0, entries at most 4.
-void map_linearly(Meshd& mesh, Point3d& point, DrawStream& draws);
+inline Meshd shifted(Meshd mesh, const Vector3d& by) {
+  for (Point3d& p : mesh.vertices) p = p + by;
+  return mesh;
+}
+
+/// By one integer map of determinant not 0, entries at most 4; they stay where a singular one is drawn.
+template <class... Shapes>
+void map_linearly(DrawStream& draws, Shapes&... shapes) {
+  const auto row = [&draws] {
+    return Vector3d{small_integer(draws, 4), small_integer(draws, 4), small_integer(draws, 4)};
+  };
+  const Vector3d u = row(), v = row(), w = row();
+  if (dot(u, cross(v, w)) == 0) return;
+  const auto map = [&](auto& p) {
+    const auto image = [&p](const Vector3d& r) { return r.x * p.x + r.y * p.y + r.z * p.z; };
+    p = {image(u), image(v), image(w)};
+  };
+  (change_each(shapes, map), ...);
+}
 
 /// Mostly a mesh that breaks a rule: a face missing, doubled, reversed or of two vertices, all in one plane, two
 /// solids.
 Meshd broken(Meshd mesh, DrawStream& draws);
+
+Meshd tetrahedron_over(const std::array<Point3d, 4>& corners);
+
+/// The corners are drawn by point(draws).
+template <class Draw>
+Meshd tetrahedron_of(DrawStream& draws, const Draw& point) {
+  return tetrahedron_over({point(draws), point(draws), point(draws), point(draws)});
+}
 
 /// The faces of a tetrahedron over the first four vertices, the others taken away; fewer stay as they are.
 void make_tetrahedron(Meshd& mesh);

@@ -7,6 +7,7 @@
 
 #include "catalogue/families/meshes/cube_surface.h"
 #include "catalogue/families/meshes/lattice_hull.h"
+#include "catalogue/families/space_draws.h"
 
 namespace touchstone::catalogue {
 namespace {
@@ -66,7 +67,7 @@ std::vector<Whole> prism() {
 
 /// Each axis by its own power of two: beyond any lattice, and products that filters cannot bound.
 Meshd stretched(Meshd mesh) {
-  for (Point3d& p : mesh.vertices) p = {std::ldexp(p.x, 300), std::ldexp(p.y, -170), std::ldexp(p.z, -300)};
+  for (Point3d& p : mesh.vertices) p = scaled(p, 300, -170, -300);
   return mesh;
 }
 

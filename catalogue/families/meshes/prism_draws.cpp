@@ -59,8 +59,7 @@ Meshd prism_over(const Polygon2d& ring, const Vector2d& slope, double height, Dr
 
 Meshd prism_on_small_lattice(DrawStream& draws) {
   const Polygon2d ring = ring_on_small_lattice(draws);
-  const double x = small_integer(draws, 2), y = small_integer(draws, 2);
-  return prism_over(ring, {x, y}, 4, draws);
+  return prism_over(ring, {small_integer(draws, 2), small_integer(draws, 2)}, 4, draws);
 }
 
 }  // namespace

@@ -14,8 +14,7 @@ namespace {
 const std::vector<Face> faces_with_dent{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}};
 
 Point3d drawn_point(DrawStream& draws, int most) {
-  const double x = 12 * small_integer(draws, most), y = 12 * small_integer(draws, most);
-  return {x, y, 12 * small_integer(draws, most)};
+  return {12 * small_integer(draws, most), 12 * small_integer(draws, most), 12 * small_integer(draws, most)};
 }
 
 std::vector<Whole> block(long x, long y, long z) {
@@ -172,6 +171,13 @@ Meshd opened(Meshd mesh, DrawStream& draws) {
       mesh.vertices.push_back(mesh.vertices[face.a]);
       mesh.faces[which].a = static_cast<Index>(mesh.vertices.size() - 1);
   }
+  return mesh;
+}
+
+Meshd ordinary_solid(DrawStream& draws) {
+  Meshd mesh;
+  while (mesh.vertices.size() < 5) mesh.vertices.push_back({ordinary(draws), ordinary(draws), ordinary(draws)});
+  make_solid(mesh);
   return mesh;
 }
 

@@ -39,6 +39,8 @@ Meshd with_face_listed_twice(Meshd mesh, DrawStream& draws);
 /// A mesh with an edge in an odd number of faces, or one that breaks another rule; sometimes intact.
 Meshd opened(Meshd mesh, DrawStream& draws);
 
+Meshd ordinary_solid(DrawStream& draws);
+
 /// A tetrahedron over the first four vertices, a dented one over the first five; fewer stay as they are.
 void make_solid(Meshd& mesh);
 

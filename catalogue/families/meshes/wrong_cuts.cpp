@@ -29,8 +29,7 @@ const CutPolygon strip_across_itself{
 /// A square with a detour to a point within and back. The triangles meet in another point; the first one lies in or on
 /// one of them.
 CutPolygon square_with_a_detour(DrawStream& draws) {
-  const double x = one_to(draws, 3);
-  return {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {x, 2}, {2, 1}},
+  return {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {one_to(draws, 3), 2}, {2, 1}},
           {0, 4, 0, 1, 2, 3},
           {{0, 1, 5}, {1, 2, 5}, {2, 3, 5}, {3, 0, 5}}};
 }
@@ -125,7 +124,7 @@ Meshd with_lifted_corner(Meshd mesh, DrawStream& draws) {
   if (mesh.polygons.empty()) return mesh;
   const std::vector<Index>& corners = mesh.polygons[draws.below(mesh.polygons.size())];
   double& z = mesh.vertices[corners[draws.below(corners.size())]].z;
-  z = moved_by_ulps(z, static_cast<int>(small_integer(draws, 2)));
+  z = ulps_apart(draws, z, 2);
   return mesh;
 }
 

@@ -98,7 +98,7 @@ void line_ball_cases(HardCases<typename Row::Question>& add) {
     return Row::of({{x, y, z}, {vx, vy, vz}}, {{0, 0, 0}, std::fabs(r)}, in_plane);
   });
   add("least_beside_greatest", [](DrawStream& c) -> Question {
-    const double least = std::ldexp(small_integer(c), -1074), greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
+    const double least = subnormal(c), greatest = huge(c);
     const Vector3d v = c.coin() ? Vector3d{-greatest, 0, 0} : Vector3d{-4, least, 0};
     const double x = c.coin() ? greatest : 3, r = c.coin() ? 1 : std::fabs(least);
     const Sphere3d ball{{0, 0, 0}, c.coin() ? greatest : r};

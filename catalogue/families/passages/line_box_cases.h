@@ -3,6 +3,7 @@
 
 #include "catalogue/families/box_draws.h"
 #include "catalogue/families/passages/line_solid_cases.h"
+#include "catalogue/families/ties.h"
 
 /// Families of a line and a box. Row::of(course, box, in_plane): the question whose line has that course, in space, or
 /// the same without z.
@@ -24,54 +25,46 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
   add("through_inside", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
     const Point3d x = within(box, c).min;
-    const Vector3d v = lattice_normal(c, 6);
-    return in_either<Row>(c, course_through(c, x, v), box);
+    return in_either<Row>(c, course_through(c, x, lattice_normal(c, 6)), box);
   });
   add("through_corner", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
     const bool in_plane = c.coin();
     const Point3d x = on_boundary(c, box, in_plane ? 2 : 3);
-    const Vector3d v = lattice_normal(c, 3);
-    return Row::of(course_through(c, x, v), box, in_plane);
+    return Row::of(course_through(c, x, lattice_normal(c, 3)), box, in_plane);
   });
   add("through_edge", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
     const Point3d x = on_boundary(c, box, 2);
-    const Vector3d v = lattice_normal(c, 3);
-    return Row::of(course_through(c, x, v), box, false);
+    return Row::of(course_through(c, x, lattice_normal(c, 3)), box, false);
   });
   add("along_face", [](DrawStream& c) -> Question {
     // In its plane, or just beside it.
     const Aabb3d box = lattice_box(c, 12);
     Point3d x = on_boundary(c, box, 1);
     x.x += small_integer(c, 1);
-    const double y = one_to(c, 3), z = small_integer(c, 3);
-    return in_either<Row>(c, course_through(c, x, {0, y, z}), box);
+    return in_either<Row>(c, course_through(c, x, {0, one_to(c, 3), small_integer(c, 3)}), box);
   });
   add("along_edge", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
     const Point3d x = on_boundary(c, box, 2);
     const double none = zero(c), v = one_to(c, 3);
-    const Vector3d way{none, 0, either_sign(c) * v};
-    return Row::of(course_through(c, x, way), box, false);
+    return Row::of(course_through(c, x, {none, 0, either_sign(c) * v}), box, false);
   });
   add("along_axis", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
     Point3d x = within(box, c).min;
     x.y += small_integer(c, 2);
     const double v = one_to(c, 8);
-    const Vector3d way{either_sign(c) * v, 0, -0.0};
-    return in_either<Row>(c, course_through(c, x, way), box);
+    return in_either<Row>(c, course_through(c, x, {either_sign(c) * v, 0, -0.0}), box);
   });
   add("starts_on_boundary", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
-    const Point3d x = on_boundary(c, box, integer_in(c, 1, 3));
-    return in_either<Row>(c, {x, lattice_normal(c, 6)}, box);
+    return in_either<Row>(c, {on_boundary(c, box, integer_in(c, 1, 3)), lattice_normal(c, 6)}, box);
   });
   add("starts_inside", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
-    const Point3d x = within(box, c).min;
-    return in_either<Row>(c, {x, lattice_normal(c, 6)}, box);
+    return in_either<Row>(c, {within(box, c).min, lattice_normal(c, 6)}, box);
   });
   add("flat_and_points", [](DrawStream& c) -> Question {
     Aabb3d box = lattice_box(c, 12);
@@ -97,8 +90,7 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
   });
   add("from_far_away", [](DrawStream& c) -> Question {
     const Point3d x{small_integer(c, 1), small_integer(c, 1), 0};
-    const Vector3d v = lattice_normal(c, 3);
-    return in_either<Row>(c, course_from_afar(c, x, v), Aabb3d{{0, 0, 0}, {1, 1, 1}});
+    return in_either<Row>(c, course_from_afar(c, x, lattice_normal(c, 3)), Aabb3d{{0, 0, 0}, {1, 1, 1}});
   });
   add("direction_of_any_size", [](DrawStream& c) -> Question {
     const Aabb3d box = lattice_box(c, 12);
@@ -112,30 +104,21 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     const double t = (1 + std::fabs(ordinary(c))) / 4, x = 1 + std::fabs(ordinary(c)), y = 1 + std::fabs(ordinary(c));
     const double u = std::ldexp(ordinary(c), -54), v = std::ldexp(ordinary(c), -54);
     const int ulps = integer_in(c, -1, 1);
-    const Aabb3d box{{-1, moved_by_ulps(t * y, ulps), -1}, {t * x, 4, 1}};
-    return in_either<Row>(c, {{u, v, 0}, {x, y, 0}}, box);
+    return in_either<Row>(c, {{u, v, 0}, {x, y, 0}}, Aabb3d{{-1, moved_by_ulps(t * y, ulps), -1}, {t * x, 4, 1}});
   });
   add("beside_a_tie", [](DrawStream& c) -> Question {
-    // The entry is an odd integer of 54 digits, and one 2^-30th more or less, in units of 2^-54.
-    __extension__ using Wide = __int128;
-    const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
-    const auto speed = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));
-    const Wide way = odd * speed + (c.coin() ? -1 : 1);
-    const auto low = static_cast<double>(static_cast<std::int64_t>(way & 0xffffffff)),
-               high = static_cast<double>(static_cast<std::int64_t>(way >> 32)) * 0x1p32;
-    const Aabb3d box{{high, -1, -1}, {0x1p90, 1, 1}};
-    return in_either<Row>(c, {{-low, 0, 0}, {static_cast<double>(speed) * 0x1p54, 0, 0}}, box);
+    // The entry, in units of 2^-54.
+    const auto [low, high, speed] = way_beside_tie(c);
+    return in_either<Row>(c, {{-low, 0, 0}, {speed * 0x1p54, 0, 0}}, Aabb3d{{high, -1, -1}, {0x1p90, 1, 1}});
   });
   add("least_beside_greatest", [](DrawStream& c) -> Question {
-    const double least = std::ldexp(small_integer(c), -1074), greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
-    const double v = c.coin() ? greatest : 4, y = c.coin() ? least : 1;
+    const double least = subnormal(c), greatest = huge(c), v = c.coin() ? greatest : 4, y = c.coin() ? least : 1;
     const double from = c.coin() ? -greatest : -4, end = c.coin() ? greatest : 1;
     return in_either<Row>(c, {{from, least, 0}, {v, y, 0}}, Aabb3d{{0, 0, 0}, {end, 1, 1}});
   });
   add("either_zero", [](DrawStream& c) -> Question {
     const double x = zero(c), y = zero(c), vx = zero(c), vy = small_integer(c, 1), low = zero(c), high = zero(c);
-    const Aabb3d box{{low, low, zero(c)}, {high, 1, 1}};
-    return in_either<Row>(c, {{x, y, -1}, {vx, vy, 1}}, box);
+    return in_either<Row>(c, {{x, y, -1}, {vx, vy, 1}}, Aabb3d{{low, low, zero(c)}, {high, 1, 1}});
   });
   add("typed_course", [](DrawStream& c) -> Question {
     const double x = typed(c), y = typed(c), vx = typed(c), vy = typed(c), size = std::fabs(typed(c));
@@ -147,8 +130,7 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     const Point3d x = within(box, c).min;
     const Vector3d v = lattice_normal(c, 4);
     const auto [from, way] = course_through(c, x, v);
-    const Aabb3d wide = widened(box, from, c);
-    return in_either<Row>(c, {from + by, way}, wide);
+    return in_either<Row>(c, {from + by, way}, widened(box, from, c));
   });
 }
 

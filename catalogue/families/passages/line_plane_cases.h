@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catalogue/families/hard_case.h"
-#include "catalogue/families/space_draws.h"
+#include "catalogue/families/triangle_draws.h"
 #include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/walk.h"
 #include "geometry/rays.h"
@@ -20,8 +20,7 @@ struct PlaneAndPoints {
 };
 inline PlaneAndPoints at_heights(DrawStream& c, double from, double to) {
   const Vector3d n = lattice_normal(c, 10);
-  const Point3d foot = lattice_point_in_space(c);
-  const Point3d start = foot + lattice_across(c, n) + from * n;
+  const Point3d foot = lattice_point_in_space(c), start = foot + lattice_across(c, n) + from * n;
   return {{n, -dot(n, Vector3d{foot.x, foot.y, foot.z})}, start, foot + lattice_across(c, n) + to * n};
 }
 
@@ -102,13 +101,9 @@ void line_plane_cases(HardCases<typename Row::Question>& add) {
   });
   add("whole_range", [](DrawStream& c) -> Question {
     // Products overflow, and differences, and what is found does not.
-    const auto number = [&c] {
-      const double n = small_integer(c, 1);
-      return std::ldexp(n, c.coin() ? 1023 : 0);
-    };
-    const double nx = number(), ny = number(), d = number(), x = number(), y = number(), z = number();
-    const double to_x = number(), to_y = number(), to_z = number();
-    return Row::of({{nx, ny, 1}, d}, {x, y, z}, {to_x, to_y, to_z});
+    const Plane3d plane{{huge_or_small(c), huge_or_small(c), 1}, huge_or_small(c)};
+    const Point3d from = huge_or_small_point(c);
+    return Row::of(plane, from, huge_or_small_point(c));
   });
   add("either_zero", [](DrawStream& c) -> Question {
     const double nx = zero(c), nz = zero(c), d = zero(c), x = zero(c), y = zero(c), z = zero(c), to_x = zero(c);

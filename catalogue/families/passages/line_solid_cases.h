@@ -31,10 +31,7 @@ inline Course course_from_afar(DrawStream& c, const Point3d& x, const Vector3d& 
 }
 
 /// Any size of direction, past every guard.
-inline Vector3d of_any_size(DrawStream& c, const Vector3d& v) {
-  const int k = integer_in(c, -1060, 979);
-  return {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
-}
+inline Vector3d of_any_size(DrawStream& c, const Vector3d& v) { return scaled(v, integer_in(c, -1060, 979)); }
 
 /// The question in space, or the same without z.
 template <class Row, class Solid>

@@ -5,6 +5,7 @@
 
 #include "catalogue/families/box_draws.h"
 #include "catalogue/families/list_draws.h"
+#include "catalogue/families/program_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/broad_phase/all_pairs.h"
 #include "oracle/volumes/aabb_aabb.h"
@@ -42,19 +43,11 @@ struct all_pairs {
 
   static void hard_cases(HardCases<Question>& add) {
     add("grid_of_spheres", [](DrawStream& c) -> Question {
-      return spheres(c, [](DrawStream& d) {
-        const double x = small_integer(d, 4), y = small_integer(d, 4), z = small_integer(d, 4);
-        return Sphere3d{{x, y, z}, up_to(d, 3)};
+      return list_of<Sphere3d>(c, [](DrawStream& d) {
+        return Sphere3d{{small_integer(d, 4), small_integer(d, 4), small_integer(d, 4)}, up_to(d, 3)};
       });
     });
-    add("grid_of_boxes", [](DrawStream& c) -> Question {
-      return boxes(c, [](DrawStream& d) {
-        const double x = small_integer(d, 4), y = small_integer(d, 4), z = small_integer(d, 4);
-        const auto width = [&d] { return up_to(d, 3); };
-        const double dx = width(), dy = width(), dz = width();
-        return Aabb3d{{x, y, z}, {x + dx, y + dy, z + dz}};
-      });
-    });
+    add("grid_of_boxes", [](DrawStream& c) -> Question { return list_of<Aabb3d>(c, small_box); });
     add("tangent_chain", [](DrawStream& c) -> Question {
       static constexpr std::array<std::array<double, 4>, 6> steps{
           {{3, 4, 0, 5}, {1, 2, 2, 3}, {2, 3, 6, 7}, {4, 4, 7, 9}, {2, 10, 11, 15}, {5, 12, 0, 13}}};
@@ -85,18 +78,16 @@ struct all_pairs {
       return std::tuple(same);
     });
     add("one_over_all", [](DrawStream& c) -> Question {
-      Question question = spheres(c, [](DrawStream& d) {
-        const double x = integer(d, 20), y = integer(d, 20);
-        return Sphere3d{{x, y, 0}, up_to(d, 1)};
+      Question question = list_of<Sphere3d>(c, [](DrawStream& d) {
+        return Sphere3d{{integer(d, 20), integer(d, 20), 0}, up_to(d, 1)};
       });
       std::get<0>(std::get<0>(question)).push_back({{0, 0, 0}, c.coin() ? 0x1p60 : 0x1p19});
       return question;
     });
     add("subnormal_radii", [](DrawStream& c) -> Question {
-      return spheres(c, [](DrawStream& d) {
-        const double x = std::ldexp(0x1p53 + 2 * up_to(d, 8), -1074);
-        const double z = std::ldexp(up_to(d, 5), -1074);
-        return Sphere3d{{x, 0, z}, std::ldexp(up_to(d, 5), -1074)};
+      const auto least = [](DrawStream& d) { return std::ldexp(up_to(d, 5), -1074); };
+      return list_of<Sphere3d>(c, [&](DrawStream& d) {
+        return Sphere3d{{std::ldexp(0x1p53 + 2 * up_to(d, 8), -1074), 0, least(d)}, least(d)};
       });
     });
     add("much_rounded", [](DrawStream& c) -> Question {
@@ -112,11 +103,7 @@ struct all_pairs {
       return std::tuple(two);
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
-      const auto position = [&c] {
-        const double x = ordinary(c), y = ordinary(c);
-        return Point3d{x, y, ordinary(c)};
-      };
-      const Point3d p = position(), q = position();
+      const Point3d p = ordinary_point_in_space(c), q = ordinary_point_in_space(c);
       const Vector3d v = q - p;
       const double distance = std::sqrt(dot(v, v)), r = distance * up_to(c, 8) / 8;
       return std::tuple(Spheres{{p, r}, {q, std::fabs(moved_by_ulps(distance - r, integer_in(c, -3, 3)))}});
@@ -203,15 +190,9 @@ struct all_pairs {
 
  private:
   /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
-  template <class Draw>
-  static Question spheres(DrawStream& c, const Draw& draw) {
-    Spheres list;
-    while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
-    return std::tuple(list);
-  }
-  template <class Draw>
-  static Question boxes(DrawStream& c, const Draw& draw) {
-    Boxes list;
+  template <class Shape, class Draw>
+  static Question list_of(DrawStream& c, const Draw& draw) {
+    std::vector<Shape> list;
     while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
     return std::tuple(list);
   }

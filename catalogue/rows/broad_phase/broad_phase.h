@@ -46,11 +46,11 @@ struct broad_phase {
     add("small_grid", [](DrawStream& c) -> Question { return any_program(c, small_box, 6, 12); });
     add("lattice_that_touches", [](DrawStream& c) -> Question { return any_program(c, cell, 12, 12); });
     add("beside_by_ulps", [](DrawStream& c) -> Question {
-      const auto end = [](DrawStream& d) { return 1 + up_to(d, 3) * 0x1p-52; };
       return any_program(
           c,
-          [&end](DrawStream& d) {
-            Aabb3d box{{end(d), 0, 0}, {end(d), 1, 1}};
+          [](DrawStream& d) {
+            const auto end = [&d] { return 1 + up_to(d, 3) * 0x1p-52; };
+            Aabb3d box{{end(), 0, 0}, {end(), 1, 1}};
             if (d.coin()) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
             put_in_order(box);
             return box;
@@ -58,25 +58,16 @@ struct broad_phase {
           6, 8);
     });
     add("flat_and_zero", [](DrawStream& c) -> Question {
+      const auto end = [](DrawStream& d) { return std::array{0.0, -0.0, 0x1p-1074, -0x1p-1074}[d.below(4)]; };
       return any_program(
-          c,
-          [](DrawStream& d) {
-            static constexpr std::array ends{0.0, -0.0, 0x1p-1074, -0x1p-1074};
-            const auto end = [&d] { return ends[d.below(4)]; };
-            const double x = end(), y = end(), z = end(), u = end(), v = end();
-            Aabb3d box{{x, y, z}, {u, v, end()}};
-            put_in_order(box);
-            return box;
-          },
-          6, 8);
+          c, [&end](DrawStream& d) { return box_of(d, end); }, 6, 8);
     });
     add("to_the_ends", [](DrawStream& c) -> Question {
       // Planes and halves of space, as boxes that reach to the greatest number.
       return any_program(
           c,
           [](DrawStream& d) {
-            Aabb3d box{{-greatest_number, -greatest_number, -greatest_number},
-                       {greatest_number, greatest_number, greatest_number}};
+            Aabb3d box = box_from_to(-greatest_number, greatest_number);
             double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[d.below(3)];
             const double at = small_integer(d, 2);
             if (!d.coin()) box.min.*axis = at;
@@ -87,8 +78,7 @@ struct broad_phase {
     });
     add("there_and_back", [](DrawStream& c) -> Question {
       Programming p(c);
-      const std::size_t bodies = 2 + c.below(3);
-      while (p.there().size() < bodies) p.start_with(cell(c));
+      p.start_with(2 + c.below(3), cell);
       const auto any = [&c] { return cell(c); };
       while (c.below(4) != 0) {
         p.any_query(any);
@@ -102,8 +92,7 @@ struct broad_phase {
     add("first_ones_removed", [](DrawStream& c) -> Question {
       // Places in the list of those that are there are no indices any more.
       Programming p(c);
-      const std::size_t bodies = 2 + c.below(6);
-      while (p.there().size() < bodies) p.start_with(small_box(c));
+      p.start_with(2 + c.below(6), small_box);
       for (std::size_t left = 1 + c.below(3); left > 0; --left) p.remove();
       p.ask();
       for (std::size_t left = c.below(3); left > 0; --left) p.insert(small_box(c));
@@ -112,8 +101,7 @@ struct broad_phase {
     });
     add("all_removed", [](DrawStream& c) -> Question {
       Programming p(c);
-      const std::size_t bodies = c.below(4);
-      while (p.there().size() < bodies) p.start_with(cell(c));
+      p.start_with(c.below(4), cell);
       while (!p.there().empty()) p.remove();
       p.ask();
       for (std::size_t left = c.below(4); left > 0; --left) p.insert(cell(c));
@@ -123,8 +111,7 @@ struct broad_phase {
     add("many_moves", [](DrawStream& c) -> Question {
       // One body goes farther and farther, and others stay.
       Programming p(c);
-      const std::size_t bodies = 1 + c.below(4);
-      while (p.there().size() < bodies) p.start_with(cell(c));
+      p.start_with(1 + c.below(4), cell);
       const double step = one_to(c, 3);
       double at = 0;
       for (std::size_t left = 4 + c.below(28); left > 0; --left) {
@@ -148,7 +135,7 @@ struct broad_phase {
       Programming p(c);
       const auto any = [&c] { return cell(c); };
       const double end = c.coin() ? greatest_number : 0x1p60;
-      p.start_with({{-end, -end, -end}, {end, end, end}});
+      p.start_with(box_from_to(-end, end));
       for (std::size_t left = c.below(8); left > 0; --left) p.start_with(cell(c));
       p.any_query(any);
       p.move(cell(c));
@@ -168,8 +155,7 @@ struct broad_phase {
       for (std::size_t left = 1 + c.below(3); left > 0; --left) {
         const auto at = [&c] { return up_to(c, 5) - 1; };
         const auto step = [&c] { return std::array{0.0, 1.0, -0.0, -1.0}[c.below(4)]; };
-        const double x = at(), y = at(), z = at(), u = step(), v = step();
-        p.ask_along(repaired({{x, y, z}, {u, v, step()}}));
+        p.ask_along(repaired({{at(), at(), at()}, {step(), step(), step()}}));
       }
       return p.program();
     });
@@ -181,42 +167,33 @@ struct broad_phase {
         const double size = one_to(c, 7);
         return either_sign(c) * size;
       };
-      const double u = speed(), v = speed(), w = speed();
+      const Vector3d v{speed(), speed(), speed()};
       for (std::size_t left = 2 + c.below(6); left > 0; --left) {
         const double t = up_to(c, 2), more = 8 + up_to(c, 2);
-        const auto entered = [t](double from, double by) { return from + t * by; };
-        Aabb3d box{{entered(o.x, u), entered(o.y, v), entered(o.z, w)},
-                   {entered(o.x, u), entered(o.y, v), entered(o.z, w)}};
+        Aabb3d box{o + t * v, o + t * v};
         double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[c.below(3)];
         for (double Point3d::*other : {&Point3d::x, &Point3d::y, &Point3d::z})
           if (other != axis) box.min.*other -= more, box.max.*other += more;
-        const double by = axis == &Point3d::x ? u : axis == &Point3d::y ? v : w;
+        const double by = axis == &Point3d::x ? v.x : axis == &Point3d::y ? v.y : v.z;
         // In two steps: g++ 12 writes into a copy where the conditional is written before ".*" itself.
         Point3d& far_corner = by > 0 ? box.max : box.min;
         far_corner.*axis += by > 0 ? more : -more;
         p.start_with(box);
       }
-      p.ask_along({o, {u, v, w}});
+      p.ask_along({o, v});
       return p.program();
     });
     add("reciprocals", [](DrawStream& c) -> Question {
       // Quotients beyond the range or below it, and products of 1e30.
       static constexpr std::array sizes{1.0, 1e30, 1e-30, 0x1p-1074, 0x1p-1022, 0x1p1000, greatest_number};
-      const auto number = [&c] {
-        const double size = sizes[c.below(sizes.size())];
-        return size * small_integer(c, 2);
+      const auto number = [](DrawStream& d) {
+        const double size = sizes[d.below(sizes.size())];
+        return size * small_integer(d, 2);
       };
       Programming p(c);
-      for (std::size_t left = 1 + c.below(4); left > 0; --left) {
-        const double x = number(), y = number(), z = number(), u = number(), v = number();
-        Aabb3d box{{x, y, z}, {u, v, number()}};
-        put_in_order(box);
-        p.start_with(box);
-      }
-      for (std::size_t left = 1 + c.below(2); left > 0; --left) {
-        const double x = number(), y = number(), z = number(), u = number(), v = number();
-        p.ask_along(repaired({{x, y, z}, {u, v, number()}}));
-      }
+      for (std::size_t left = 1 + c.below(4); left > 0; --left) p.start_with(box_of(c, number));
+      for (std::size_t left = 1 + c.below(2); left > 0; --left)
+        p.ask_along(repaired({{number(c), number(c), number(c)}, {number(c), number(c), number(c)}}));
       return p.program();
     });
     add.unscaled("many_bodies", [](DrawStream& c) -> Question { return any_program(c, wide_box, 80, 4); });
@@ -338,6 +315,7 @@ struct broad_phase {
 
  private:
   static constexpr double greatest_number = std::numeric_limits<double>::max();
+  static Aabb3d box_from_to(double min, double max) { return {{min, min, min}, {max, max, max}}; }
 
   /// The bodies that are there at the last query, and it; where nothing is asked, at the end.
   static std::pair<::touchstone::reference::IndexedBoxes<double>, std::optional<Commandd>> at_last_query(

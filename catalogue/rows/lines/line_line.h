@@ -49,8 +49,7 @@ struct line_line {
       return {{p, along(p, one_to(c, 8), v)}, {q, along(q, -one_to(c, 8), v)}};
     });
     add("same", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       return {{p, along(p, one_to(c, 4), v)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
     });
     add("shared_point", [](DrawStream& c) -> Question {

@@ -34,13 +34,11 @@ struct orientation {
 
   static void hard_cases(HardCases<Question>& add) {
     add("collinear", [](DrawStream& c) -> Question {
-      const Point2d p0 = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p0, v] = lattice_line(c);
       return {p0, along(p0, small_integer(c), v), along(p0, small_integer(c), v)};
     });
     add("beside_line", [](DrawStream& c) -> Question {
-      const Point2d p0 = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p0, v] = lattice_line(c);
       const Point2d p = along(p0, small_integer(c), v);
       return {p0, along(p0, one_to(c, 8), v), {p.x, p.y + small_integer(c, 1)}};
     });
@@ -67,8 +65,7 @@ struct orientation {
       return {{0.0, 0.0}, {k * x, k * y}, {x, y}};
     });
     add("far_ends", [](DrawStream& c) -> Question {
-      const Point2d p0 = lattice_point(c);
-      const Vector2d v = lattice_direction(c, 8);
+      const auto [p0, v] = lattice_line(c, 26, 8);
       return {p0, along(p0, std::ldexp(1, 18), v), along(p0, -std::ldexp(1, 17), v)};
     });
     add("long_collinear", [](DrawStream& c) -> Question {

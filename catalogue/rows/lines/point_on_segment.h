@@ -36,8 +36,7 @@ struct point_on_segment {
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_segment", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [a, v] = lattice_line(c);
       const double n = one_to(c, 8), k = up_to(c, 8);
       return {along(a, k, v), {a, along(a, n, v)}};
     });
@@ -46,8 +45,7 @@ struct point_on_segment {
       return {c.coin() ? b : a, {a, b}};
     });
     add("collinear_beyond", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [a, v] = lattice_line(c);
       return {along(a, 2 + up_to(c, 7), v), {a, along(a, 1, v)}};
     });
     add("axis_parallel", [](DrawStream& c) -> Question {
@@ -62,14 +60,12 @@ struct point_on_segment {
       return {{a.x + small_integer(c, 1), a.y + small_integer(c, 1)}, {a, a}};
     });
     add("beside_segment", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [a, v] = lattice_line(c);
       const Point2d p = along(a, up_to(c, 3), v);
       return {{p.x + small_integer(c, 1), p.y}, {a, along(a, 4, v)}};
     });
     add("on_long_segment", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c, 45);
-      const Vector2d v = lattice_direction(c, 45);
+      const auto [a, v] = lattice_line(c, 45, 45);
       const double n = one_to(c, 8), k = up_to(c, 8);
       return {along(a, k, v), {a, along(a, n, v)}};
     });

@@ -39,23 +39,19 @@ struct ray_segment {
       return {{along(p, small_integer(c, 4), u), u}, {along(p, -one_to(c, 4), v), along(p, 1, v)}};
     });
     add("through_end", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       return {{p, v}, {along(p, small_integer(c, 4), v), lattice_point(c)}};
     });
     add("origin_on_segment", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       return {{p, lattice_direction(c)}, {along(p, -up_to(c, 3), v), along(p, up_to(c, 3), v)}};
     });
     add("collinear", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       return {{p, v}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
     });
     add("ends_at_origin", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c, 40);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c, 40);
       return {{p, v}, {along(p, -one_to(c, 4), v), p}};
     });
     add("parallel", [](DrawStream& c) -> Question {
@@ -70,8 +66,7 @@ struct ray_segment {
                       : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
     });
     add("zero_length", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       const Point2d q = along(p, small_integer(c, 2), v);
       return {{p, v}, {q, q}};
     });
@@ -80,8 +75,7 @@ struct ray_segment {
       return {{p, {0, 0}}, {p, lattice_point(c)}};
     });
     add("through_far_end", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c, 45);
-      const Vector2d v = lattice_direction(c, 45);
+      const auto [p, v] = lattice_line(c, 45, 45);
       return {{p, v}, {along(p, small_integer(c), v), lattice_point(c, 45)}};
     });
     add("nearly_touching", [](DrawStream& c) -> Question {

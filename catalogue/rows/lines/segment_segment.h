@@ -42,18 +42,15 @@ struct segment_segment {
       return c.coin() ? Question{a, {b.b, b.a}} : Question{a, b};
     });
     add("end_on_segment", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       return {{p, along(p, one_to(c, 8), v)}, {along(p, up_to(c, 8), v), lattice_point(c)}};
     });
     add("collinear", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       return {{p, along(p, small_integer(c), v)}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
     });
     add("collinear_end_to_end", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       const double k = one_to(c, 4);
       return {{p, along(p, k, v)}, {along(p, k, v), along(p, k + small_integer(c, 4), v)}};
     });
@@ -73,15 +70,13 @@ struct segment_segment {
       return c.coin() ? Question{across, {{q.x, p.y}, {q.x + other, p.y}}} : Question{across, {q, {q.x, q.y + other}}};
     });
     add("zero_length", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       const Segment2d point{p, p};
       const Segment2d other{along(p, small_integer(c, 2), v), along(p, c.coin() ? 0 : small_integer(c, 2), v)};
       return c.coin() ? Question{other, point} : Question{point, other};
     });
     add("end_on_long_segment", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c, 45);
-      const Vector2d v = lattice_direction(c, 45);
+      const auto [p, v] = lattice_line(c, 45, 45);
       return {{p, along(p, one_to(c, 8), v)}, {along(p, up_to(c, 8), v), lattice_point(c, 45)}};
     });
     add("nearly_touching", [](DrawStream& c) -> Question {

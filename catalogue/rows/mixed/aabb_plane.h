@@ -72,11 +72,10 @@ struct aabb_plane {
       return over_plane(c, box, n, small_integer(c, 1));
     });
     add("rounded_onto_plane", [](DrawStream& c) -> Question {
-      const double nx = ordinary(c), ny = ordinary(c), x = ordinary(c), y = ordinary(c), z = ordinary(c);
-      const Aabb3d box{{x, y, z}, {x + 0.25, y + 0.5, z + 1}};
-      const Vector3d n{nx, ny, 1};
-      const double offset = -dot(n, lowest(box, n));
-      return {box, {n, within_ulps(c, offset, 1)}};
+      const Vector3d n{ordinary(c), ordinary(c), 1};
+      const Point3d p = ordinary_point_in_space(c);
+      const Aabb3d box{p, p + Vector3d{0.25, 0.5, 1}};
+      return {box, {n, within_ulps(c, -dot(n, lowest(box, n)), 1)}};
     });
     add("typed", [](DrawStream& c) -> Question {
       const double nx = typed(c), x = typed(c), y = typed(c), z = typed(c);
@@ -107,7 +106,7 @@ struct aabb_plane {
     });
     add("whole_range", [](DrawStream& c) -> Question {
       // Products overflow, and where nothing does, their sum.
-      const double great = std::ldexp(1 + small_integer(c, 1) / 4, 1022), n = c.coin() ? great : 1;
+      const double great = huge(c), n = c.coin() ? great : 1;
       const double y = c.coin() ? great : small_integer(c), top = c.coin() ? great : y;
       return {{{-great, std::min(y, top), 0}, {great, std::max(y, top), 1}},
               {{n, c.coin() ? -n : 1, 0}, c.one_in(3) ? -great : small_integer(c, 1)}};

@@ -119,7 +119,7 @@ struct capsule_capsule {
     add("stretched", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
       Point3d p = plane.point(c), q = plane.point(c), a = plane.point(c), b = plane.point(c);
-      stretch(c, p, q, a, b);
+      Stretch{c}(p, q, a, b);
       return {{{p, q}, scaled_down(c, 4, 300)}, {{a, b}, scaled_down(c, 4, 300)}};
     });
     add("typed", [](DrawStream& c) -> Question {

@@ -103,7 +103,7 @@ struct closest_point_on_segment {
       const double i = small_integer(c), j = small_integer(c);
       Point3d p = line.at(small_integer(c)) + line.across;
       Segment3d s = line.between(i, j);
-      stretch(c, p, s.a, s.b);
+      Stretch{c}(p, s);
       return seen(p, s, line.in_plane);
     });
     add("typed", [](DrawStream& c) -> Question {
@@ -139,12 +139,11 @@ struct closest_point_on_segment {
  private:
   /// Along a diagonal: the foot of an odd step is half a step from two of its points, and x halfway between doubles.
   static Question rounding(DrawStream& c) {
-    const HalfwayNumber x = halfway_number(c);
-    const double odd = 1 + 2 * up_to(c, 7), length = 64, far = either_sign(c);
-    const Point3d start{x.most, 0, 0}, end{x.most + length, far * length, 0};
+    const double x = halfway_number(c), odd = 1 + 2 * up_to(c, 7), length = 64, far = either_sign(c);
+    const Point3d start{x, 0, 0}, end{x + length, far * length, 0};
     const double z = c.coin() ? 1 : 0;
     const bool in_plane = c.coin();
-    return seen({x.most + odd, 0, hair(c)}, {start, {end.x, end.y, z}}, in_plane);
+    return seen({x + odd, 0, hair(c)}, {start, {end.x, end.y, z}}, in_plane);
   }
 
   static Question seen(const Point3d& p, const Segment3d& s, bool in_plane) {

@@ -100,9 +100,9 @@ struct closest_point_on_triangle {
     add("rounding", [](DrawStream& c) -> Question {
       // Over the face, whose normal is along a diagonal: x and y of the foot are half a step further, and x is
       // halfway between two doubles.
-      const HalfwayNumber x = halfway_number(c);
+      const double x = halfway_number(c);
       const double odd = 1 + 2 * up_to(c, 7), z = small_integer(c, 3);
-      return {{x.most + odd, hair(c), z}, {{x.most, 0, -64}, {x.most + 64, 64, -64}, {x.most, 0, 64}}};
+      return {{x + odd, hair(c), z}, {{x, 0, -64}, {x + 64, 64, -64}, {x, 0, 64}}};
     });
     add("rounding_of_distance", [](DrawStream& c) -> Question {
       const HalfwayStep step = halfway_step(c);
@@ -113,7 +113,7 @@ struct closest_point_on_triangle {
       Triangle3d t = plane.triangle(c);
       const Point3d foot = plane.point(c);
       Point3d p = foot + lattice_normal(c, 4);
-      stretch(c, p, t.a, t.b, t.c);
+      Stretch{c}(p, t);
       return {p, t};
     });
     add("typed", [](DrawStream& c) -> Question {

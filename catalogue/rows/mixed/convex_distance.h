@@ -47,10 +47,7 @@ struct convex_distance {
       const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
       return {a, shifted(b, 12.0 * lattice_normal(c, 4))};
     });
-    add("feature_to_feature", [](DrawStream& c) -> Question {
-      const double n = one_to(c, 4);
-      return aimed(c, n);
-    });
+    add("feature_to_feature", [](DrawStream& c) -> Question { return aimed(c, one_to(c, 4)); });
     add("touching", [](DrawStream& c) -> Question { return aimed(c, 0); });
     add("an_ulp_apart", [](DrawStream& c) -> Question {
       auto [a, b] = aimed(c, 0);
@@ -77,7 +74,7 @@ struct convex_distance {
       Meshd a = lattice_polyhedron(c);
       const Meshd b = lattice_polyhedron(c);
       for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
-      return c.coin() ? Question{a, b} : Question{b, a};
+      return in_either_order(c, b, a);
     });
     add("flat_vertices", [](DrawStream& c) -> Question {
       auto [a, b] = aimed(c, 1);
@@ -96,23 +93,13 @@ struct convex_distance {
       return {a, b};
     });
     add("stretched", [](DrawStream& c) -> Question {
-      // Each axis by its own power of two: past the filter's guards, and below them.
       auto [a, b] = aimed(c, 1);
-      static constexpr int exponents[] = {0, 60, 500, 1010, -170, -900};
-      const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
-      for (Meshd* mesh : {&a, &b})
-        for (Point3d& p : mesh->vertices) p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+      Stretch{c, {0, 60, 500, 1010, -170, -900}}(a, b);
       return {a, b};
     });
     add("mapped", [](DrawStream& c) -> Question {
       auto [a, b] = aimed(c, 1);
-      Meshd all{a.vertices, {}};
-      all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
-      Point3d none{0, 0, 0};
-      map_linearly(all, none, c);
-      const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
-      std::copy(all.vertices.begin(), middle, a.vertices.begin());
-      std::copy(middle, all.vertices.end(), b.vertices.begin());
+      map_linearly(c, a, b);
       return {a, b};
     });
     add("rounded", [](DrawStream& c) -> Question {
@@ -123,28 +110,23 @@ struct convex_distance {
     add("full_mantissa", [](DrawStream& c) -> Question {
       // One corner of each in the plane of a face of the other.
       const LongPlane plane = LongPlane::of(c);
-      Meshd a{{plane.point(c), plane.point(c), plane.point(c)}, {}}, b{{plane.point(c), plane.point(c)}, {}};
-      a.vertices.push_back(ordinary_point_in_space(c));
-      b.vertices.push_back(ordinary_point_in_space(c)), b.vertices.push_back(ordinary_point_in_space(c));
-      make_tetrahedron(a), make_tetrahedron(b);
-      return {a, b};
+      const auto on = [&] { return plane.point(c); };
+      const auto off = [&] { return ordinary_point_in_space(c); };
+      const Point3d p = on(), q = on(), r = on(), s = on(), t = on(), u = off();
+      return {tetrahedron_over({p, q, r, u}), tetrahedron_over({s, t, off(), off()})};
     });
     add("rounding", [](DrawStream& c) -> Question {
       // The foot of b's corner on a diagonal edge is half an odd step along: x is halfway between two doubles.
-      const double x = halfway_number(c).most, odd = 1 + 2 * up_to(c, 7);
+      const double x = halfway_number(c), odd = 1 + 2 * up_to(c, 7);
       const Point3d end{x + odd, 0, hair(c)};
-      Meshd a{{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}, {}};
-      Meshd b{{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}, {}};
-      make_tetrahedron(a), make_tetrahedron(b);
-      return {a, b};
+      return {tetrahedron_over({{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}}),
+              tetrahedron_over({{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}})};
     });
     add("rounding_of_distance", [](DrawStream& c) -> Question {
       const HalfwayStep step = halfway_step(c);
-      Meshd a{{{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}, {0, 0, 4}}, {}};
       const Point3d end{step.x, step.y, -hair(c)};
-      Meshd b{{end, {2 * step.x, step.y, 0}, {step.x, 2 * step.y, 0}, {step.x, step.y, -4}}, {}};
-      make_tetrahedron(a), make_tetrahedron(b);
-      return {a, b};
+      return {tetrahedron_over({{{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}, {0, 0, 4}}}),
+              tetrahedron_over({{end, {2 * step.x, step.y, 0}, {step.x, 2 * step.y, 0}, {step.x, step.y, -4}}})};
     });
     add("far_apart", [](DrawStream& c) -> Question {
       // One of them is as large as its distance.
@@ -152,8 +134,8 @@ struct convex_distance {
       const Vector3d off = 96.0 * lattice_normal(c, 2);
       Meshd b = shifted(lattice_polyhedron(c), off);
       const int places = c.coin() ? 1000 : 60;
-      for (Point3d& p : b.vertices) p = {std::ldexp(p.x, places), std::ldexp(p.y, places), std::ldexp(p.z, places)};
-      return c.coin() ? Question{b, a} : Question{a, b};
+      for (Point3d& p : b.vertices) p = scaled(p, places);
+      return in_either_order(c, a, b);
     });
     add("typed", [](DrawStream& c) -> Question {
       return {tetrahedron_of(c, typed_point), tetrahedron_of(c, typed_point)};
@@ -161,7 +143,7 @@ struct convex_distance {
     add("subnormal", [](DrawStream& c) -> Question {
       auto [a, b] = aimed(c, 1);
       for (Meshd* mesh : {&a, &b})
-        for (Point3d& p : mesh->vertices) p = {std::ldexp(p.x, -1074), std::ldexp(p.y, -1074), std::ldexp(p.z, -1074)};
+        for (Point3d& p : mesh->vertices) p = scaled(p, -1074);
       return {a, b};
     });
     add("whole_range", [](DrawStream& c) -> Question {
@@ -170,32 +152,25 @@ struct convex_distance {
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), q = zero_point(c);
       const double far = small_integer(c, 2);
-      Meshd a{{p, {-1, q.y, q.z}, {q.x, -1, p.z}, {p.x, p.y, -1}}, {}}, b = reflected(a, {far / 2, p.y, p.z});
-      make_tetrahedron(a), make_tetrahedron(b);
-      return {a, b};
+      const Meshd a = tetrahedron_over({{p, {-1, q.y, q.z}, {q.x, -1, p.z}, {p.x, p.y, -1}}});
+      return {a, reflected(a, {far / 2, p.y, p.z})};
     });
     add("broken", [](DrawStream& c) -> Question {
       const auto [a, b] = aimed(c, 1);
-      if (!c.coin()) return {broken(a, c), b};
-      return {a, broken(b, c)};
+      return c.coin() ? Question{a, broken(b, c)} : Question{broken(a, c), b};
     });
     add.unscaled("late_vertices", [](DrawStream& c) -> Question {
       const Meshd a = with_late_corners(c), b = with_late_corners(c);
       return {a, shifted(b, 2048.0 * lattice_normal(c, 4))};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question {
-      const Meshd& a = named_mesh(c);
-      const Point3d p = on_a_face_plane(a, c);
-      Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
-      make_tetrahedron(b);
-      const Point3d to = p + 12.0 * lattice_normal(c, 3);
-      b = shifted(b, to - Point3d{0, 0, 0});
-      return c.coin() ? Question{b, a} : Question{a, b};
+      const Meshd &a = named_mesh(c), b = tetrahedron_over({{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}});
+      const Point3d p = on_a_face_plane(a, c), to = p + 12.0 * lattice_normal(c, 3);
+      return in_either_order(c, a, shifted(b, to - Point3d{0, 0, 0}));
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
-      const Meshd asked = c.one_in(6) ? with_broken_polygons(a, c) : a;
-      return {asked, shifted(b, 12.0 * lattice_normal(c, 4))};
+      return {c.one_in(6) ? with_broken_polygons(a, c) : a, shifted(b, 12.0 * lattice_normal(c, 4))};
     });
   }
 
@@ -243,10 +218,6 @@ struct convex_distance {
   }
 
  private:
-  static Meshd shifted(Meshd mesh, const Vector3d& by) {
-    for (Point3d& p : mesh.vertices) p = p + by;
-    return mesh;
-  }
   static Meshd reflected(Meshd mesh, const Point3d& in) {
     for (Point3d& p : mesh.vertices) p = {2 * in.x - p.x, 2 * in.y - p.y, 2 * in.z - p.z};
     return mesh;
@@ -280,17 +251,7 @@ struct convex_distance {
   /// Below or above a ridge.
   static Meshd roof(const Point3d& from, const Point3d& to, double height) {
     const double z = from.z + height;
-    Meshd mesh{{from, to, {from.x, -8, z}, {from.x, 8, z}}, {}};
-    make_tetrahedron(mesh);
-    return mesh;
-  }
-
-  template <class Draw>
-  static Meshd tetrahedron_of(DrawStream& c, const Draw& draw) {
-    Meshd mesh;
-    for (int i = 0; i < 4; ++i) mesh.vertices.push_back(draw(c));
-    make_tetrahedron(mesh);
-    return mesh;
+    return tetrahedron_over({{from, to, {from.x, -8, z}, {from.x, 8, z}}});
   }
 
   /// Many vertices of no face, and a tetrahedron around them whose corners are among the last.

@@ -55,8 +55,7 @@ struct ray_triangle {
     });
     add("through_edge", [](DrawStream& c) -> Question {
       const LatticePlane edge = LatticePlane::of(c);  // along u, through the origin; v across
-      const double i = small_integer(c, 3), j = small_integer(c, 3);
-      const Triangle3d t{edge.at(i, 0), edge.at(j, 0), lattice_point_in_space(c)};
+      const Triangle3d t{edge.on_line(c), edge.on_line(c), lattice_point_in_space(c)};
       return {ray_to(c, edge.origin, edge.v), t};
     });
     add("along_edge", [](DrawStream& c) -> Question {
@@ -82,10 +81,8 @@ struct ray_triangle {
     });
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-      const Triangle3d t{line.at(i, 0), line.at(j, 0), line.at(k, 0)};
-      const Vector3d way = c.coin() ? line.v : line.u;
-      return {ray_to(c, line.origin, way), t};
+      const Triangle3d t = line.triangle_without_area(c);
+      return {ray_to(c, line.origin, c.coin() ? line.v : line.u), t};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c);
@@ -93,10 +90,7 @@ struct ray_triangle {
       return {ray_to(c, line.origin, line.u), {p, p, p}};
     });
     add("needle", [](DrawStream& c) -> Question {
-      // Thousands of millions long, a few units wide, around its middle.
-      const double length = power_of_two(c, 30, 41);
-      const double y = small_integer(c, 3), z = small_integer(c, 3);
-      const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
+      const Triangle3d t = needle(c, 30, 41);
       const double x = small_integer(c, 3);
       return {ray_to(c, {x, 0, 0}, lattice_normal(c, 4)), t};
     });
@@ -109,40 +103,29 @@ struct ray_triangle {
     add("direction_of_any_size", [](DrawStream& c) -> Question {
       Question question = crossing(c);
       Vector3d& v = std::get<0>(question).direction;
-      const int k = integer_in(c, -1060, 979);
-      v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+      v = scaled(v, integer_in(c, -1060, 979));
       return question;
     });
     add("origin_rounded_onto", [](DrawStream& c) -> Question {
-      const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c), b = ordinary_point_in_space(c),
-                    d = ordinary_point_in_space(c);
-      const double s = ordinary(c), t = ordinary(c);
-      const Point3d on = a + (s * (b - a) + t * (d - a));
-      return {c.coin() ? Ray3d{on, p - on} : Ray3d{p, on - p}, {a, b, d}};
+      const Point3d p = ordinary_point_in_space(c);
+      const Triangle3d t = triangle_of(c, ordinary_point_in_space);
+      const Point3d on = rounded_onto(t, c);
+      return {c.coin() ? Ray3d{on, p - on} : Ray3d{p, on - p}, t};
     });
     add("long_coplanar", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
-      const Point3d p = plane.point(c), q = plane.point(c), a = plane.point(c), b = plane.point(c);
-      return {{p, {q.x, q.y, q.z}}, {a, b, plane.point(c)}};
+      const Point3d p = plane.point(c), q = plane.point(c);
+      return {{p, {q.x, q.y, q.z}}, {plane.point(c), plane.point(c), plane.point(c)}};
     });
     add("stretched", [](DrawStream& c) -> Question {
       Question question = crossing(c);
       auto& [r, t] = question;
-      stretch(c, r.origin, r.direction, t.a, t.b, t.c);
+      Stretch{c}(r, t);
       return question;
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      // Differences overflow, and products of what does not.
-      const auto number = [&c] {
-        const double n = small_integer(c, 1);
-        return std::ldexp(n, c.coin() ? 1023 : 0);
-      };
-      const auto point = [&number] {
-        const double x = number(), y = number();
-        return Point3d{x, y, number()};
-      };
-      const Point3d p = point(), q = point(), a = point(), b = point();
-      return {{p, {q.x, q.y, q.z}}, {a, b, point()}};
+      const Point3d p = huge_or_small_point(c), q = huge_or_small_point(c);
+      return {{p, {q.x, q.y, q.z}}, triangle_of(c, huge_or_small_point)};
     });
   }
 

@@ -105,10 +105,10 @@ struct segment_segment_distance {
     });
     add("rounding", [](DrawStream& c) -> Question {
       // The foot of b's end on a diagonal is half an odd step along: x is halfway between two doubles.
-      const HalfwayNumber x = halfway_number(c);
+      const double x = halfway_number(c);
       const double odd = 1 + 2 * up_to(c, 7), far = one_to(c, 8);
-      const Point3d end{x.most + odd, 0, hair(c)};
-      return seen({{x.most, 0, 0}, {x.most + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.coin());
+      const Point3d end{x + odd, 0, hair(c)};
+      return seen({{x, 0, 0}, {x + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.coin());
     });
     add("rounding_of_distance", [](DrawStream& c) -> Question {
       const HalfwayStep step = halfway_step(c);
@@ -119,7 +119,7 @@ struct segment_segment_distance {
       Question question = crossing_or_skew(c);
       if (auto* space = std::get_if<InSpace>(&question)) {
         auto& [a, b] = *space;
-        stretch(c, a.a, a.b, b.a, b.b);
+        Stretch{c}(a, b);
       }
       return question;
     });

@@ -106,7 +106,7 @@ struct sphere_capsule {
     add("stretched", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
       Point3d p = plane.point(c), a = plane.point(c), b = plane.point(c);
-      stretch(c, p, a, b);
+      Stretch{c}(p, a, b);
       return {{p, scaled_down(c, 4, 300)}, {{a, b}, scaled_down(c, 4, 300)}};
     });
     add("typed", [](DrawStream& c) -> Question {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/space_draws.h"
+#include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/mixed/sphere_plane.h"
@@ -39,16 +39,13 @@ struct sphere_plane {
       return over_plane(c, height, radius);
     });
     add("beside_root", [](DrawStream& c) -> Question {
-      // x / r is next to the root of 2: x^2 - 2 r^2 is 1 or -1 (Pell).
-      double x = 1, r = 1;
-      for (auto k = c.below(40); k > 0; --k) x += 2 * r, r = x - r;
+      const auto [x, r] = near_root(c);
       return {{{x, 0, integer(c, 20)}, r}, {{1, either_sign(c), 0}, 0}};
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
-      const double nx = ordinary(c), ny = ordinary(c), x = ordinary(c), y = ordinary(c), z = ordinary(c);
-      const Vector3d n{nx, ny, 1};
-      const double d = ordinary(c), reach = std::fabs(dot(n, Vector3d{x, y, z}) + d) / std::sqrt(dot(n, n));
-      return {{{x, y, z}, std::fabs(within_ulps(c, reach, 1))}, {n, d}};
+      const Vector3d n{ordinary(c), ordinary(c), 1}, p{ordinary(c), ordinary(c), ordinary(c)};
+      const double d = ordinary(c), reach = std::fabs(dot(n, p) + d) / std::sqrt(dot(n, n));
+      return {{{p.x, p.y, p.z}, std::fabs(within_ulps(c, reach, 1))}, {n, d}};
     });
     add("typed_tangent", [](DrawStream& c) -> Question {
       // As typed the ball reaches the plane.
@@ -74,7 +71,7 @@ struct sphere_plane {
     });
     add("whole_range", [](DrawStream& c) -> Question {
       // Products overflow, and where nothing does, their sum.
-      const double great = std::ldexp(1 + small_integer(c, 1) / 4, 1022), r = c.coin() ? great : 1;
+      const double great = huge(c), r = c.coin() ? great : 1;
       const double y = c.coin() ? great : small_integer(c), n = c.coin() ? great : 1;
       return {{{great, y, 0}, r}, {{0, n, 0}, c.one_in(3) ? -great : small_integer(c, 1)}};
     });

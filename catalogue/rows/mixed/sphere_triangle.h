@@ -112,7 +112,7 @@ struct sphere_triangle {
       const LatticePlane plane = LatticePlane::of(c);
       Triangle3d t = plane.triangle(c);
       Point3d p = plane.point(c);
-      stretch(c, p, t.a, t.b, t.c);
+      Stretch{c}(p, t);
       return {{p, scaled_down(c, 4, 300)}, t};
     });
     add("typed", [](DrawStream& c) -> Question {

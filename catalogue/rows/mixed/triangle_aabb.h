@@ -40,34 +40,31 @@ struct triangle_aabb {
   static void hard_cases(HardCases<Question>& add) {
     add("corner_on_boundary", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
-      const Point3d b = touch.above(c);
-      return touch.question(c, touch.at, b, touch.above(c));
+      return touch.question(c, {touch.at, touch.above(c), touch.above(c)});
     });
     add("edge_on_boundary", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
       const Vector3d way = lattice_across(c, touch.normal);
-      const double before = -up_to(c, 2), after = one_to(c, 3);
-      return touch.question(c, along(touch.at, before, way), along(touch.at, after, way), touch.above(c));
+      return touch.question(c,
+                            {along(touch.at, -up_to(c, 2), way), along(touch.at, one_to(c, 3), way), touch.above(c)});
     });
     add("triangle_on_boundary", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
       const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
-      return touch.question(c, touch.at + u, touch.at + v, along(along(touch.at, -1, u), -1, v));
+      return touch.question(c, {touch.at + u, touch.at + v, along(along(touch.at, -1, u), -1, v)});
     });
     add("in_plane_through_corner", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
-      const Vector3d u = lattice_across(c, touch.normal);
-      const Triangle3d t = LatticePlane{touch.at, u, lattice_across(c, touch.normal)}.triangle(c);
-      return touch.question(c, t.a, t.b, t.c);
+      const LatticePlane plane{touch.at, lattice_across(c, touch.normal), lattice_across(c, touch.normal)};
+      return touch.question(c, plane.triangle(c));
     });
     add("past_corner", [](DrawStream& c) -> Question {
       // So large that nothing but its plane keeps them apart.
       const Touch touch = Touch::of(c);
-      const Point3d over = touch.at + touch.normal;
-      const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
+      const LatticePlane plane{touch.at + touch.normal, lattice_across(c, touch.normal),
+                               lattice_across(c, touch.normal)};
       const double far = power_of_two(c, 10, 13);
-      return in_some_order(
-          c, {{along(over, far, u), along(over, far, v), along(along(over, -far, u), -far, v)}, touch.box});
+      return {in_some_order({plane.at(far, 0), plane.at(0, far), plane.at(-far, -far)}, c), touch.box};
     });
     add("edge_across_edge", [](DrawStream& c) -> Question {
       // Over an edge of the box that is parallel to an axis, past or across its line; and the triangle beyond it.
@@ -78,18 +75,16 @@ struct triangle_aabb {
       const Point3d x{box.max.x + off, box.max.y, box.min.z + up};
       const Vector3d edge{side * way.x, -out * std::fabs(way.x), way.z};
       const Triangle3d t{along(x, near, edge), along(x, small_integer(c, 3), edge), x + Vector3d{out, side, up}};
-      return in_some_order(c, {t, box});
+      return {in_some_order(t, c), box};
     });
     add("on_small_grid", [](DrawStream& c) -> Question {
-      const Point3d a = small_lattice_point(c), b = small_lattice_point(c), d = small_lattice_point(c);
-      const double x = one_to(c, 2), y = one_to(c, 2);
-      return {{a, b, d}, {{1, 1, 1}, {x, y, 2}}};
+      return {triangle_of(c, small_lattice_point), {{1, 1, 1}, {one_to(c, 2), one_to(c, 2), 2}}};
     });
     add("parallel_to_axes", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 12);
       const Point3d p = nearby(c, box), q = nearby(c, box), r = nearby(c, box);
       const Triangle3d t{p, {p.x, q.y, c.coin() ? p.z : q.z}, {c.coin() ? r.x : p.x, r.y, p.z}};
-      return in_some_order(c, {t, box});
+      return {in_some_order(t, c), box};
     });
     add("no_area", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 12);
@@ -123,7 +118,7 @@ struct triangle_aabb {
       const LatticePlane plane{box.min, {1, 0, 0}, lattice_normal(c, 4)};
       const Triangle3d t = plane.triangle(c);
       const Vector3d off = c.one_in(3) ? lattice_normal(c, 2) : Vector3d{0, 0, 0};
-      return in_some_order(c, {{t.a + off, t.b + off, t.c + off}, box});
+      return {in_some_order({t.a + off, t.b + off, t.c + off}, c), box};
     });
     add("nearly_flat", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
@@ -140,7 +135,7 @@ struct triangle_aabb {
       const double y = small_integer(c), z = small_integer(c), dy = small_integer(c, 3), dz = small_integer(c, 3);
       const Triangle3d t{
           {-length, y, z}, {length, y + dy, z + dz}, {length, y + small_integer(c, 2), z + small_integer(c, 2)}};
-      return in_some_order(c, {t, box});
+      return {in_some_order(t, c), box};
     });
     add("sizes", [](DrawStream& c) -> Question {
       // One of the two is 2^16 to 2^24 times larger than the other.
@@ -148,13 +143,10 @@ struct triangle_aabb {
       const double factor = power_of_two(c, 16, 24);
       const bool large = c.coin();
       const auto from = [&](const Point3d& p) { return along(touch.at, large ? factor : 1, p - touch.at); };
-      const auto out = [&](double x, double at) { return large ? x : at + factor * (x - at); };
-      const auto& [min, max] = touch.box;
-      const auto& [x, y, z] = touch.at;
-      const Aabb3d box{{out(min.x, x), out(min.y, y), out(min.z, z)}, {out(max.x, x), out(max.y, y), out(max.z, z)}};
-      const Vector3d u = lattice_across(c, touch.normal);
-      const Point3d b = touch.above(c);
-      return Touch{box, touch.normal, touch.at}.question(c, from(touch.at + u), from(b), from(touch.above(c)));
+      const auto out = [&](const Point3d& p) { return large ? p : along(touch.at, factor, p - touch.at); };
+      const Touch sized{{out(touch.box.min), out(touch.box.max)}, touch.normal, touch.at};
+      return sized.question(
+          c, {from(touch.at + lattice_across(c, touch.normal)), from(touch.above(c)), from(touch.above(c))});
     });
     add("rounded_onto_corner", [](DrawStream& c) -> Question {
       // The middle of an edge is rounded onto the corner max, or an ulp beside it.
@@ -167,8 +159,8 @@ struct triangle_aabb {
     add("rounded_onto_plane", [](DrawStream& c) -> Question {
       // The corner max, as rounded, in the plane of the triangle; its normal has no sign but +.
       const Point3d a = ordinary_point_in_space(c);
-      const double u = 1 + std::fabs(ordinary(c)), v = 1 + std::fabs(ordinary(c)), s = std::fabs(ordinary(c)) / 4,
-                   t = std::fabs(ordinary(c)) / 4;
+      const auto positive = [&c] { return std::fabs(ordinary(c)); };
+      const double u = 1 + positive(), v = 1 + positive(), s = positive() / 4, t = positive() / 4;
       const Point3d b{a.x + u, a.y, a.z - u * v}, d{a.x, a.y + v, a.z - v};
       const Point3d max{a.x + s * u, a.y + t * v, moved_by_ulps(a.z - s * u * v - t * v, small(c))};
       return {{a, b, d}, {{max.x - 1, max.y - 0.5, max.z - 0.25}, max}};
@@ -176,14 +168,14 @@ struct triangle_aabb {
     add("past_the_lattice", [](DrawStream& c) -> Question {
       // Points of one plane through the origin, of 53 digits at exponents far apart, and a corner on that plane.
       const LongPlane plane = LongPlane::of(c);
-      const auto point = [&] {
-        const double size = std::ldexp(1, -16 * integer_in(c, 0, 3));
-        const Point3d p = plane.point(c);
-        return Point3d{size * p.x, size * p.y, size * p.z};
+      const auto point = [&plane](DrawStream& d) {
+        const int k = -16 * integer_in(d, 0, 3);
+        return scaled(plane.point(d), k);
       };
-      const Point3d a = point(), b = point(), d = point(), x = point();
+      const Triangle3d t = triangle_of(c, point);
+      const Point3d x = point(c);
       const double size = scaled_down(c, 4, 10);
-      return {{a, b, d}, {x, {x.x + size, x.y + size, x.z + size}}};
+      return {t, {x, x + Vector3d{size, size, size}}};
     });
     add("off_by_a_hair", [](DrawStream& c) -> Question {
       // A triangle on a face but for a hair, or rising from there.
@@ -192,36 +184,30 @@ struct triangle_aabb {
       return {{{-most, y, -most}, {most, c.coin() ? y : -y, 0}, {0, y, most}}, box};
     });
     add("stretched", [](DrawStream& c) -> Question {
-      auto [t, box] = Touch::of(c, 4).beside(c);
-      stretch(c, t.a, t.b, t.c, box.min, box.max);
+      const Touch touch = Touch::of(c, 4);
+      auto [t, box] = touch.question(c, {touch.above(c), touch.above(c), touch.at});
+      Stretch{c}(t, box);
       return {t, box};
     });
     add("typed", [](DrawStream& c) -> Question {
-      const Point3d a = typed_point(c), b = typed_point(c), p = typed_point(c);
-      return {{a, b, {p.x + 0.1, p.y + 0.2, p.z + 0.3}}, {p, {p.x + 0.1, p.y + 0.2, p.z + 0.3}}};
+      const Point3d a = typed_point(c), b = typed_point(c), p = typed_point(c), q = p + Vector3d{0.1, 0.2, 0.3};
+      return {{a, b, q}, {p, q}};
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      const Point3d a = subnormal_point(c), b = subnormal_point(c), p = subnormal_point(c), q = subnormal_point(c);
-      return ordered({{a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, {p, q}});
+      const Point3d a = subnormal_point(c), b = subnormal_point(c);
+      const Aabb3d box = box_of(c, [](DrawStream& d) { return subnormal(d); });
+      return {{a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, box};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d a = point_of_whole_range(c), b = point_of_whole_range(c), d = point_of_whole_range(c),
-                    p = point_of_whole_range(c);
-      return ordered({{a, b, d}, {p, point_of_whole_range(c)}});
+      return {triangle_of(c, point_of_whole_range), box_of(c, of_whole_range)};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d a = zero_point(c), b = zero_point(c), d = zero_point(c), p = zero_point(c), q = zero_point(c);
       return {{a, c.coin() ? b : Point3d{1, 1, 1}, c.coin() ? d : Point3d{d.x, -1, d.z}},
               {p, c.coin() ? q : Point3d{1, 1, c.coin() ? q.z : 1}}};
     });
-    add("edge_over_edge", [](DrawStream& c) -> Question {
-      const auto steep = integer_in(c, 0, 2);
-      return edge_over_edge(c, steep);
-    });
-    add("nearly_parallel_edges", [](DrawStream& c) -> Question {
-      const auto steep = integer_in(c, 4, 28);
-      return edge_over_edge(c, steep);
-    });
+    add("edge_over_edge", [](DrawStream& c) -> Question { return edge_over_edge(c, integer_in(c, 0, 2)); });
+    add("nearly_parallel_edges", [](DrawStream& c) -> Question { return edge_over_edge(c, integer_in(c, 4, 28)); });
   }
 
   static void repair(Question& q) { put_in_order(std::get<1>(q)); }
@@ -265,19 +251,11 @@ struct triangle_aabb {
       return along(at, up, normal) + lattice_across(c, normal);
     }
     /// Moved along the normal, sometimes.
-    Question question(DrawStream& c, const Point3d& p, const Point3d& q, const Point3d& r) const {
+    Question question(DrawStream& c, const Triangle3d& t) const {
       const double off = c.one_in(3) ? small_integer(c, 1) : 0.0;
-      return in_some_order(c, {{along(p, off, normal), along(q, off, normal), along(r, off, normal)}, box});
-    }
-    Question beside(DrawStream& c) const {
-      const Point3d p = above(c), q = above(c);
-      return question(c, p, q, at);
+      return {in_some_order({along(t.a, off, normal), along(t.b, off, normal), along(t.c, off, normal)}, c), box};
     }
   };
-
-  static Question in_some_order(DrawStream& c, const Question& q) {
-    return {catalogue::in_some_order(std::get<0>(q), c), std::get<1>(q)};
-  }
 
   /// In the box, of integers, or a few steps from there along some axes.
   static Point3d nearby(DrawStream& c, const Aabb3d& box) {
@@ -285,8 +263,7 @@ struct triangle_aabb {
       const double off = c.one_in(3) ? small_integer(c) : 0.0;
       return min + static_cast<double>(c.below(static_cast<std::uint64_t>(max - min) + 1)) + off;
     };
-    const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);
-    return {x, y, coordinate(box.min.z, box.max.z)};
+    return {coordinate(box.min.x, box.max.x), coordinate(box.min.y, box.max.y), coordinate(box.min.z, box.max.z)};
   }
 
   static Aabb3d flat_box(DrawStream& c, int bits) {
@@ -296,11 +273,6 @@ struct triangle_aabb {
     if ((axes & 2) != 0) box.max.y = box.min.y;
     if ((axes & 4) != 0) box.max.z = box.min.z;
     return box;
-  }
-
-  static Question ordered(Question q) {
-    repair(q);
-    return q;
   }
 };
 

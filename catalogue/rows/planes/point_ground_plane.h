@@ -38,7 +38,7 @@ struct point_ground_plane {
     });
     add("subnormal_height", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 53);
-      return {{p.x, std::ldexp(small_integer(c), -1074), p.z}};
+      return {{p.x, subnormal(c), p.z}};
     });
     add("far_out", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 53);

@@ -40,10 +40,7 @@ struct point_plane {
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_plane", [](DrawStream& c) -> Question { return over_plane(c, 0); });
-    add("beside_plane", [](DrawStream& c) -> Question {
-      const double height = small_integer(c, 1);
-      return over_plane(c, height);
-    });
+    add("beside_plane", [](DrawStream& c) -> Question { return over_plane(c, small_integer(c, 1)); });
     add("rational_distance", [](DrawStream& c) -> Question {
       const Vector3d n = normal_of_whole_length(c);
       const Point3d p = lattice_point_in_space(c);
@@ -56,10 +53,9 @@ struct point_plane {
     });
     add("normal_of_any_size", [](DrawStream& c) -> Question {
       const double height = small_integer(c, 1);
-      const int exponent = integer_in(c, -1050, 949);
+      const int k = integer_in(c, -1050, 949);
       const auto [plane, p] = over_plane(c, height);
-      const auto sized = [exponent](double x) { return std::ldexp(x, exponent); };
-      return {{{sized(plane.normal.x), sized(plane.normal.y), sized(plane.normal.z)}, sized(plane.offset)}, p};
+      return {{scaled(plane.normal, k), std::ldexp(plane.offset, k)}, p};
     });
     add("uneven_normal", [](DrawStream& c) -> Question {
       const double small = scaled_down(c, 8, 300);

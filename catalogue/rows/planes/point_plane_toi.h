@@ -40,14 +40,8 @@ struct point_plane_toi {
       const double up = one_to(c, 8), down = one_to(c, 8);
       return step(c, up, -down);
     });
-    add("ends_on_plane", [](DrawStream& c) -> Question {
-      const double up = one_to(c, 8);
-      return step(c, up, 0);
-    });
-    add("starts_on_plane", [](DrawStream& c) -> Question {
-      const double then = small_integer(c);
-      return step(c, 0, then);
-    });
+    add("ends_on_plane", [](DrawStream& c) -> Question { return step(c, one_to(c, 8), 0); });
+    add("starts_on_plane", [](DrawStream& c) -> Question { return step(c, 0, small_integer(c)); });
     add("starts_behind", [](DrawStream& c) -> Question {
       const double down = one_to(c, 8), then = small_integer(c);
       return step(c, -down, then);
@@ -163,8 +157,7 @@ struct point_plane_toi {
   /// A step on the lattice from one height over a plane through lattice points to another, in units of N . N.
   static Question step(DrawStream& c, double from, double to) {
     const Vector3d n = lattice_normal(c, 10);
-    const Point3d foot = lattice_point_in_space(c);
-    const Point3d start = foot + lattice_across(c, n) + from * n;
+    const Point3d foot = lattice_point_in_space(c), start = foot + lattice_across(c, n) + from * n;
     return {{n, -dot(n, Vector3d{foot.x, foot.y, foot.z})}, start, foot + lattice_across(c, n) + to * n};
   }
 };

@@ -68,10 +68,10 @@ struct polygon_normal {
       return {{{p, which == 0 ? p : p + a, which == 1 ? p + a : p + a + b, p + b, which == 2 ? p : p + b}}};
     });
     add("reflex_first_corner", [](DrawStream& c) -> Question {
+      // A dart: p + a + b is beyond or on the line of its neighbours.
       const auto [p, a, b] = frame(c);
       const double far = 2 + up_to(c, 7);
-      return {
-          {{p + far * a, p + a + b, p + far * b, p}}};  // a dart: p + a + b is beyond or on the line of its neighbours
+      return {{{p + far * a, p + a + b, p + far * b, p}}};
     });
     add("figure_of_eight", [](DrawStream& c) -> Question {
       const auto [p, a, b] = frame(c);
@@ -94,10 +94,9 @@ struct polygon_normal {
       return {{{p, {q.x + small_integer(c, 1), q.y, q.z}, p + t * v}}};
     });
     add("not_planar", [](DrawStream& c) -> Question {
-      Question question;
-      for (std::uint64_t n = 4 + c.below(5); n > 0; --n)
-        std::get<0>(question).vertices.push_back(lattice_point_in_space(c));
-      return question;
+      Polygon3d ring;
+      for (std::uint64_t n = 4 + c.below(5); n > 0; --n) ring.vertices.push_back(lattice_point_in_space(c));
+      return {ring};
     });
     add("far_from_origin", [](DrawStream& c) -> Question {
       const auto [p, a, b] = frame(c);
@@ -156,9 +155,8 @@ struct polygon_normal {
   /// Small enough for rings of 2^40 to be lifted exactly.
   static Frame frame(DrawStream& c) {
     const Point3d p = lattice_point_in_space(c);
-    const Vector3d a = lattice_normal(c, 3);
-    const double x = small_integer(c), y = small_integer(c), z = small_integer(c);
-    return {p, a, x == 0 && y == 0 && z == 0 ? Vector3d{1, 0, 0} : Vector3d{x, y, z}};
+    const Vector3d a = lattice_normal(c, 3), b{small_integer(c), small_integer(c), small_integer(c)};
+    return {p, a, b.x == 0 && b.y == 0 && b.z == 0 ? Vector3d{1, 0, 0} : b};
   }
   static Polygon3d lifted(const Polygon2d& ring, const Point3d& origin, const Vector3d& a, const Vector3d& b) {
     Polygon3d polygon;

@@ -64,26 +64,18 @@ struct interior_angles {
       const double x = 1 + up_to(c, 15) / 8;
       return turned({{{0, 0}, {x, 0}, {x, std::ldexp(one_to(c, 3), -1074)}}}, c);
     });
-    add("nearly_flat", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c, 40);
-      const double x = std::fabs(integer(c, 40)) + 1, y = integer(c, 40), off = small_integer(c, 1);
-      return turned({{p, {p.x + x, p.y + y}, {p.x + 2 * x, p.y + 2 * y + off}, {p.x + x, p.y + 0x1p42}}}, c);
-    });
+    add("nearly_flat", [](DrawStream& c) -> Question { return nearly_flat_ring(c); });
     add("thin_beyond_doubles", [](DrawStream& c) -> Question {
       // Angles of about 2^-(j + k): from those that are doubles to those that round to 0.
       const double wide = scaled_up(c, 8, 1000);
-      const double high = scaled_down(c, 8, 1050);
-      return turned({{{0, 0}, {wide, 0}, {wide, high}}}, c);
+      return turned({{{0, 0}, {wide, 0}, {wide, scaled_down(c, 8, 1050)}}}, c);
     });
     add("perhaps_not_simple", [](DrawStream& c) -> Question {
       const Polygon2d ring = simple_ring(c);
       const std::uint64_t defect = c.below(3);
       return turned(defect == 0 ? ring : defect == 1 ? with_spike(ring, c) : with_repeated_vertex(ring, c), c);
     });
-    add("typed_flat", [](DrawStream& c) -> Question {
-      const double x = typed(c), y = typed(c), far = typed(c);
-      return turned({{{0, 0}, {x, y}, {2 * x, 2 * y}, {3 * x, 3 * y}, {far, -far}}}, c);
-    });
+    add("typed_flat", [](DrawStream& c) -> Question { return typed_flat_ring(c); });
     add("far_from_origin", [](DrawStream& c) -> Question {
       Polygon2d ring = simple_ring(c);
       for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};

@@ -38,19 +38,9 @@ struct point_in_convex_polygon {
   }
 
   static void hard_cases(HardCases<Question>& add) {
-    add("on_edge", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(convex_ring(c), c);
-      return {ring, on_an_edge(ring, c)};
-    });
-    add("beside_edge", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(convex_ring(c), c);
-      return {ring, beside(on_an_edge(ring, c), c)};
-    });
-    add("on_line_of_edge", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(convex_ring(c), c);
-      const std::size_t i = c.below(ring.size());
-      return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
-    });
+    add("on_edge", turned_with_point<convex_ring, on_an_edge>);
+    add("beside_edge", turned_with_point<convex_ring, beside_an_edge>);
+    add("on_line_of_edge", turned_with_point<convex_ring, on_line_of_an_edge>);
     add("beside_least_edge", beside_least_edge);
     add("on_diagonal", [](DrawStream& c) -> Question {
       const Polygon2d ring = turned(convex_ring(c), c);
@@ -62,15 +52,9 @@ struct point_in_convex_polygon {
       for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
       for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
       ring = turned(ring, c);
-      return {ring, c.coin() ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
     });
-    add("needle", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c);
-      const Vector2d v = lattice_direction(c, 40);
-      const double width = small_integer(c, 1);
-      const Polygon2d ring{{a, along(a, 4, v), {a.x + width, a.y + 1}}};
-      return {turned(ring, c), beside(along(a, up_to(c, 4), v), c)};
-    });
+    add("needle", needle_and_point);
     add("not_quite_convex", [](DrawStream& c) -> Question {
       Polygon2d ring = turned(convex_ring(c), c);
       switch (c.below(5)) {
@@ -98,7 +82,7 @@ struct point_in_convex_polygon {
     });
     add("closed_ring", [](DrawStream& c) -> Question {
       const Polygon2d ring = closed(turned(convex_ring(c), c), c);
-      return {ring, c.coin() ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
     });
     add.unscaled("many_edges", [](DrawStream& c) -> Question {
       const Polygon2d ring = turned(long_convex_ring(c), c);

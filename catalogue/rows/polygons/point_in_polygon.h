@@ -50,19 +50,9 @@ struct point_in_polygon {
       if (c.one_in(3)) ring.vertices[2].y = ring[1].y;
       return {ring, level_with(ring[0], c)};
     });
-    add("on_edge", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(simple_ring(c), c);
-      return {ring, on_an_edge(ring, c)};
-    });
-    add("on_line_of_edge", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(simple_ring(c), c);
-      const std::size_t i = c.below(ring.size());
-      return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
-    });
-    add("beside_edge", [](DrawStream& c) -> Question {
-      const Polygon2d ring = turned(simple_ring(c), c);
-      return {ring, beside(on_an_edge(ring, c), c)};
-    });
+    add("on_edge", turned_with_point<simple_ring, on_an_edge>);
+    add("on_line_of_edge", turned_with_point<simple_ring, on_line_of_an_edge>);
+    add("beside_edge", turned_with_point<simple_ring, beside_an_edge>);
     add("self_crossing", [](DrawStream& c) -> Question {
       Polygon2d ring;
       for (std::uint64_t more = 4 + c.below(9); more > 0; --more) ring.vertices.push_back(lattice_point(c));
@@ -87,8 +77,7 @@ struct point_in_polygon {
           return {turned(ring, c), c.coin() ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
         });
     add("collinear_ring", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [a, v] = lattice_line(c);
       const int most = c.one_in(4) ? 0 : 8;  // 0: all in one point
       Polygon2d ring;
       for (std::uint64_t more = 3 + c.below(5); more > 0; --more)
@@ -99,13 +88,7 @@ struct point_in_polygon {
       const Polygon2d ring = turned(c.coin() ? star_ring(c) : comb_ring(c), c);
       return {ring, beside(any_vertex(ring, c), c)};
     });
-    add("needle", [](DrawStream& c) -> Question {
-      const Point2d a = lattice_point(c);
-      const Vector2d v = lattice_direction(c, 40);
-      const double width = small_integer(c, 1);
-      const Polygon2d ring{{a, along(a, 4, v), {a.x + width, a.y + 1}}};
-      return {turned(ring, c), beside(along(a, up_to(c, 4), v), c)};
-    });
+    add("needle", needle_and_point);
     add("near_a_million", [](DrawStream& c) -> Question {
       Polygon2d ring = simple_ring(c);
       for (Point2d& p : ring.vertices) p = {1e6 + p.x / 10, 1e6 + p.y / 10};
@@ -209,7 +192,6 @@ struct point_in_polygon {
   }
 
  private:
-  static Point2d any_vertex(const Polygon2d& ring, DrawStream& c) { return ring[c.below(ring.size())]; }
   /// At the same height; mostly on the left, where the ray meets what is there.
   static Point2d level_with(const Point2d& p, DrawStream& c) {
     const double size = std::fabs(integer(c, 24));

@@ -37,8 +37,7 @@ struct polygon_convexity {
   static Polygon2d pinched(Polygon2d ring, DrawStream& c, bool at_vertex) {
     const std::size_t i = c.below(ring.size()), k = (i + 2 + c.below(ring.size() - 2)) % ring.size();
     for (Point2d& p : ring.vertices) p = {2 * p.x, 2 * p.y};
-    const Point2d p = ring[k], q = ring.next(k);
-    const Point2d again = at_vertex ? p : Point2d{(p.x + q.x) / 2, (p.y + q.y) / 2};
+    const Point2d p = ring[k], q = ring.next(k), again = at_vertex ? p : Point2d{(p.x + q.x) / 2, (p.y + q.y) / 2};
     ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i + 1), again);
     return ring;
   }
@@ -56,15 +55,9 @@ struct polygon_convexity {
       const double height = 2 + up_to(c, 19), width = 2 + std::fabs(integer(c, 20)), dent = up_to(c, 1);
       return turned({{{0, 1}, {0, 0}, {width, 0}, {width - dent, 1}, {width, height}, {0, height}}}, c);
     });
-    add("nearly_flat", [](DrawStream& c) -> Question {
-      // The cross product at the second vertex is -1, 0 or 1, of products far beyond 2^53.
-      const Point2d p = lattice_point(c, 40);
-      const double x = std::fabs(integer(c, 40)) + 1, y = integer(c, 40), off = small_integer(c, 1);
-      return turned({{p, {p.x + x, p.y + y}, {p.x + 2 * x, p.y + 2 * y + off}, {p.x + x, p.y + 0x1p42}}}, c);
-    });
+    add("nearly_flat", [](DrawStream& c) -> Question { return nearly_flat_ring(c); });
     add("all_on_a_line", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
+      const auto [p, v] = lattice_line(c);
       Polygon2d ring;
       for (std::uint64_t left = 3 + c.below(4); left > 0; --left)
         ring.vertices.push_back(along(p, small_integer(c), v));
@@ -89,10 +82,7 @@ struct polygon_convexity {
       for (std::size_t i = 0; i < once.size() * rounds; ++i) ring.vertices.push_back(once[i * step % once.size()]);
       return turned(ring, c);
     });
-    add("typed_flat", [](DrawStream& c) -> Question {
-      const double x = typed(c), y = typed(c), far = typed(c);
-      return turned({{{0, 0}, {x, y}, {2 * x, 2 * y}, {3 * x, 3 * y}, {far, -far}}}, c);
-    });
+    add("typed_flat", [](DrawStream& c) -> Question { return typed_flat_ring(c); });
     add("far_from_origin", [](DrawStream& c) -> Question {
       Polygon2d ring = convex_ring(c);
       for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};

@@ -81,8 +81,7 @@ struct polygon_polygon {
     add("nested", [](DrawStream& c) -> Question {
       const Polygon2d star = star_ring(c);
       Polygon2d around = star;
-      Point2d centre{0, 0};
-      centre = {(star[0].x + star[star.size() / 2].x) / 2, (star[0].y + star[star.size() / 2].y) / 2};
+      const Point2d a = star[0], b = star[star.size() / 2], centre{(a.x + b.x) / 2, (a.y + b.y) / 2};
       for (Point2d& p : around.vertices) p = centre + 4.0 * (p - centre);
       return {turned(around, c), star};
     });
@@ -93,17 +92,14 @@ struct polygon_polygon {
       const double x = up_to(c, 3), y = up_to(c, 3), s = one_to(c, 4);
       return {turned(bay, c), turned({{{x, y}, {x + s, y}, {x + s, y + 2 * s}, {x, y + 2 * s}}}, c)};
     });
-    add("apart", [](DrawStream& c) -> Question {
-      const Polygon2d a = simple_ring(c);
-      return {turned(a, c), simple_ring(c)};
-    });
+    add("apart", [](DrawStream& c) -> Question { return {turned(simple_ring(c), c), simple_ring(c)}; });
     add("spike", [](DrawStream& c) -> Question {
-      const Polygon2d a = simple_ring(c), spoilt = with_spike(a, c);
-      return c.coin() ? Question{spoilt, a} : Question{a, spoilt};
+      const Polygon2d a = simple_ring(c);
+      return in_either_order(c, a, with_spike(a, c));
     });
     add("repeated_vertex", [](DrawStream& c) -> Question {
-      const Polygon2d a = simple_ring(c), spoilt = with_repeated_vertex(a, c);
-      return c.coin() ? Question{spoilt, a} : Question{a, spoilt};
+      const Polygon2d a = simple_ring(c);
+      return in_either_order(c, a, with_repeated_vertex(a, c));
     });
     add("rounded_vertex_on_edge", [](DrawStream& c) -> Question {
       const Polygon2d a{{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}};

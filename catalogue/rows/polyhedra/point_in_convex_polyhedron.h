@@ -40,18 +40,11 @@ struct point_in_convex_polyhedron {
   }
 
   static void hard_cases(HardCases<Question>& add) {
-    add("on_face_plane", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_polyhedron(c);
-      return {mesh, on_a_face_plane(mesh, c)};
-    });
-    add("between_vertices", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_polyhedron(c);
-      return {mesh, between_vertices(mesh, c)};
-    });
+    add("on_face_plane", at<lattice_polyhedron, on_a_face_plane>);
+    add("between_vertices", at<lattice_polyhedron, between_vertices>);
     add("near_face", [](DrawStream& c) -> Question {
       const Meshd mesh = lattice_polyhedron(c);
-      const Point3d p = on_a_face_plane(mesh, c);
-      return {mesh, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
+      return {mesh, beside(on_a_face_plane(mesh, c), c)};
     });
     add("flat_vertices", [](DrawStream& c) -> Question {
       Meshd mesh = lattice_polyhedron(c);
@@ -62,43 +55,23 @@ struct point_in_convex_polyhedron {
       return {mesh, on_a_face_plane(mesh, c)};
     });
     add("mapped", [](DrawStream& c) -> Question {
-      Question question;
-      auto& [mesh, point] = question;
-      mesh = lattice_polyhedron(c);
-      point = on_a_face_plane(mesh, c);
-      map_linearly(mesh, point, c);
+      Question question = at<lattice_polyhedron, on_a_face_plane>(c);
+      map_linearly(c, std::get<0>(question), std::get<1>(question));
       return question;
     });
     add("stretched", [](DrawStream& c) -> Question {
-      // Each axis by its own power of two: past the lattice, past the filter's guard, below its absolute term.
-      Question question;
-      auto& [mesh, point] = question;
-      mesh = lattice_polyhedron(c);
-      point = on_a_face_plane(mesh, c);
-      static constexpr int exponents[] = {0, 60, 255, -170, 300, -300};
-      const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
-      const auto stretch = [=](Point3d& p) { p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)}; };
-      std::for_each(mesh.vertices.begin(), mesh.vertices.end(), stretch);
-      stretch(point);
+      Question question = at<lattice_polyhedron, on_a_face_plane>(c);
+      Stretch{c}(std::get<0>(question), std::get<1>(question));
       return question;
     });
     add("rounded_on_face", [](DrawStream& c) -> Question {
-      const auto number = [&c] { return ordinary(c); };
-      Question question;
-      auto& [mesh, point] = question;
-      for (int i = 0; i < 4; ++i) {
-        const double x = number(), y = number(), z = number();
-        mesh.vertices.push_back({x, y, z});
-      }
-      make_tetrahedron(mesh);
+      const Meshd mesh = tetrahedron_of(c, ordinary_point_in_space);
       const auto &a = mesh.vertices[0], &b = mesh.vertices[1], &d = mesh.vertices[2];
-      const double s = number(), t = number();
-      point = a + (s * (b - a)) + (t * (d - a));
-      return question;
+      const double s = ordinary(c), t = ordinary(c);
+      return {mesh, a + (s * (b - a)) + (t * (d - a))};
     });
     add("broken", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_polyhedron(c);
-      const Point3d point = between_vertices(mesh, c);
+      const auto [mesh, point] = at<lattice_polyhedron, between_vertices>(c);
       return {broken(mesh, c), point};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question {
@@ -107,15 +80,12 @@ struct point_in_convex_polyhedron {
     });
     add.unscaled("beside_named_mesh", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_mesh(c);
-      const Point3d p = on_a_face_plane(mesh, c);
-      const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
-      return {mesh, {moved_by_ulps(p.x, ulps()), moved_by_ulps(p.y, ulps()), moved_by_ulps(p.z, ulps())}};
+      return {mesh, beside_by_ulps(on_a_face_plane(mesh, c), c)};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd mesh = convex_solid_of_polygons(c);
       const Point3d p = c.coin() ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
-      const Meshd asked = c.one_in(4) ? with_broken_polygons(mesh, c) : mesh;
-      return {asked, p};
+      return {c.one_in(4) ? with_broken_polygons(mesh, c) : mesh, p};
     });
   }
 
@@ -146,6 +116,13 @@ struct point_in_convex_polyhedron {
             .domain_count = domain_count,
             .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+
+ private:
+  template <auto drawn_mesh, auto drawn_point>
+  static Question at(DrawStream& c) {
+    const Meshd mesh = drawn_mesh(c);
+    return {mesh, drawn_point(mesh, c)};
   }
 };
 

@@ -45,20 +45,8 @@ struct point_in_polyhedron {
     return metadata;
   }
 
-  /// Mesh and point, both moved or mapped.
-  template <class Change>
-  static Question changed(Question question, const Change& change) {
-    auto& [mesh, point] = question;
-    std::for_each(mesh.vertices.begin(), mesh.vertices.end(), change);
-    change(point);
-    return question;
-  }
-
   static void hard_cases(HardCases<Question>& add) {
-    add("on_face", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_solid(c);
-      return {mesh, on_a_face_plane(mesh, c)};
-    });
+    add("on_face", at<lattice_solid, on_a_face_plane>);
     add("ray_through", [](DrawStream& c) -> Question {
       // Before or behind a vertex, an edge, a face, along an axis.
       const Meshd mesh = lattice_solid(c);
@@ -72,13 +60,9 @@ struct point_in_polyhedron {
     });
     add("near_face", [](DrawStream& c) -> Question {
       const Meshd mesh = lattice_solid(c);
-      const Point3d p = on_a_face_plane(mesh, c);
-      return {mesh, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
+      return {mesh, beside(on_a_face_plane(mesh, c), c)};
     });
-    add("between_vertices", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_solid(c);
-      return {mesh, between_vertices(mesh, c)};
-    });
+    add("between_vertices", at<lattice_solid, between_vertices>);
     add("tetrahedra", [](DrawStream& c) -> Question {
       const Meshd mesh = tetrahedra_together(c);
       const Point3d p = c.coin() ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
@@ -94,42 +78,26 @@ struct point_in_polyhedron {
       return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
     });
     add("mapped", [](DrawStream& c) -> Question {
-      Question question;
-      auto& [mesh, point] = question;
-      mesh = lattice_solid(c);
-      point = on_a_face_plane(mesh, c);
-      map_linearly(mesh, point, c);
+      Question question = at<lattice_solid, on_a_face_plane>(c);
+      map_linearly(c, std::get<0>(question), std::get<1>(question));
       return question;
     });
     add("stretched", [](DrawStream& c) -> Question {
-      // Each axis by its own power of two: past any lattice, past the filters' guards, below their absolute
-      // terms, to both ends of the range.
-      const Meshd mesh = lattice_solid(c);
-      const Point3d p = on_a_face_plane(mesh, c);
-      static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, 1015, -1074};
-      const int x = exponents[c.below(8)], y = exponents[c.below(8)], z = exponents[c.below(8)];
-      const double way = small_integer(c, 1);
-      return changed({mesh, {p.x + way, p.y, p.z}}, [=](Point3d& q) {
-        q = {std::ldexp(q.x, x), std::ldexp(q.y, y), std::ldexp(q.z, z)};
-      });
+      // To both ends of the range.
+      auto [mesh, p] = at<lattice_solid, on_a_face_plane>(c);
+      const Stretch stretch(c, {0, 60, 255, -170, 300, -300, 1015, -1074});
+      p.x += small_integer(c, 1);
+      stretch(mesh, p);
+      return {mesh, p};
     });
     add("rounded_on_face", [](DrawStream& c) -> Question {
-      const auto number = [&c] { return ordinary(c); };
-      Question question;
-      auto& [mesh, point] = question;
-      for (int i = 0; i < 5; ++i) {
-        const double x = number(), y = number(), z = number();
-        mesh.vertices.push_back({x, y, z});
-      }
-      make_solid(mesh);
+      const Meshd mesh = ordinary_solid(c);
       const auto &a = mesh.vertices[1], &b = mesh.vertices[2], &d = mesh.vertices[4];
-      const double s = std::fabs(number()) / 2, t = std::fabs(number()) / 2;
-      point = a + (s * (b - a)) + (t * (d - a));
-      return question;
+      const double s = std::fabs(ordinary(c)) / 2, t = std::fabs(ordinary(c)) / 2;
+      return {mesh, a + (s * (b - a)) + (t * (d - a))};
     });
     add("opened", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_solid(c);
-      const Point3d point = between_vertices(mesh, c);
+      const auto [mesh, point] = at<lattice_solid, between_vertices>(c);
       return {opened(mesh, c), point};
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
@@ -139,9 +107,7 @@ struct point_in_polyhedron {
     });
     add.unscaled("beside_named_solid", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_solid(c);
-      const Point3d p = on_a_face_plane(mesh, c);
-      const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
-      return {mesh, {moved_by_ulps(p.x, ulps()), moved_by_ulps(p.y, ulps()), moved_by_ulps(p.z, ulps())}};
+      return {mesh, beside_by_ulps(on_a_face_plane(mesh, c), c)};
     });
     add.unscaled("reported_trimesh_2534", [](DrawStream& c) -> Question {
       const double x = c.coin() ? 0.2 : 0;
@@ -175,8 +141,7 @@ struct point_in_polyhedron {
       return {mesh, c.coin() ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
     });
     add.unscaled("wrong_cuts", [](DrawStream& c) -> Question {
-      const Meshd mesh = drawn_prism(c);
-      const Point3d p = between_vertices(mesh, c);
+      const auto [mesh, p] = at<drawn_prism, between_vertices>(c);
       return {c.coin() ? with_wrong_polygon(mesh, c) : with_wrong_cut(mesh, c), p};
     });
     add.unscaled("shells", [](DrawStream& c) -> Question {
@@ -189,10 +154,8 @@ struct point_in_polyhedron {
     add.unscaled("body_in_recess", [](DrawStream& c) -> Question {
       const auto [solid, body, middle] = body_in_recess(c);
       const Meshd mesh = c.coin() ? together(body, solid) : together(solid, body);
-      const auto off = [&c] { return 3 * small_integer(c, 4); };
-      const double x = off(), y = off(), z = off();
-      const Point3d p = c.one_in(3) ? on_a_face_plane(body, c) : middle;
-      return {mesh, {p.x + x, p.y + y, p.z + z}};
+      const Vector3d off{3 * small_integer(c, 4), 3 * small_integer(c, 4), 3 * small_integer(c, 4)};
+      return {mesh, (c.one_in(3) ? on_a_face_plane(body, c) : middle) + off};
     });
     add.unscaled("crossing_boxes", [](DrawStream& c) -> Question {
       const Meshd mesh = crossing_boxes(c);
@@ -216,8 +179,7 @@ struct point_in_polyhedron {
       // At and around the last vertices for the most part; so the faces that decide come late in the list.
       const Meshd& mesh = long_solid(c);
       const Point3d& p = mesh.vertices[late_index(mesh.vertices.size(), c)];
-      const auto off = [&c] { return 6 * small_integer(c, 1); };
-      return {mesh, {p.x + off(), p.y + off(), p.z + off()}};
+      return {mesh, {p.x + 6 * small_integer(c, 1), p.y + 6 * small_integer(c, 1), p.z + 6 * small_integer(c, 1)}};
     });
   }
 
@@ -242,6 +204,13 @@ struct point_in_polyhedron {
             .domain_count = domain_count,
             .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+
+ private:
+  template <auto drawn_mesh, auto drawn_point>
+  static Question at(DrawStream& c) {
+    const Meshd mesh = drawn_mesh(c);
+    return {mesh, drawn_point(mesh, c)};
   }
 };
 

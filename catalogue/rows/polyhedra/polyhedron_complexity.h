@@ -45,38 +45,26 @@ struct polyhedron_complexity {
     add("convex", [](DrawStream& c) -> Question { return {lattice_polyhedron(c)}; });
     add("sheets_at_a_vertex", [](DrawStream& c) -> Question { return {sheets_at_a_vertex(c)}; });
     add("tetrahedra", [](DrawStream& c) -> Question { return {tetrahedra_together(c)}; });
-    add("needless_faces", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_solid(c);
-      return {with_needless_faces(mesh, c)};
-    });
+    add("needless_faces", [](DrawStream& c) -> Question { return {with_needless_faces(lattice_solid(c), c)}; });
     add("with_a_rim", [](DrawStream& c) -> Question {
       Meshd mesh = c.coin() ? sheets_at_a_vertex(c) : lattice_polyhedron(c);
       for (std::uint64_t left = 1 + c.below(4); left > 0 && mesh.faces.size() > 4; --left)
         mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(c.below(mesh.faces.size())));
       return {mesh};
     });
-    add("opened", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_solid(c);
-      return {opened(mesh, c)};
-    });
+    add("opened", [](DrawStream& c) -> Question { return {opened(lattice_solid(c), c)}; });
     add("small_lattice", [](DrawStream& c) -> Question { return {small_lattice_faces(c)}; });
     add("flat_part", [](DrawStream& c) -> Question { return {flat_part(c)}; });
-    add("flat_vertex", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_polyhedron(c);
-      return {with_flat_vertex(mesh, c)};
-    });
+    add("flat_vertex", [](DrawStream& c) -> Question { return {with_flat_vertex(lattice_polyhedron(c), c)}; });
     add("folded_flap", [](DrawStream& c) -> Question { return {folded_flap(c)}; });
     add("touching_solids", [](DrawStream& c) -> Question { return {touching_solids(c)}; });
     add("fans_at_a_vertex", [](DrawStream& c) -> Question { return {fans_at_a_vertex(c)}; });
     add("nested_shells", [](DrawStream& c) -> Question { return {nested_shells(c)}; });
-    add("repeated_vertices", [](DrawStream& c) -> Question {
-      const Meshd mesh = lattice_polyhedron(c);
-      return {with_repeated_vertices(mesh, c)};
-    });
+    add("repeated_vertices",
+        [](DrawStream& c) -> Question { return {with_repeated_vertices(lattice_polyhedron(c), c)}; });
     add("reported", [](DrawStream& c) -> Question { return {reported_faces(c)}; });
     add("stretched", [](DrawStream& c) -> Question {
-      const Meshd mesh = c.coin() ? small_lattice_faces(c) : lattice_solid(c);
-      return {with_stretched_axes(mesh, c)};
+      return {with_stretched_axes(c.coin() ? small_lattice_faces(c) : lattice_solid(c), c)};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question { return {named_mesh(c)}; });
     add.unscaled("named_solid", [](DrawStream& c) -> Question { return {named_solid(c)}; });
@@ -86,20 +74,17 @@ struct polyhedron_complexity {
       return {relisted(together(a, b), c)};
     });
     add.unscaled("reported_manifold_1656", [](DrawStream& c) -> Question {
-      const bool kept = !c.coin();
-      return {relisted(kept ? reported::manifold_1656_kept() : reported::manifold_1656_united(), c)};
+      return {relisted(c.coin() ? reported::manifold_1656_united() : reported::manifold_1656_kept(), c)};
     });
     add.unscaled("reported_libigl_2381",
                  [](DrawStream& c) -> Question { return {relisted(reported::libigl_2381(), c)}; });
     add.unscaled("reported_vcad_6", [](DrawStream& c) -> Question {
       // In one list of vertices, or as two boxes.
       const auto [a, b] = reported::vcad_6();
-      const bool kept = !c.coin();
-      return {relisted(kept ? reported::vcad_6_kept() : together(a, b), c)};
+      return {relisted(c.coin() ? together(a, b) : reported::vcad_6_kept(), c)};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
-      const bool convex = c.one_in(3);
-      Meshd mesh = convex ? convex_solid_of_polygons(c) : solid_of_polygons(c);
+      Meshd mesh = c.one_in(3) ? convex_solid_of_polygons(c) : solid_of_polygons(c);
       switch (c.below(6)) {
         case 4: return {together(mesh, solid_of_polygons(c))};
         case 5: return {with_broken_polygons(mesh, c)};
@@ -114,26 +99,14 @@ struct polyhedron_complexity {
       return {with_polygons(part, c)};
     });
     add.unscaled("prisms", [](DrawStream& c) -> Question { return {c.one_in(4) ? two_prisms(c) : drawn_prism(c)}; });
-    add.unscaled("fins", [](DrawStream& c) -> Question {
-      const Meshd mesh = drawn_prism(c);
-      return {with_fin(mesh, c)};
-    });
+    add.unscaled("fins", [](DrawStream& c) -> Question { return {with_fin(drawn_prism(c), c)}; });
     add.unscaled("wrong_cuts", [](DrawStream& c) -> Question {
       const Meshd mesh = drawn_prism(c);
       return {c.coin() ? with_wrong_polygon(mesh, c) : with_wrong_cut(mesh, c)};
     });
-    add.unscaled("wrong_polygon", [](DrawStream& c) -> Question {
-      const Meshd mesh = drawn_prism(c);
-      return {with_wrong_polygon(mesh, c)};
-    });
-    add.unscaled("foreign_cut", [](DrawStream& c) -> Question {
-      const Meshd mesh = drawn_prism(c);
-      return {with_foreign_cut(mesh, c)};
-    });
-    add.unscaled("lifted_corner", [](DrawStream& c) -> Question {
-      const Meshd mesh = drawn_prism(c);
-      return {with_lifted_corner(mesh, c)};
-    });
+    add.unscaled("wrong_polygon", [](DrawStream& c) -> Question { return {with_wrong_polygon(drawn_prism(c), c)}; });
+    add.unscaled("foreign_cut", [](DrawStream& c) -> Question { return {with_foreign_cut(drawn_prism(c), c)}; });
+    add.unscaled("lifted_corner", [](DrawStream& c) -> Question { return {with_lifted_corner(drawn_prism(c), c)}; });
     add.unscaled("convex_at_a_vertex", [](DrawStream& c) -> Question { return {convex_at_a_vertex(c)}; });
   }
 

@@ -42,33 +42,19 @@ struct polyhedron_polyhedron {
   }
 
   static void hard_cases(HardCases<Question>& add) {
-    add("lattice", [](DrawStream& c) -> Question {
-      const Meshd a = lattice_solid(c), b = lattice_solid(c);
-      return {a, moved(b, c, 12, 3)};
-    });
-    add("feature_to_feature", [](DrawStream& c) -> Question {
-      const Meshd a = lattice_solid(c), b = lattice_solid(c);
-      const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
-      return {a, shifted(b, p - q)};
-    });
-    add("convex", [](DrawStream& c) -> Question {
-      const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
-      const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
-      return {a, shifted(b, p - q)};
-    });
+    add("lattice", [](DrawStream& c) -> Question { return {lattice_solid(c), moved(lattice_solid(c), c, 12, 3)}; });
+    add("feature_to_feature", touching<lattice_solid, lattice_solid>);
+    add("convex", touching<lattice_polyhedron, lattice_polyhedron>);
     add("equal", [](DrawStream& c) -> Question {
       // Or cut in other triangles, turned inside out, a little way off.
       const Meshd a = lattice_solid(c);
       Meshd b = a;
       if (c.coin()) b = with_flat_vertex(b, c);
-      if (c.coin()) {
-        for (Face& face : b.faces) std::swap(face.b, face.c);
-      }
+      if (c.coin()) turn_inside_out(b);
       return {a, moved(b, c, 6, 1)};
     });
     add("one_within", [](DrawStream& c) -> Question {
-      const Meshd a = lattice_solid(c), b = lattice_polyhedron(c);
-      return {scaled(a, 3), moved(b, c, 12, 4)};
+      return {times(3, lattice_solid(c)), moved(lattice_polyhedron(c), c, 12, 4)};
     });
     add("interlocked", [](DrawStream& c) -> Question {
       // Links of a chain, or crossing sticks: no vertex is within the other.
@@ -76,73 +62,55 @@ struct polyhedron_polyhedron {
       return {a, moved(b, c, 6, 3)};
     });
     add("cubes", [](DrawStream& c) -> Question {
-      const Meshd a = cube_surface(cells(c)), b = cube_surface(cells(c));
-      return {a, moved(b, c, 12, 2)};
+      return {cube_surface(cells(c)), moved(cube_surface(cells(c)), c, 12, 2)};
     });
     add("tetrahedra", [](DrawStream& c) -> Question {
-      const Meshd a = tetrahedra_together(c), b = tetrahedra_together(c);
-      return {a, moved(b, c, 12, 1)};
+      return {tetrahedra_together(c), moved(tetrahedra_together(c), c, 12, 1)};
     });
     add("needless_faces", [](DrawStream& c) -> Question {
-      Meshd a = scaled(lattice_solid(c), 6);
-      a = with_needless_faces(a, c);
+      const Meshd a = with_needless_faces(times(6, lattice_solid(c)), c);
       const double size = one_to(c, 6);
-      const Meshd b = scaled(lattice_polyhedron(c), size);
+      const Meshd b = times(size, lattice_polyhedron(c));
       const Point3d p = c.coin() ? a.vertices.back() : on_a_face_plane(a, c);
       return {a, shifted(b, p - between_vertices(b, c))};
     });
     add("mapped", [](DrawStream& c) -> Question {
-      const Meshd a = lattice_polyhedron(c), b = dented_tetrahedron(24, {6, 6, 6});
-      const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
-      return split(a, shifted(b, p - q), [&c](Meshd& all) {
-        Point3d none{0, 0, 0};
-        map_linearly(all, none, c);
-      });
+      auto [a, b] = touching<lattice_polyhedron, dented_tetrahedron_of_24>(c);
+      map_linearly(c, a, b);
+      return {a, b};
     });
     add("stretched", [](DrawStream& c) -> Question {
-      // Each axis by its own power of two: past any lattice, past the filters' guards, to both ends of the range.
-      const Meshd a = lattice_polyhedron(c), b = dented_tetrahedron(24, {6, 6, 6});
-      const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
-      static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, 1013, -1074};
-      const int x = exponents[c.below(8)], y = exponents[c.below(8)], z = exponents[c.below(8)];
-      const auto stretch = [=](const Point3d& v) {
-        return Point3d{std::ldexp(v.x, x), std::ldexp(v.y, y), std::ldexp(v.z, z)};
-      };
-      return {mapped(a, stretch), mapped(shifted(b, p - q), stretch)};
+      // To both ends of the range.
+      auto [a, b] = touching<lattice_polyhedron, dented_tetrahedron_of_24>(c);
+      Stretch{c, {0, 60, 255, -170, 300, -300, 1013, -1074}}(a, b);
+      return {a, b};
     });
     add("rounded_onto", [](DrawStream& c) -> Question {
       // A corner of one, as far as doubles can tell, on a face of the other.
       const Meshd a = ordinary_solid(c), b = ordinary_solid(c);
-      const auto& [p, q, r] = std::array{a.vertices[1], a.vertices[2], a.vertices[4]};
+      const auto &p = a.vertices[1], &q = a.vertices[2], &r = a.vertices[4];
       const double s = std::fabs(ordinary(c)) / 2, t = std::fabs(ordinary(c)) / 2;
-      const Point3d onto = p + (s * (q - p)) + (t * (r - p));
-      return {a, shifted(b, onto - b.vertices[c.below(5)])};
+      return {a, shifted(b, p + (s * (q - p)) + (t * (r - p)) - b.vertices[c.below(5)])};
     });
     add("opened", [](DrawStream& c) -> Question {
       const Meshd a = lattice_solid(c), b = lattice_solid(c);
-      if (!c.coin()) return {opened(a, c), b};
-      return {a, opened(b, c)};
+      return c.coin() ? Question{a, opened(b, c)} : Question{opened(a, c), b};
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
       const Meshd& a = named_solid(c);
-      const Meshd b = dented_tetrahedron(24, {6, 6, 6});
+      const Meshd b = dented_tetrahedron_of_24(c);
       const Point3d p = c.one_in(3) ? between_vertices(a, c) : on_a_face_plane(a, c);
       return {a, shifted(b, p - on_a_face_plane(b, c))};
     });
     add.unscaled("reported_manifold_1656",
                  [](DrawStream& c) -> Question { return either_first(reported::manifold_1656(), c); });
     add.unscaled("reported_vcad_6", [](DrawStream& c) -> Question { return either_first(reported::vcad_6(), c); });
-    add.unscaled("reported_cgal_9192", [](DrawStream& c) -> Question {
-      const auto on = integer_in(c, 0, 2);
-      return either_first(reported::cgal_9192(on), c);
-    });
-    add.unscaled("reported_manifold_676", [](DrawStream& c) -> Question {
-      const bool far = !c.coin();
-      return either_first(reported::manifold_676(far), c);
-    });
+    add.unscaled("reported_cgal_9192",
+                 [](DrawStream& c) -> Question { return either_first(reported::cgal_9192(integer_in(c, 0, 2)), c); });
+    add.unscaled("reported_manifold_676",
+                 [](DrawStream& c) -> Question { return either_first(reported::manifold_676(!c.coin()), c); });
     add.unscaled("reported_openscad_3641", [](DrawStream& c) -> Question {
-      const auto common = integer_in(c, 0, 2);
-      return either_first(reported::openscad_3641(common), c);
+      return either_first(reported::openscad_3641(integer_in(c, 0, 2)), c);
     });
     add.unscaled("needless_vertex_inside", [](DrawStream& c) -> Question {
       // Solids that are apart or touch, but for a needless face of one, which reaches into the other.
@@ -154,7 +122,7 @@ struct polyhedron_polyhedron {
       const auto added = static_cast<Index>(a.vertices.size());
       a.vertices.push_back(between_vertices(b, c));
       a.faces.insert(a.faces.end(), {{face.a, face.b, added}, {added, face.b, face.a}});
-      return c.coin() ? Question{b, a} : Question{a, b};
+      return in_either_order(c, a, b);
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd a = solid_of_polygons(c), b = convex_solid_of_polygons(c);
@@ -165,31 +133,26 @@ struct polyhedron_polyhedron {
       // A solid, or one with a hollow of its own; alone, or after a part that is far away. Its faces lie between
       // two shells or are those of a shell.
       const Meshd shape = around_the_mean(lattice_polyhedron(c)), a = shells(shape, c);
-      const auto size = one_to(c, 3);
-      Meshd b = scaled(shape, size);
-      if (c.coin()) {
-        const auto more = one_to(c, 4);
-        b = together(b, scaled(shape, size + more));
-      }
+      const double size = one_to(c, 3);
+      Meshd b = times(size, shape);
+      if (c.coin()) b = together(b, times(size + one_to(c, 4), shape));
       if (c.coin()) b = together(shifted(lattice_polyhedron(c), {0x1p14, 0, 0}), b);
-      return c.coin() ? Question{b, a} : Question{a, b};
+      return in_either_order(c, a, b);
     });
     add.unscaled("body_in_recess", [](DrawStream& c) -> Question {
       const auto [solid, body, middle] = body_in_recess(c);
-      return c.coin() ? Question{body, solid} : Question{solid, body};
+      return in_either_order(c, solid, body);
     });
     add.unscaled("crossing_boxes", [](DrawStream& c) -> Question {
       const Meshd a = crossing_boxes(c);
-      const auto from = [&c] { return 6 * up_to(c, 7); };
-      const double x = from(), y = from(), z = from(), size = 6 * one_to(c, 2);
-      const Meshd b = box_mesh({x, y, z}, {x + size, y + size, z + size});
-      return c.coin() ? Question{b, a} : Question{a, b};
+      const Point3d from{6 * up_to(c, 7), 6 * up_to(c, 7), 6 * up_to(c, 7)};
+      const double size = 6 * one_to(c, 2);
+      return in_either_order(c, a, box_mesh(from, from + Vector3d{size, size, size}));
     });
     add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
       // They may lie within the other solid, or widen a box.
       const Meshd a = lattice_solid(c), b = moved(lattice_polyhedron(c), c, 12, 3);
-      const Meshd marked = with_unnamed_vertices(a, between_vertices(b, c), c);
-      return c.coin() ? Question{b, marked} : Question{marked, b};
+      return in_either_order(c, with_unnamed_vertices(a, between_vertices(b, c), c), b);
     });
   }
 
@@ -234,42 +197,33 @@ struct polyhedron_polyhedron {
     for (Point3d& p : mesh.vertices) p = change(p);
     return mesh;
   }
-  static Meshd shifted(const Meshd& mesh, const Vector3d& by) {
-    return mapped(mesh, [&by](const Point3d& p) { return p + by; });
-  }
-  static Meshd scaled(const Meshd& mesh, double factor) {
+  static Meshd times(double factor, const Meshd& mesh) {
     return mapped(mesh, [factor](const Point3d& p) { return Point3d{factor * p.x, factor * p.y, factor * p.z}; });
   }
   static double least_x(const Meshd& mesh) {
-    double least = mesh.vertices[0].x;
-    for (const Point3d& p : mesh.vertices) least = std::min(least, p.x);
-    return least;
+    return std::min_element(mesh.vertices.begin(), mesh.vertices.end(), is_left)->x;
   }
   static double greatest_x(const Meshd& mesh) {
-    double greatest = mesh.vertices[0].x;
-    for (const Point3d& p : mesh.vertices) greatest = std::max(greatest, p.x);
-    return greatest;
+    return std::max_element(mesh.vertices.begin(), mesh.vertices.end(), is_left)->x;
   }
+  static bool is_left(const Point3d& p, const Point3d& q) { return p.x < q.x; }
   /// Faces in any order.
   static Question either_first(const reported::SolidPair& solids, DrawStream& c) {
     const Meshd a = relisted(solids.first, c), b = relisted(solids.second, c);
-    return c.coin() ? Question{b, a} : Question{a, b};
+    return in_either_order(c, a, b);
   }
   static Meshd moved(const Meshd& mesh, DrawStream& c, double unit, int most) {
-    const double x = unit * small_integer(c, most), y = unit * small_integer(c, most);
-    return shifted(mesh, {x, y, unit * small_integer(c, most)});
+    return shifted(mesh, {unit * small_integer(c, most), unit * small_integer(c, most), unit * small_integer(c, most)});
   }
 
-  /// Both in one list of vertices, and again in two.
-  template <class Change>
-  static Question split(Meshd a, Meshd b, const Change& change) {
-    Meshd all{a.vertices, {}};
-    all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
-    change(all);
-    const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
-    a.vertices.assign(all.vertices.begin(), middle), b.vertices.assign(middle, all.vertices.end());
-    return {a, b};
+  /// A point of the surface of each, or of the planes of its faces, in common.
+  template <auto one, auto other>
+  static Question touching(DrawStream& c) {
+    const Meshd a = one(c), b = other(c);
+    const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+    return {a, shifted(b, p - q)};
   }
+  static Meshd dented_tetrahedron_of_24(DrawStream&) { return dented_tetrahedron(24, {6, 6, 6}); }
 
   static std::vector<Whole> cells(DrawStream& c) {
     std::vector<Whole> drawn{{0, 0, 0}};
@@ -289,16 +243,6 @@ struct polyhedron_polyhedron {
     return mapped(cube_surface(of_cells), [=](const Point3d& p) {
       return Point3d{narrowed(p.x), narrowed(p.y), p.z == 0 ? 0 : height};
     });
-  }
-
-  static Meshd ordinary_solid(DrawStream& c) {
-    Meshd mesh;
-    for (int i = 0; i < 5; ++i) {
-      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
-      mesh.vertices.push_back({x, y, z});
-    }
-    make_solid(mesh);
-    return mesh;
   }
 };
 

@@ -53,19 +53,17 @@ struct segment_triangle {
   static void hard_cases(HardCases<Question>& add) {
     add("crossing", crossing);
     add("small_lattice", [](DrawStream& c) -> Question {
-      return {{small_lattice_point(c), small_lattice_point(c)},
-              {small_lattice_point(c), small_lattice_point(c), small_lattice_point(c)}};
+      return {{small_lattice_point(c), small_lattice_point(c)}, triangle_of(c, small_lattice_point)};
     });
     add("through_edge", [](DrawStream& c) -> Question {
       const LatticePlane edge = LatticePlane::of(c);  // along u, through the origin; v across
-      const double i = small_integer(c, 3), j = small_integer(c, 3);
-      const Triangle3d t{edge.at(i, 0), edge.at(j, 0), lattice_point_in_space(c)};
+      const Triangle3d t{edge.on_line(c), edge.on_line(c), lattice_point_in_space(c)};
       return {segment_through(c, edge.origin, edge.v), t};
     });
     add("along_edge", [](DrawStream& c) -> Question {
       const LatticePlane edge = LatticePlane::of(c);
-      const double i = small_integer(c), j = small_integer(c), k = small_integer(c), l = small_integer(c);
-      return {{edge.at(i, 0), edge.at(j, 0)}, {edge.at(k, 0), edge.at(l, 0), lattice_point_in_space(c)}};
+      return {{edge.on_line(c, 8), edge.on_line(c, 8)},
+              {edge.on_line(c, 8), edge.on_line(c, 8), lattice_point_in_space(c)}};
     });
     add("coplanar", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
@@ -83,10 +81,8 @@ struct segment_triangle {
     });
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-      const Triangle3d t{line.at(i, 0), line.at(j, 0), line.at(k, 0)};
-      const Vector3d way = c.coin() ? line.v : line.u;
-      return {segment_through(c, line.origin, way), t};
+      const Triangle3d t = line.triangle_without_area(c);
+      return {segment_through(c, line.origin, c.coin() ? line.v : line.u), t};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c);
@@ -94,18 +90,14 @@ struct segment_triangle {
       return {segment_through(c, line.origin, line.u), {p, p, p}};
     });
     add("needle", [](DrawStream& c) -> Question {
-      // Thousands of millions long, a few units wide, around its middle.
-      const double length = power_of_two(c, 30, 41);
-      const double y = small_integer(c, 3), z = small_integer(c, 3);
-      const Triangle3d t{{-length, y, z}, {length, small_integer(c, 3), 0}, {length, 0, small_integer(c, 3)}};
+      const Triangle3d t = needle(c, 30, 41);
       const double x = small_integer(c, 3);
       return {segment_through(c, {x, 0, 0}, lattice_normal(c, 4)), t};
     });
     add("end_rounded_onto", [](DrawStream& c) -> Question {
-      const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c), b = ordinary_point_in_space(c),
-                    d = ordinary_point_in_space(c);
-      const double s = ordinary(c), t = ordinary(c);
-      return {{p, a + (s * (b - a) + t * (d - a))}, {a, b, d}};
+      const Point3d p = ordinary_point_in_space(c);
+      const Triangle3d t = triangle_of(c, ordinary_point_in_space);
+      return {{p, rounded_onto(t, c)}, t};
     });
     add("long_coplanar", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
@@ -114,20 +106,11 @@ struct segment_triangle {
     add("stretched", [](DrawStream& c) -> Question {
       Question question = crossing(c);
       auto& [s, t] = question;
-      stretch(c, s.a, s.b, t.a, t.b, t.c);
+      Stretch{c}(s, t);
       return question;
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      // Differences overflow, and products of what does not.
-      const auto number = [&c] {
-        const double n = small_integer(c, 1);
-        return std::ldexp(n, c.coin() ? 1023 : 0);
-      };
-      const auto point = [&number] {
-        const double x = number(), y = number();
-        return Point3d{x, y, number()};
-      };
-      return {{point(), point()}, {point(), point(), point()}};
+      return {{huge_or_small_point(c), huge_or_small_point(c)}, triangle_of(c, huge_or_small_point)};
     });
     add.unscaled("reported_edyn_155", [](DrawStream& c) -> Question {
       // Through the middle of the diagonal of a side, of which the triangle is a half, or parallel to the side.
@@ -138,18 +121,9 @@ struct segment_triangle {
       const auto at = [axis](double n) { return Point3d{axis == 0 ? n : 0, axis == 1 ? n : 0, axis == 2 ? n : 0}; };
       return {{at(from), at(-from)}, {cube.vertices[half.a], cube.vertices[half.b], cube.vertices[half.c]}};
     });
-    add("coplanar_at_edge", [](DrawStream& c) -> Question {
-      CoplanarDraws coplanar(c);
-      return {coplanar.segment_at_edge(), coplanar.triangle()};
-    });
-    add("coplanar_within", [](DrawStream& c) -> Question {
-      CoplanarDraws coplanar(c);
-      return {coplanar.segment_within(), coplanar.triangle()};
-    });
-    add("coplanar_in_any_order", [](DrawStream& c) -> Question {
-      CoplanarDraws coplanar(c);
-      return {coplanar.segment(), coplanar.triangle()};
-    });
+    add("coplanar_at_edge", coplanar<&CoplanarDraws::segment_at_edge>);
+    add("coplanar_within", coplanar<&CoplanarDraws::segment_within>);
+    add("coplanar_in_any_order", coplanar<&CoplanarDraws::segment>);
   }
 
   /// Open: without ends and edges. What has no length or no area is empty then.
@@ -185,6 +159,12 @@ struct segment_triangle {
   }
 
  private:
+  template <auto segment>
+  static Question coplanar(DrawStream& c) {
+    CoplanarDraws draws(c);
+    return {(draws.*segment)(), draws.triangle()};
+  }
+
   /// A triangle around a point, or near it, and a segment through the point.
   static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c);

@@ -37,7 +37,7 @@ struct triangle_triangle {
   static void hard_cases(HardCases<Question>& add) {
     add("crossing", crossing);
     add("small_lattice", [](DrawStream& c) -> Question {
-      return {of(c, small_lattice_point), of(c, small_lattice_point)};
+      return {triangle_of(c, small_lattice_point), triangle_of(c, small_lattice_point)};
     });
     add("coplanar", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
@@ -47,13 +47,12 @@ struct triangle_triangle {
       const LatticePlane plane = LatticePlane::of(c);
       const Triangle3d t = plane.triangle(c);
       const Vector3d off = lattice_normal(c);
-      const Triangle3d other = plane.triangle(c);
-      return {t, {other.a + off, other.b + off, other.c + off}};
+      return {t, {plane.point(c) + off, plane.point(c) + off, plane.point(c) + off}};
     });
     add("common_corner", [](DrawStream& c) -> Question {
-      const Point3d p = lattice_point_in_space(c), b = lattice_point_in_space(c), d = lattice_point_in_space(c),
-                    e = lattice_point_in_space(c);
-      return {{p, b, d}, {e, lattice_point_in_space(c), p}};
+      const Point3d p = lattice_point_in_space(c);
+      return {{p, lattice_point_in_space(c), lattice_point_in_space(c)},
+              {lattice_point_in_space(c), lattice_point_in_space(c), p}};
     });
     add("common_edge", [](DrawStream& c) -> Question {
       // Along one line; the edges may share all of it, a part, an end or nothing.
@@ -66,8 +65,8 @@ struct triangle_triangle {
       // On a face, an edge or a corner, or near them in their plane.
       const LatticePlane plane = LatticePlane::of(c);
       const Triangle3d t = plane.triangle(c);
-      const Point3d p = plane.point(c), q = lattice_point_in_space(c);
-      return {t, {q, p, lattice_point_in_space(c)}};
+      const Point3d p = plane.point(c);
+      return {t, {lattice_point_in_space(c), p, lattice_point_in_space(c)}};
     });
     add("edge_on_edge", [](DrawStream& c) -> Question {
       const LatticePlane cross = LatticePlane::of(c);
@@ -77,8 +76,7 @@ struct triangle_triangle {
     });
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
-      return {{plane.at(i, 0), plane.at(j, 0), plane.at(k, 0)}, plane.triangle(c)};
+      return {plane.triangle_without_area(c), plane.triangle(c)};
     });
     add("needles", [](DrawStream& c) -> Question {
       // Thousands of millions long, a few units wide, across each other.
@@ -89,52 +87,27 @@ struct triangle_triangle {
       return {t, {{cx, -length, cz}, {unit(), length, 0}, {0, length, unit()}}};
     });
     add("corner_rounded_onto", [](DrawStream& c) -> Question {
-      const Triangle3d t = of(c, ordinary_point_in_space);
-      const double i = ordinary(c), j = ordinary(c);
-      return {t, {t.a + (i * (t.b - t.a) + j * (t.c - t.a)), ordinary_point_in_space(c), ordinary_point_in_space(c)}};
+      const Triangle3d t = triangle_of(c, ordinary_point_in_space);
+      return {t, {rounded_onto(t, c), ordinary_point_in_space(c), ordinary_point_in_space(c)}};
     });
     add("long_coplanar", [](DrawStream& c) -> Question {
       const LongPlane plane = LongPlane::of(c);
       const auto point = [&plane](DrawStream& draws) { return plane.point(draws); };
-      return {of(c, point), of(c, point)};
+      return {triangle_of(c, point), triangle_of(c, point)};
     });
     add("stretched", [](DrawStream& c) -> Question {
       Question question = crossing(c);
       auto& [a, b] = question;
-      stretch(c, a.a, a.b, a.c, b.a, b.b, b.c);
+      Stretch{c}(a, b);
       return question;
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      // Differences overflow, and products of what does not.
-      const auto point = [](DrawStream& draws) {
-        const auto number = [&draws] {
-          const double n = small_integer(draws, 1);
-          return std::ldexp(n, draws.coin() ? 1023 : 0);
-        };
-        const double x = number(), y = number();
-        return Point3d{x, y, number()};
-      };
-      return {of(c, point), of(c, point)};
+      return {triangle_of(c, huge_or_small_point), triangle_of(c, huge_or_small_point)};
     });
-    add("reported", [](DrawStream& c) -> Question {
-      const auto [a, b] = reported_triangles(c);
-      return {a, b};
-    });
-    add("coplanar_at_edge", [](DrawStream& c) -> Question {
-      CoplanarDraws coplanar(c);
-      const Triangle3d t = coplanar.triangle();
-      return either_first(c, t, coplanar.triangle_at_edge());
-    });
-    add("coplanar_within", [](DrawStream& c) -> Question {
-      CoplanarDraws coplanar(c);
-      const Triangle3d t = coplanar.triangle();
-      return either_first(c, t, coplanar.triangle_within());
-    });
-    add("coplanar_in_any_order", [](DrawStream& c) -> Question {
-      CoplanarDraws coplanar(c);
-      const Triangle3d t = coplanar.triangle();
-      return either_first(c, t, coplanar.other_triangle());
-    });
+    add("reported", [](DrawStream& c) -> Question { return reported_triangles(c); });
+    add("coplanar_at_edge", coplanar<&CoplanarDraws::triangle_at_edge>);
+    add("coplanar_within", coplanar<&CoplanarDraws::triangle_within>);
+    add("coplanar_in_any_order", coplanar<&CoplanarDraws::other_triangle>);
   }
 
   /// Without edges they have nothing in common where a plane has one on either side and not both within itself: then
@@ -177,21 +150,17 @@ struct triangle_triangle {
   }
 
  private:
-  template <class Draw>
-  static Triangle3d of(DrawStream& c, const Draw& point) {
-    const Point3d a = point(c), b = point(c);
-    return {a, b, point(c)};
-  }
-
-  static Question either_first(DrawStream& c, const Triangle3d& t, const Triangle3d& other) {
-    return c.coin() ? Question{other, t} : Question{t, other};
+  template <auto other>
+  static Question coplanar(DrawStream& c) {
+    CoplanarDraws draws(c);
+    const Triangle3d t = draws.triangle();
+    return in_either_order(c, t, (draws.*other)());
   }
 
   /// Triangles around one point, or near it, in two planes.
   static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c), other = LatticePlane::of(c);
-    const Triangle3d t = plane.triangle(c);
-    return {t, LatticePlane{plane.origin, other.u, other.v}.triangle(c)};
+    return {plane.triangle(c), LatticePlane{plane.origin, other.u, other.v}.triangle(c)};
   }
 };
 

@@ -80,7 +80,7 @@ struct damped_reflection {
   }
   static double one(DrawStream&) { return 1; }
   /// 1 + k is 0, or all its digits are cancelled but the last.
-  static double near_minus_one(DrawStream& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
+  static double near_minus_one(DrawStream& c) { return ulps_apart(c, -1, 3); }
   static double any_size(DrawStream& c) {
     const int exponent = integer_in(c, -600, 599);
     return std::ldexp(ordinary(c), exponent);

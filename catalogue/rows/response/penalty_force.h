@@ -50,9 +50,7 @@ struct penalty_force {
     add("stretched_normal", [](DrawStream& c) -> Question {
       const auto [p, v, plane, k, d] = usual(c, -1 - small_integer(c, 1));
       const int unit = integer_in(c, -1050, 949);
-      const auto& n = plane.normal;
-      const Vector3d stretched{std::ldexp(n.x, unit), std::ldexp(n.y, unit), std::ldexp(n.z, unit)};
-      return {p, v, {stretched, std::ldexp(plane.offset, unit)}, k, d};
+      return {p, v, {scaled(plane.normal, unit), std::ldexp(plane.offset, unit)}, k, d};
     });
     add("products_at_the_end", [](DrawStream& c) -> Question {
       const Bounce b = products_at_the_end(c);
@@ -109,8 +107,7 @@ struct penalty_force {
   static Question usual(DrawStream& c, double height) {
     const Vector3d n = lattice_normal(c, 16), v = lattice_velocity(c, 20);
     const Point3d foot = lattice_point_in_space(c, 20), p = foot + lattice_across(c, n);
-    const double stiffness = one_to(c, 1 << 10), damping = small_integer(c);
-    return {p, v, {n, height - dot(n, Vector3d{foot.x, foot.y, foot.z})}, stiffness, damping};
+    return {p, v, {n, height - dot(n, Vector3d{foot.x, foot.y, foot.z})}, one_to(c, 1 << 10), small_integer(c)};
   }
 };
 

@@ -52,8 +52,7 @@ struct reflect_wall {
         const double size = c.coin() ? 0x1.fffffffffffffp+1023 : 0x1p-1074;
         return either_sign(c) * size;
       };
-      const double x = end(), y = end(), z = end();
-      return bounce({x, y, z}, c);
+      return bounce({end(), end(), end()}, c);
     });
   }
 

@@ -3,6 +3,7 @@
 
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/box_draws.h"
+#include "catalogue/families/ties.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -88,8 +89,8 @@ struct swept_aabb_aabb {
     });
     add("one_inside", [](DrawStream& c) -> Question {
       const Aabb3d a = lattice_box(c);
-      const double x = small_integer(c), y = small_integer(c), z = small_integer(c);
-      return turned(a, within(a, c), {x, y, z}, c);
+      const Vector3d v{small_integer(c), small_integer(c), small_integer(c)};
+      return turned(a, within(a, c), v, c);
     });
     add("rounded_corner_pass", [](DrawStream& c) -> Question {
       // As corner_passes_corner, as far as doubles can tell: t is an ordinary number, displacements are rounded.
@@ -103,19 +104,11 @@ struct swept_aabb_aabb {
       return InPlane{{{-1, -1}, {0, 0}}, {{t * x, t * y}, {2, 2}}, {x, y}};
     });
     add("beside_a_tie", [](DrawStream& c) -> Question {
-      // The way is the velocity times an odd integer of 54 digits, and one more or less, all in units of 2^-k:
-      // near a halfway case by far less than enclosures can tell.
-      __extension__ using Wide = __int128;
-      const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
-      const auto speed = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));
-      const Wide way = odd * speed + (c.coin() ? -1 : 1);
-      const auto low = static_cast<double>(static_cast<std::int64_t>(way & 0xffffffff)),
-                 high = static_cast<double>(static_cast<std::int64_t>(way >> 32)) * 0x1p32;
-      return InPlane{{{-0x1p60, 0}, {-low, 1}}, {{high, 0}, {0x1p90, 1}}, {static_cast<double>(speed) * 0x1p54, 0}};
+      const auto [low, high, speed] = way_beside_tie(c);
+      return InPlane{{{-0x1p60, 0}, {-low, 1}}, {{high, 0}, {0x1p90, 1}}, {speed * 0x1p54, 0}};
     });
     add("least_beside_greatest", [](DrawStream& c) -> Question {
-      const double least = std::ldexp(small_integer(c), -1074),
-                   greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
+      const double least = subnormal(c), greatest = huge(c);
       const double v = c.coin() ? greatest : 4, y = c.coin() ? least : 1, from = c.coin() ? -greatest : -4;
       return InPlane{{{from, -1}, {from, least}}, {{0, 0}, {1, 1}}, {v, y}};
     });

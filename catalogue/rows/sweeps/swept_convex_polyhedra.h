@@ -45,18 +45,14 @@ struct swept_convex_polyhedra {
     add("lattice", [](DrawStream& c) -> Question {
       // Everything in multiples of 12: features pass in one line, or in one plane.
       const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
-      const Vector3d apart = 12.0 * lattice_normal(c, 2), velocity = 12.0 * lattice_normal(c, 2);
-      return {a, shifted(b, apart), velocity};
+      return {a, shifted(b, 12.0 * lattice_normal(c, 2)), 12.0 * lattice_normal(c, 2)};
     });
     add("feature_to_feature", [](DrawStream& c) -> Question {
       const double n = up_to(c, 3), d = one_to(c, 4);
       return aimed(c, n, d);
     });
     add("contact_at_end", [](DrawStream& c) -> Question { return aimed(c, 1, 1); });
-    add("touching_at_start", [](DrawStream& c) -> Question {
-      const double d = small_integer(c, 2);
-      return aimed(c, 0, d);
-    });
+    add("touching_at_start", [](DrawStream& c) -> Question { return aimed(c, 0, small_integer(c, 2)); });
     add("one_inside", [](DrawStream& c) -> Question {
       Meshd a = lattice_polyhedron(c);
       const Meshd b = lattice_polyhedron(c);
@@ -65,26 +61,18 @@ struct swept_convex_polyhedra {
     });
     add("mapped", [](DrawStream& c) -> Question {
       auto [a, b, velocity] = aimed(c, 1, 2);
-      Meshd all = together(a, b);
-      Point3d v{velocity.x, velocity.y, velocity.z};
-      map_linearly(all, v, c);
-      return parted(all, a, b, {v.x, v.y, v.z});
+      map_linearly(c, a, b, velocity);
+      return {a, b, velocity};
     });
     add("stretched", [](DrawStream& c) -> Question {
-      // Each axis by its own power of two: past the filter's guards, and below them.
       auto [a, b, velocity] = aimed(c, 1, 2);
-      static constexpr int exponents[] = {0, 60, 255, -170, 300, -300};
-      const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
-      const auto stretch = [=](auto& p) { p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)}; };
-      for (Meshd* mesh : {&a, &b}) std::for_each(mesh->vertices.begin(), mesh->vertices.end(), stretch);
-      stretch(velocity);
+      Stretch{c}(a, b, velocity);
       return {a, b, velocity};
     });
     add("rounded", [](DrawStream& c) -> Question {
-      Meshd a = ordinary_tetrahedron(c), b = ordinary_tetrahedron(c);
-      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+      Meshd a = tetrahedron_of(c, ordinary_point_in_space), b = tetrahedron_of(c, ordinary_point_in_space);
       // A corner of b to which one of a gets at the end, as far as doubles can tell; or anywhere.
-      const Vector3d v{4 * x, 4 * y, 4 * z};
+      const Vector3d v{4 * ordinary(c), 4 * ordinary(c), 4 * ordinary(c)};
       if (!c.coin()) b = shifted(b, (a.vertices[0] - b.vertices[0]) + v);
       return {a, b, v};
     });
@@ -94,22 +82,16 @@ struct swept_convex_polyhedra {
       return {a, broken(b, c), velocity};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question {
-      const Meshd& a = named_mesh(c);
+      const Meshd &a = named_mesh(c), b = small_tetrahedron();
       const Point3d p = on_a_face_plane(a, c);
       const Vector3d w = 12.0 * lattice_normal(c, 3);
-      Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
-      make_tetrahedron(b);
-      const Point3d to = p + 2.0 * w;
-      return {a, shifted(b, {to.x, to.y, to.z}), one_to(c, 4) * w};
+      return {a, shifted(b, p + 2.0 * w - Point3d{0, 0, 0}), one_to(c, 4) * w};
     });
     add.unscaled("named_mesh_at_rest", [](DrawStream& c) -> Question {
-      Meshd a{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
-      make_tetrahedron(a);
-      const Meshd& b = named_mesh(c);
+      const Meshd a = small_tetrahedron(), &b = named_mesh(c);
       const Point3d p = on_a_face_plane(b, c);
       const Vector3d w = 12.0 * lattice_normal(c, 3);
-      const Point3d from = p + -2.0 * w;
-      return {shifted(a, {from.x, from.y, from.z}), b, one_to(c, 4) * w};
+      return {shifted(a, p + -2.0 * w - Point3d{0, 0, 0}), b, one_to(c, 4) * w};
     });
     add.unscaled("huge_or_tiny_boxes", [](DrawStream& c) -> Question {
       // Past the filter's guards, but all on one lattice: one axis of a box decides, exactly.
@@ -136,8 +118,7 @@ struct swept_convex_polyhedra {
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd a = convex_solid_of_polygons(c), b = lattice_polyhedron(c);
       const Meshd asked = c.one_in(6) ? with_broken_polygons(a, c) : a;
-      const Vector3d apart = 12.0 * lattice_normal(c, 2);
-      return {asked, shifted(b, apart), 12.0 * lattice_normal(c, 2)};
+      return {asked, shifted(b, 12.0 * lattice_normal(c, 2)), 12.0 * lattice_normal(c, 2)};
     });
   }
 
@@ -182,11 +163,6 @@ struct swept_convex_polyhedra {
   }
 
  private:
-  static Meshd shifted(Meshd mesh, const Vector3d& by) {
-    for (Point3d& p : mesh.vertices) p = p + by;
-    return mesh;
-  }
-
   /// Two lattice polyhedra, a point on or near the surface of each, and a velocity with which one comes to the other
   /// at n / d.
   static Question aimed(DrawStream& c, double n, double d) {
@@ -196,28 +172,7 @@ struct swept_convex_polyhedra {
     return {a, shifted(b, (p - q) + n * w), d * w};
   }
 
-  static Meshd ordinary_tetrahedron(DrawStream& c) {
-    Meshd mesh;
-    for (int i = 0; i < 4; ++i) {
-      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
-      mesh.vertices.push_back({x, y, z});
-    }
-    make_tetrahedron(mesh);
-    return mesh;
-  }
-
-  /// The vertices of both in one list, and again in two.
-  static Meshd together(const Meshd& a, const Meshd& b) {
-    Meshd all{a.vertices, {}};
-    all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
-    return all;
-  }
-  static Question parted(const Meshd& all, Meshd a, Meshd b, const Vector3d& velocity) {
-    const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
-    std::copy(all.vertices.begin(), middle, a.vertices.begin());
-    std::copy(middle, all.vertices.end(), b.vertices.begin());
-    return {a, b, velocity};
-  }
+  static Meshd small_tetrahedron() { return tetrahedron_over({{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}}); }
 };
 
 }  // namespace touchstone::catalogue::rows

@@ -3,6 +3,7 @@
 
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/space_draws.h"
+#include "catalogue/families/ties.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/sweeps/swept_sphere_plane.h"
@@ -61,23 +62,14 @@ struct swept_sphere_plane {
     });
     add("rounded_touch", [](DrawStream& c) -> Question {
       // A touch at the start or at the end, as far as doubles can tell.
-      const auto number = [&c] { return ordinary(c); };
-      const double nx = number(), ny = number(), x = number(), y = number(), z = number(), d = number();
-      const double vx = number(), vy = number(), vz = number();
-      const Vector3d n{nx, ny, 1}, v{vx, vy, vz};
-      const double end = c.coin() ? 1 : 0, length = std::sqrt(dot(n, n));
-      const double reach = std::fabs(dot(n, Vector3d{x, y, z} + end * v) + d) / length;
-      return {{{x, y, z}, within_ulps(c, reach, 1)}, v, {n, d}};
+      const Vector3d n{ordinary(c), ordinary(c), 1}, p{ordinary(c), ordinary(c), ordinary(c)};
+      const double d = ordinary(c);
+      const Vector3d v{ordinary(c), ordinary(c), ordinary(c)}, at = c.coin() ? p + v : p;
+      return {{{p.x, p.y, p.z}, within_ulps(c, std::fabs(dot(n, at) + d) / std::sqrt(dot(n, n)), 1)}, v, {n, d}};
     });
     add("beside_a_tie", [](DrawStream& c) -> Question {
-      // As in swept_aabb_aabb: the height is the fall times an odd integer of 54 digits, and one more or less.
-      __extension__ using Wide = __int128;
-      const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
-      const auto fall = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));
-      const Wide height = odd * fall + (c.coin() ? -1 : 1);
-      const auto low = static_cast<double>(static_cast<std::int64_t>(height & 0xffffffff)),
-                 high = static_cast<double>(static_cast<std::int64_t>(height >> 32)) * 0x1p32;
-      return {{{0, high, 0}, 0}, {0, -static_cast<double>(fall) * 0x1p54, 0}, {{0, 1, 0}, low}};
+      const auto [low, high, fall] = way_beside_tie(c);
+      return {{{0, high, 0}, 0}, {0, -fall * 0x1p54, 0}, {{0, 1, 0}, low}};
     });
     add("uneven_normal", [](DrawStream& c) -> Question {
       // Past the guards of the squared length, or with parts that count for nothing.
@@ -93,8 +85,7 @@ struct swept_sphere_plane {
       return {{{x, 0, 0}, x}, {small_integer(c), 0, 0}, {{n, 0, 0}, 0}};
     });
     add("least_beside_greatest", [](DrawStream& c) -> Question {
-      const double least = std::ldexp(small_integer(c), -1074),
-                   greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
+      const double least = subnormal(c), greatest = huge(c);
       const double d = c.coin() ? least : -greatest, y = c.coin() ? greatest : 4, r = c.coin() ? std::fabs(least) : 1;
       return {{{0, y, least}, r}, {0, -y, least}, {{0, 1, c.coin() ? 1.0 : least}, d}};
     });

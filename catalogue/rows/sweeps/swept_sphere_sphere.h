@@ -60,9 +60,8 @@ struct swept_sphere_sphere {
       return common_motion({-gap - reach, 0, 0}, {speed, 0, 0}, reach, c);
     });
     add("aimed", [](DrawStream& c) -> Question {
-      const Vector3d p = lattice_normal(c, 6), v = (-one_to(c, 2)) * p;
-      const double x = small_integer(c, 2), y = small_integer(c, 2);
-      const Vector3d aside{x, y, small_integer(c, 2)};
+      const Vector3d p = lattice_normal(c, 6), v = -one_to(c, 2) * p;
+      const Vector3d aside{small_integer(c, 2), small_integer(c, 2), small_integer(c, 2)};
       return common_motion(p, v + aside, up_to(c, 11), c);
     });
     add("same_velocity", [](DrawStream& c) -> Question {
@@ -87,9 +86,7 @@ struct swept_sphere_sphere {
       return question;
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
-      const auto tenth = [&c] { return small_integer(c, 40) / 10; };
-      const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
-      const Vector3d p{x, y, z}, v{vx, vy, vz};
+      const Vector3d p = in_tenths(c), v = in_tenths(c);
       // A touch at the start, at the nearest point of the passage, or at the end, as far as doubles can tell.
       const Vector3d end = p + v, area = cross(p, v);
       const double speed = std::sqrt(dot(v, v));
@@ -99,19 +96,17 @@ struct swept_sphere_sphere {
         case 1: reach = speed > 0 ? std::sqrt(dot(area, area)) / speed : reach; break;
         default: reach = std::sqrt(dot(end, end));
       }
-      return {{{x, y, z}, within_ulps(c, reach, 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
+      return {{{p.x, p.y, p.z}, within_ulps(c, reach, 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
     });
     add("rounded_touch", [](DrawStream& c) -> Question {
       // The reach is the distance at the start or at the end, rounded.
-      const auto tenth = [&c] { return small_integer(c, 40) / 10; };
-      const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
-      const Vector3d p{x, y, z}, v{vx, vy, vz}, end = p + v, touch = c.coin() ? end : p;
-      return {{{x, y, z}, std::sqrt(dot(touch, touch))}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
+      const Vector3d p = in_tenths(c), v = in_tenths(c), end = p + v, touch = c.coin() ? end : p;
+      return {{{p.x, p.y, p.z}, std::sqrt(dot(touch, touch))}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
     });
     add("least_beside_greatest", [](DrawStream& c) -> Question {
-      const double tiny = std::ldexp(small_integer(c), -1074), huge = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
-      const Vector3d v = c.coin() ? Vector3d{-huge, 0, 0} : Vector3d{-4, tiny, 0};
-      return {{{c.coin() ? huge : 3.0, tiny, 0}, 1}, {{0, 0, 0}, c.coin() ? 1.0 : std::fabs(tiny)}, v, {0, 0, 0}};
+      const double tiny = subnormal(c), large = huge(c);
+      const Vector3d v = c.coin() ? Vector3d{-large, 0, 0} : Vector3d{-4, tiny, 0};
+      return {{{c.coin() ? large : 3.0, tiny, 0}, 1}, {{0, 0, 0}, c.coin() ? 1.0 : std::fabs(tiny)}, v, {0, 0, 0}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const double x = zero(c), r = zero(c), s = zero(c), v = zero(c);
@@ -154,6 +149,10 @@ struct swept_sphere_sphere {
   }
 
  private:
+  static Vector3d in_tenths(DrawStream& c) {
+    return {small_integer(c, 40) / 10, small_integer(c, 40) / 10, small_integer(c, 40) / 10};
+  }
+
   /// A vector of integer length, and that length.
   static std::pair<Vector3d, double> hypotenuse(DrawStream& c) {
     static constexpr std::array<std::array<double, 4>, 5> quadruples{
@@ -167,8 +166,7 @@ struct swept_sphere_sphere {
   /// dealt out.
   static Question common_motion(const Vector3d& p, const Vector3d& v, double reach, DrawStream& c) {
     const Point3d at = lattice_point_in_space(c, 6);
-    const double x = small_integer(c, 2), y = small_integer(c, 2);
-    const Vector3d common{x, y, small_integer(c, 2)};
+    const Vector3d common{small_integer(c, 2), small_integer(c, 2), small_integer(c, 2)};
     const double radius = static_cast<double>(c.below(static_cast<std::uint64_t>(reach) + 1));
     const Sphere3d a{at + p, reach - radius}, b{at, radius};
     if (!c.coin()) return {a, b, v + common, common};

@@ -68,17 +68,16 @@ struct aabb_aabb {
       return seen({p, p}, {q, q}, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
-      const double p = least(), q = least(), r = least(), s = least();
+      const double p = subnormal(c, 3), q = subnormal(c, 3), r = subnormal(c, 3), s = subnormal(c, 3);
       return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       return InPlane{{{-1, zero(c)}, {zero(c), 1}}, {{zero(c), zero(c)}, {1, 1}}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double huge = 0x1.fffffffffffffp+1023;
-      const double x = c.coin() ? huge : 0x1p1000, y = small_integer(c);
-      return InPlane{{{-huge, -huge}, {x, y}}, {{c.coin() ? x : -x, y}, {huge, huge}}};
+      const double x = c.coin() ? greatest_double : 0x1p1000, y = small_integer(c);
+      return InPlane{{{-greatest_double, -greatest_double}, {x, y}},
+                     {{c.coin() ? x : -x, y}, {greatest_double, greatest_double}}};
     });
     add("typed_touch", [](DrawStream& c) -> Question {
       // As typed the one ends where the other begins.

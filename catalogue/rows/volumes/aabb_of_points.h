@@ -60,8 +60,7 @@ struct aabb_of_points {
       sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
       return seen(points, c);
     });
-    add("either_zero",
-        [](DrawStream& c) -> Question { return seen(points_of(c, [](DrawStream& d) { return zero(d); }), c); });
+    add("either_zero", [](DrawStream& c) -> Question { return seen(points_of(c, zero), c); });
     add("subnormal", [](DrawStream& c) -> Question {
       // Where subnormals are read as zero all of these are equal.
       const double shift = small_integer(c, 4);
@@ -69,20 +68,18 @@ struct aabb_of_points {
     });
     add("beside_normal", [](DrawStream& c) -> Question {
       const double sign = either_sign(c);
-      return seen(points_of(c, [sign](DrawStream& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
+      return seen(points_of(c, [sign](DrawStream& d) { return sign * ulps_apart(d, 0x1p-1022, 4); }), c);
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      return seen(points_of(c,
-                            [](DrawStream& d) {
-                              static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
-                              const double size = ends[d.below(4)];
-                              return either_sign(d) * size;
-                            }),
-                  c);
+      const auto end = [](DrawStream& d) {
+        const double size = std::array{greatest_double, 0x1p1023, 1.0, 0x1p-1074}[d.below(4)];
+        return either_sign(d) * size;
+      };
+      return seen(points_of(c, end), c);
     });
     add("an_ulp_apart", [](DrawStream& c) -> Question {
       const double size = typed(c);
-      return seen(points_of(c, [size](DrawStream& d) { return moved_by_ulps(size, ulps(d)); }), c);
+      return seen(points_of(c, [size](DrawStream& d) { return ulps_apart(d, size, 4); }), c);
     });
     add("few", [](DrawStream& c) -> Question {
       const std::size_t count = c.below(3);
@@ -99,8 +96,6 @@ struct aabb_of_points {
   }
 
  private:
-  static int ulps(DrawStream& c) { return static_cast<int>(small_integer(c, 4)); }
-
   /// In space, or the same without z.
   static Question seen(const InSpace& points, DrawStream& c) {
     if (!c.coin() && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
@@ -108,15 +103,9 @@ struct aabb_of_points {
     for (const Point3d& p : points) seen.push_back({p.x, p.y});
     return std::tuple(seen);
   }
-  /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
   template <class Draw>
   static InSpace points_of(DrawStream& c, const Draw& number) {
-    InSpace points;
-    do {
-      const double x = number(c), y = number(c), z = number(c);
-      points.push_back({x, y, z});
-    } while (points.size() < 24 && c.below(6) != 0);
-    return points;
+    return until(c, 24, 6, [&](DrawStream& d) { return point_of(d, number); });
   }
   static InSpace lattice_points(DrawStream& c) {
     return points_of(c, [](DrawStream& d) { return integer(d, 53); });

@@ -62,9 +62,8 @@ struct bounding_sphere {
       return many(c, [&] {
         const auto& step = steps[c.below(2)];
         const std::size_t from = c.below(3);
-        const auto part = [&](std::size_t i) { return (either_sign(c) * k) * step[(from + i) % 3]; };
-        const double x = part(0), y = part(1), z = part(2);
-        return center + Vector3d{x, y, z};
+        const auto part = [&](std::size_t i) { return either_sign(c) * k * step[(from + i) % 3]; };
+        return center + Vector3d{part(0), part(1), part(2)};
       });
     });
     add("on_a_line", [](DrawStream& c) -> Question {
@@ -82,26 +81,20 @@ struct bounding_sphere {
     });
     add("corners_of_a_box", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 20);
-      const auto width = [&c] { return up_to(c, 7); };
-      const double dx = width(), dy = width(), dz = width();
+      const Vector3d widths{up_to(c, 7), up_to(c, 7), up_to(c, 7)};
       return many(c, [&] {
-        const double x = c.coin() ? dx : 0.0, y = c.coin() ? dy : 0.0;
-        return p + Vector3d{x, y, c.coin() ? dz : 0.0};
+        return p + Vector3d{c.coin() ? widths.x : 0, c.coin() ? widths.y : 0, c.coin() ? widths.z : 0};
       });
     });
     add("equal", [](DrawStream& c) -> Question {
-      const double x = any_finite(c), y = any_finite(c);
-      const Point3d p{x, y, any_finite(c)};
+      const Point3d p = point_of(c, any_finite);
       return many(c, [&p] { return p; });
     });
     add("far_from_the_origin", [](DrawStream& c) -> Question {
       // The points differ in their last places, so that the center of their ball is no double.
       const double far = power_of_two(c, 0, 39);
-      return many(c, [&] {
-        const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
-        const double x = beside(), y = beside();
-        return Point3d{x, y, beside()};
-      });
+      const auto beside = [far](DrawStream& d) { return far * (1 + small_integer(d) * 0x1p-52); };
+      return many(c, [&] { return point_of(c, beside); });
     });
     add("one_far_away", [](DrawStream& c) -> Question {
       // One point at a distance next to which the others are nothing, or just something.
@@ -111,33 +104,24 @@ struct bounding_sphere {
       return question;
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      return many(c, [&c] {
-        const double x = small_integer(c) * 0x1p-1074, y = small_integer(c) * 0x1p-1074;
-        return Point3d{x, y, c.coin() ? -0.0 : 0x1p-1074};
-      });
+      return many(c, [&c] { return Point3d{subnormal(c), subnormal(c), c.coin() ? -0.0 : 0x1p-1074}; });
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
       return many(c, [&c] {
-        const auto end = [&c] {
-          const double size = c.coin() ? greatest : 0x1p1022;
-          return either_sign(c) * size;
-        };
-        const double x = end(), y = c.coin() ? end() : 0.0;
-        return Point3d{x, y, c.coin() ? end() : 1.0};
+        const double x = end_of_range(c), y = c.coin() ? end_of_range(c) : 0.0;
+        return Point3d{x, y, c.coin() ? end_of_range(c) : 1.0};
       });
     });
     add("rounded_on_a_sphere", [](DrawStream& c) -> Question {
       // Off the unit sphere, by roundings.
       return many(c, [&c] {
-        const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+        const auto [x, y, z] = ordinary_point_in_space(c);
         const double length = std::sqrt(x * x + y * y + z * z);
         return length == 0 ? Point3d{1, 0, 0} : Point3d{x / length, y / length, z / length};
       });
     });
     add.unscaled("many_points", [](DrawStream& c) -> Question {
-      const std::vector<Point3d> points = many_points_and_one_far(c);
-      return {points, drawn_method(c)};
+      return {many_points_and_one_far(c), drawn_method(c)};
     });
   }
 
@@ -165,12 +149,7 @@ struct bounding_sphere {
   /// Some points, and a method.
   template <class Draw>
   static Question many(DrawStream& c, const Draw& draw) {
-    Question question;
-    auto& [points, method] = question;
-    const std::size_t length = 1 + c.below(9);
-    while (points.size() < length) points.push_back(draw());
-    method = drawn_method(c);
-    return question;
+    return {some_points(c, draw), drawn_method(c)};
   }
   static Method drawn_method(DrawStream& c) {
     const std::uint64_t word = c.below(5);

@@ -48,18 +48,15 @@ struct closest_point_on_aabb {
       return seen(p, box, c);
     });
     add("subnormal", [](DrawStream& c) -> Question {
-      const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
-      const double p = least(), q = least(), x = least(), y = least();
+      const double p = subnormal(c, 3), q = subnormal(c, 3), x = subnormal(c, 3), y = subnormal(c, 3);
       return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       return InPlane{{zero(c), zero(c)}, {{zero(c), -1}, {zero(c), zero(c)}}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
-      const double x = c.coin() ? greatest : -greatest, y = c.coin() ? 0x1p1000 : 0x1p-1000;
-      const double end = c.coin() ? -greatest : -0x1p1023;
-      return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
+      const double x = c.coin() ? greatest_double : -greatest_double, y = c.coin() ? 0x1p1000 : 0x1p-1000;
+      return InPlane{{x, y}, {{c.coin() ? -greatest_double : -0x1p1023, -y}, {greatest_double, small_integer(c)}}};
     });
     add("wide", [](DrawStream& c) -> Question {
       const Vector3d by = fractions(c);
@@ -95,8 +92,7 @@ struct closest_point_on_aabb {
         default: return std::min(min + far, max);
       }
     };
-    const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);
-    return {x, y, coordinate(box.min.z, box.max.z)};
+    return {coordinate(box.min.x, box.max.x), coordinate(box.min.y, box.max.y), coordinate(box.min.z, box.max.z)};
   }
 
   /// In space, or the same without z.

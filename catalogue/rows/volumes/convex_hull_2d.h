@@ -49,15 +49,9 @@ struct convex_hull_2d {
       if (points[0].y == 0 && c.coin()) points.back().y = -0.0;
       return points;
     });
-    add("collinear", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
-      return one_by_one(c, 12, [&](DrawStream& d) { return along(p, small_integer(d), v); });
-    });
+    add("collinear", [](DrawStream& c) -> Question { return on_one_line(c); });
     add("one_beside_a_line", [](DrawStream& c) -> Question {
-      const Point2d p = lattice_point(c);
-      const Vector2d v = lattice_direction(c);
-      Points points = one_by_one(c, 12, [&](DrawStream& d) { return along(p, small_integer(d), v); });
+      Points points = on_one_line(c);
       points.push_back(beside(points[0], c));
       return points;
     });
@@ -65,38 +59,26 @@ struct convex_hull_2d {
       return one_by_one(c, 24, [](DrawStream& d) { return Point2d{small_integer(d, 2), small_integer(d, 2)}; });
     });
     add("on_a_circle", [](DrawStream& c) -> Question {
-      static constexpr std::array<Vector2d, 5> of_65{{{16, 63}, {25, 60}, {33, 56}, {39, 52}, {65, 0}}};
       return one_by_one(c, 24, [](DrawStream& d) {
-        const Vector2d v = of_65[d.below(5)];
-        const double x = d.coin() ? -v.x : v.x, y = d.coin() ? -v.y : v.y;
+        const Vector2d v = std::array<Vector2d, 5>{{{16, 63}, {25, 60}, {33, 56}, {39, 52}, {65, 0}}}[d.below(5)];
+        const double x = either_sign(d) * v.x, y = either_sign(d) * v.y;
         return d.coin() ? Point2d{x, y} : Point2d{y, x};
       });
     });
-    add("points_inside_edges", [](DrawStream& c) -> Question {
-      const Polygon2d ring = with_flat_runs(convex_ring(c), c);
-      return shuffled(ring.vertices, c);
-    });
+    add("points_inside_edges",
+        [](DrawStream& c) -> Question { return shuffled(with_flat_runs(convex_ring(c), c).vertices, c); });
     add("points_inside", [](DrawStream& c) -> Question {
       Points points = convex_ring(c).vertices;
       for (Point2d& p : points) p = {2 * p.x, 2 * p.y};
       for (std::uint64_t more = c.below(12); more > 0; --more) points.push_back(middle(points, c));
       return shuffled(points, c);
     });
-    add("repeated", [](DrawStream& c) -> Question {
-      Points points = convex_ring(c).vertices;
-      for (std::uint64_t more = 1 + c.below(6); more > 0; --more) {
-        const Point2d again = points[c.below(points.size())];
-        points.push_back(again);
-      }
-      return shuffled(points, c);
-    });
+    add("repeated",
+        [](DrawStream& c) -> Question { return shuffled(with_repeated(convex_ring(c).vertices, 6, c), c); });
     add("many", [](DrawStream& c) -> Question {
       const int most = integer_in(c, 1, 64);
-      Points points;
-      for (std::uint64_t left = 32 + c.below(64); left > 0; --left) {
-        const double x = small_integer(c, most);
-        points.push_back({x, small_integer(c, most)});
-      }
+      Points points(32 + c.below(64));
+      for (Point2d& p : points) p = {small_integer(c, most), small_integer(c, most)};
       return points;
     });
     add("many_inside_two_edges", [](DrawStream& c) -> Question {
@@ -110,17 +92,15 @@ struct convex_hull_2d {
     });
     add("tiny_beside_huge", [](DrawStream& c) -> Question {
       return one_by_one(c, 12, [](DrawStream& d) {
-        static constexpr std::array<int, 5> exponents{0, 60, -60, 1000, -1074};
         const Point2d p = lattice_point(d, 10);
-        const int k = exponents[d.below(5)];
+        const int k = std::array{0, 60, -60, 1000, -1074}[d.below(5)];
         return Point2d{std::ldexp(p.x, k), std::ldexp(p.y, k)};
       });
     });
     add("beside_least_edge", [](DrawStream& c) -> Question {
-      const auto [ring, point] = beside_least_edge(c);
-      Points points = ring.vertices;
-      points.push_back(point);
-      return shuffled(points, c);
+      auto [ring, point] = beside_least_edge(c);
+      ring.vertices.push_back(point);
+      return shuffled(ring.vertices, c);
     });
     add("long_lines", [](DrawStream& c) -> Question {
       const LongTriple one = long_triple(c), other = long_triple(c);
@@ -162,6 +142,11 @@ struct convex_hull_2d {
   }
 
  private:
+  static Points on_one_line(DrawStream& c) {
+    const Point2d p = lattice_point(c);
+    const Vector2d v = lattice_direction(c);
+    return one_by_one(c, 12, [&](DrawStream& d) { return along(p, small_integer(d), v); });
+  }
   /// Of two points: exact where both are even.
   static Point2d middle(const Points& points, DrawStream& c) {
     const Point2d p = points[c.below(points.size())], q = points[c.below(points.size())];

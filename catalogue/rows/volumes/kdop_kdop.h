@@ -51,8 +51,7 @@ struct kdop_kdop {
     });
     add("subnormal", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
-        const auto least = [&d] { return small_integer(d, 3) * 0x1p-1074; };
-        const double p = least(), q = least(), r = least(), s = least();
+        const double p = subnormal(d, 3), q = subnormal(d, 3), r = subnormal(d, 3), s = subnormal(d, 3);
         return Pair{{std::min(p, q), std::max(p, q)}, {std::min(r, s), std::max(r, s)}};
       });
     });
@@ -64,9 +63,8 @@ struct kdop_kdop {
     });
     add("whole_range", [](DrawStream& c) -> Question {
       return pair_of(c, [](DrawStream& d) {
-        constexpr double huge = 0x1.fffffffffffffp+1023;
-        const double x = d.coin() ? huge : 0x1p1000;
-        return Pair{{-huge, x}, {d.coin() ? x : -x, huge}};
+        const double x = d.coin() ? greatest_double : 0x1p1000;
+        return Pair{{-greatest_double, x}, {d.coin() ? x : -x, greatest_double}};
       });
     });
     add("other_normals", [](DrawStream& c) -> Question {

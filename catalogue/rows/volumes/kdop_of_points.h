@@ -37,32 +37,25 @@ struct kdop_of_points {
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", [](DrawStream& c) -> Question {
-      Points points = points_of(c, [](DrawStream& d) { return integer(d, 30); });
-      return {points, normals_of(c, kdop_normal)};
+      return {points_of(c, [](DrawStream& d) { return integer(d, 30); }), normals_of(c, kdop_normal)};
     });
     add("across_the_normal", [](DrawStream& c) -> Question {
       // All points are on one plane, or an integer away from it.
       const Vector3d n = lattice_normal(c);
       const Point3d from = lattice_point_in_space(c);
-      Points points;
-      do {
-        Point3d p = from + lattice_across(c, n);
-        p.x += c.one_in(4) ? small_integer(c, 1) : 0;
-        points.push_back(p);
-      } while (points.size() < 8 && c.below(4) != 0);
+      const Points points = until(c, 8, 4, [&](DrawStream& d) {
+        Point3d p = from + lattice_across(d, n);
+        p.x += d.one_in(4) ? small_integer(d, 1) : 0;
+        return p;
+      });
       return {points, {n}};
     });
-    add("rounded", [](DrawStream& c) -> Question {
-      Points points = points_of(c, ordinary);
-      return {points, normals_of(c, usual_normal)};
-    });
+    add("rounded", [](DrawStream& c) -> Question { return {points_of(c, ordinary), normals_of(c, usual_normal)}; });
     add("turned", [](DrawStream& c) -> Question {
-      Points points = points_of(c, ordinary);
-      return {points, normals_of(c, drawn_normal<ordinary>)};
+      return {points_of(c, ordinary), normals_of(c, drawn_normal<ordinary>)};
     });
     add("of_unit_length", [](DrawStream& c) -> Question {
-      Points points = points_of(c, typed);
-      return {points, normals_of(c, [](DrawStream& d) {
+      return {points_of(c, typed), normals_of(c, [](DrawStream& d) {
                 const Vector3d n = usual_normal(d);
                 const double length = std::sqrt(dot(n, n));
                 return Vector3d{n.x / length, n.y / length, n.z / length};
@@ -70,25 +63,23 @@ struct kdop_of_points {
     });
     add("nearly_equal", [](DrawStream& c) -> Question {
       // The last digits alone decide which of them is outermost.
-      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
-      const auto moved = [&c](double number) { return moved_by_ulps(number, ulps(c)); };
-      Points points;
-      do {
-        const double px = moved(x), py = moved(y), pz = moved(z);
-        points.push_back({px, py, pz});
-      } while (points.size() < 16 && c.below(6) != 0);
-      return {points, normals_of(c, kdop_normal)};
+      const Point3d p = ordinary_point_in_space(c);
+      const auto moved = [](double number, DrawStream& d) { return ulps_apart(d, number, 4); };
+      return {until(c, 16, 6,
+                    [&](DrawStream& d) {
+                      return Point3d{moved(p.x, d), moved(p.y, d), moved(p.z, d)};
+                    }),
+              normals_of(c, kdop_normal)};
     });
     add("cancelling", [](DrawStream& c) -> Question {
       // Sums that cancel all but a little of the products, or all of them.
-      Points points;
-      do {
-        const int exponent = integer_in(c, 40, 99);
-        const double x = std::ldexp(one_to(c, 8), exponent);
-        const double y = c.coin() ? moved_by_ulps(x, ulps(c)) : x;
-        points.push_back({x, y, small_integer(c)});
-      } while (points.size() < 8 && c.below(4) != 0);
-      return {points, {{1, -1, c.coin() ? 1.0 : 0x1p-60}}};
+      return {until(c, 8, 4,
+                    [](DrawStream& d) {
+                      const int exponent = integer_in(d, 40, 99);
+                      const double x = std::ldexp(one_to(d, 8), exponent);
+                      return Point3d{x, d.coin() ? ulps_apart(d, x, 4) : x, small_integer(d)};
+                    }),
+              {{1, -1, c.coin() ? 1.0 : 0x1p-60}}};
     });
     add("as_wide_as_a_lattice", [](DrawStream& c) -> Question {
       // The terms span about 124 binary digits, from where on their sum does not fit two words.
@@ -99,45 +90,36 @@ struct kdop_of_points {
     add("below_least", [](DrawStream& c) -> Question {
       // Products of about the least subnormal number, or half of it.
       const int k = integer_in(c, -500, 499);
-      const auto number = [k](DrawStream& d) { return std::ldexp(small_integer(d), -1077 - k); };
-      Points points = points_of(c, number);
       const auto part = [k](DrawStream& d) { return std::ldexp(one_to(d, 4), k); };
-      return {points, normals_of(c, [part](DrawStream& d) {
-                const double x = part(d), y = part(d);
-                return Vector3d{x, y, d.coin() ? part(d) : 0.0};
+      return {points_of(c, [k](DrawStream& d) { return std::ldexp(small_integer(d), -1077 - k); }),
+              normals_of(c, [&](DrawStream& d) {
+                return Vector3d{part(d), part(d), d.coin() ? part(d) : 0.0};
               })};
     });
     add("beyond_range", [](DrawStream& c) -> Question {
-      Points points = points_of(c, [](DrawStream& d) { return std::ldexp(small_integer(d), 1020); });
-      return {points, normals_of(c, kdop_normal)};
+      return {points_of(c, [](DrawStream& d) { return std::ldexp(small_integer(d), 1020); }),
+              normals_of(c, kdop_normal)};
     });
     add("at_the_range", [](DrawStream& c) -> Question {
       // The greatest double, and more by half a unit in its last place, or by a hair.
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
-      Points points;
-      do {
+      const Points points = until(c, 6, 3, [](DrawStream& d) {
         static constexpr double beside[]{0, 0x1p969, 0x1p970, 0x1p971, 0x1p-1074, 1};
-        const double y = beside[c.below(6)], sign = either_sign(c);
-        points.push_back({sign * greatest, c.coin() ? y : -y, 0});
-      } while (points.size() < 6 && c.below(3) != 0);
+        const double y = beside[d.below(6)], sign = either_sign(d);
+        return Point3d{sign * greatest_double, d.coin() ? y : -y, 0};
+      });
       return {points, {{1, 1, 0}}};
     });
-    add("either_zero", [](DrawStream& c) -> Question {
-      Points points = points_of(c, [](DrawStream& d) { return zero(d); });
-      return {points, normals_of(c, kdop_normal)};
-    });
+    add("either_zero", [](DrawStream& c) -> Question { return {points_of(c, zero), normals_of(c, kdop_normal)}; });
     add("few", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c);
       const Vector3d n = c.one_in(4) ? Vector3d{0.0, -0.0, 0.0} : kdop_normal(c);
       return {Points(c.below(3), p), Normals(c.below(3), n)};
     });
     add.unscaled("many_points", [](DrawStream& c) -> Question {
-      const Points points = many_points_and_one_far(c);
-      return {points, normals_of(c, usual_normal)};
+      return {many_points_and_one_far(c), normals_of(c, usual_normal)};
     });
     add.unscaled("many_normals", [](DrawStream& c) -> Question {
-      const Points points = points_of(c, [](DrawStream& d) { return integer(d, 8); });
-      return {points, many_normals(c)};
+      return {points_of(c, [](DrawStream& d) { return integer(d, 8); }), many_normals(c)};
     });
   }
 
@@ -162,31 +144,19 @@ struct kdop_of_points {
   }
 
  private:
-  static int ulps(DrawStream& c) { return static_cast<int>(small_integer(c, 4)); }
-
   template <double (*number)(DrawStream&)>
   static Vector3d drawn_normal(DrawStream& c) {
     const double x = number(c), y = number(c), z = number(c);
     return {x, y, z == 0 ? 1 : z};
   }
 
-  /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
   template <class Draw>
   static Points points_of(DrawStream& c, const Draw& number) {
-    Points points;
-    do {
-      const double x = number(c), y = number(c), z = number(c);
-      points.push_back({x, y, z});
-    } while (points.size() < 16 && c.below(6) != 0);
-    return points;
+    return until(c, 16, 6, [&](DrawStream& d) { return point_of(d, number); });
   }
   template <class Draw>
   static Normals normals_of(DrawStream& c, const Draw& normal) {
-    Normals normals;
-    do {
-      normals.push_back(normal(c));
-    } while (normals.size() < 7 && c.below(3) != 0);
-    return normals;
+    return until(c, 7, 3, normal);
   }
 };
 

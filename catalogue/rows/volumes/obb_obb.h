@@ -52,12 +52,14 @@ struct obb_obb {
     });
     add("near_touch", [](DrawStream& c) -> Question {
       Question q = touching_obbs(c, [](DrawStream& d) { return skew_half_axes(d, 20); });
-      step(std::get<1>(q).center, c);
+      Point3d& center = std::get<1>(q).center;
+      center = beside(center, c);
       return q;
     });
     add("nearly_dependent", [](DrawStream& c) -> Question {
       Question q = touching_obbs(c, slanted_half_axes);
-      step(std::get<1>(q).center, c);
+      Point3d& center = std::get<1>(q).center;
+      center = beside(center, c);
       return q;
     });
     add("parallel", [](DrawStream& c) -> Question {
@@ -68,14 +70,13 @@ struct obb_obb {
     add("nearly_parallel", [](DrawStream& c) -> Question {
       const Obb3d a = lattice_obb(c);
       Obb3d b = alike(a, c);
-      for (Vector3d* axis : each_of(b.half_axes)) step(*axis, c);
+      for (Vector3d* axis : each_of(b.half_axes)) *axis = beside(*axis, c);
       return {a, b};
     });
     add("ridges", [](DrawStream& c) -> Question {
       // One roof upside down on another: the ridges cross at an angle of a few times the least number, or are one.
-      const auto least = [&c] { return std::ldexp(small_integer(c, 2), -1074); };
       const auto slope = [&c] { return one_to(c, 3); };
-      const double p = slope(), q = slope(), r = slope(), s = slope(), y = least(), z = small_integer(c, 1);
+      const double p = slope(), q = slope(), r = slope(), s = slope(), y = subnormal(c, 2), z = small_integer(c, 1);
       const HalfAxes3d roof{{4, 0, 0}, {0, p, q}, {0, -1, 1}}, other{{4, y, 0}, {0, r, s}, {0, -1, 1}};
       return {{{0, 0, 0}, roof}, {{0, 0, 2 + q + s + z}, other}};
     });
@@ -83,12 +84,11 @@ struct obb_obb {
       const Vector3d u = lattice_normal(c), v = lattice_normal(c);
       const double r = small_integer(c), s = small_integer(c);
       const Obb3d flat{lattice_point_in_space(c, 20), {u, r * u + s * v, v}}, other = lattice_obb(c);
-      return c.coin() ? Question{flat, other} : Question{other, flat};
+      return in_either_order(c, other, flat);
     });
     add("stretched", [](DrawStream& c) -> Question {
       Question q = touching_obbs(c, lattice_half_axes);
-      const Stretch stretch(c);
-      stretch(std::get<0>(q)), stretch(std::get<1>(q));
+      Stretch{c, {0, 60, 255, -170, 300, -300, -355}}(std::get<0>(q), std::get<1>(q));
       return q;
     });
     add("long_and_thin", [](DrawStream& c) -> Question {
@@ -100,17 +100,7 @@ struct obb_obb {
         default: return {a, {halves_along(a, 0, 0, r), a.half_axes}};
       }
     });
-    add("rounded_touch", [](DrawStream& c) -> Question {
-      const auto any = [](DrawStream& d) {
-        HalfAxes3d h{};
-        for (Vector3d* axis : each_of(h)) {
-          const double x = ordinary(d), y = ordinary(d);
-          *axis = {x, y, ordinary(d)};
-        }
-        return h;
-      };
-      return touching_obbs(c, any);
-    });
+    add("rounded_touch", [](DrawStream& c) -> Question { return touching_obbs(c, ordinary_half_axes); });
     add("terms_below_least", [](DrawStream& c) -> Question {
       // Products of three coordinates are a few times the least number, or less.
       Question q = touching_obbs(c, lattice_half_axes);
@@ -118,10 +108,7 @@ struct obb_obb {
       b.center = {b.center.x - a.center.x, b.center.y - a.center.y, b.center.z - a.center.z};
       a.center = {0, 0, 0};
       const int k = -350 - integer_in(c, 0, 15);
-      const auto shrink = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
-      shrink(b.center);
-      for (Obb3d* box : {&a, &b})
-        for (Vector3d* axis : each_of(box->half_axes)) shrink(*axis);
+      for (Obb3d* box : {&a, &b}) change_each(*box, [k](auto& v) { v = scaled(v, k); });
       return q;
     });
     add("whole_range", [](DrawStream& c) -> Question {
@@ -204,13 +191,6 @@ struct obb_obb {
     const std::size_t i = c.below(6), j = c.below(5);
     bring_to_touch(std::get<0>(q), std::get<1>(q), i, j < i ? j : j + 1, c);
     return q;
-  }
-
-  /// By the least integers, perhaps not at all.
-  template <class T>
-  static void step(T& v, DrawStream& c) {
-    const double x = small_integer(c, 1), y = small_integer(c, 1);
-    v = {v.x + x, v.y + y, v.z + small_integer(c, 1)};
   }
 };
 

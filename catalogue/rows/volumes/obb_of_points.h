@@ -68,74 +68,56 @@ struct obb_of_points {
   static void hard_cases(HardCases<Question>& add) {
     add("in_a_box", [](DrawStream& c) -> Question {
       const Obb3d box = lattice_obb(c);
-      return many(c, [&] {
-        const double r = small_integer(c, 2), s = small_integer(c, 2);
-        return halves_along(box, r, s, small_integer(c, 2));
-      });
+      return some_points(c, [&] { return in_obb(box, c); });
     });
     add("long_and_thin", [](DrawStream& c) -> Question {
       // Each axis of its own size: of two that differ by more than a double's digits the shorter is lost in the
       // rounding of the longer.
       Obb3d box{{0, 0, 0}, turned_half_axes(c)};
       for (Vector3d* axis : each_of(box.half_axes)) *axis = std::ldexp(1, -integer_in(c, 0, 119)) * *axis;
-      return many(c, [&] {
-        const double r = small_integer(c, 2), s = small_integer(c, 2);
-        return halves_along(box, r, s, small_integer(c, 2));
-      });
+      return some_points(c, [&] { return in_obb(box, c); });
     });
     add("far_from_the_origin", [](DrawStream& c) -> Question {
       // The points differ in their last places, so that the center of their box is no double.
       const double far = power_of_two(c, 0, 39);
-      return many(c, [&] {
-        const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
-        const double x = beside(), y = beside();
-        return Point3d{x, y, beside()};
-      });
+      const auto beside = [far](DrawStream& d) { return far * (1 + small_integer(d) * 0x1p-52); };
+      return some_points(c, [&] { return point_of(c, beside); });
     });
     add("least_normal", [](DrawStream& c) -> Question {
       // Flat sets of sizes at which the thickness of a box becomes subnormal, and of which robust's guard says so.
       const int exponent = -850 - integer_in(c, 0, 223);
       const Vector3d v = lattice_normal(c, 8), w = lattice_normal(c, 8);
-      return many(c, [&] {
+      return some_points(c, [&] {
         const double s = small_integer(c), t = small_integer(c);
-        const Vector3d p = s * v + t * w;
-        return Point3d{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+        const Vector3d p = scaled(s * v + t * w, exponent);
+        return Point3d{p.x, p.y, p.z};
       });
     });
     add("lost_beside_huge", [](DrawStream& c) -> Question {
       // All is huge and equal but for numbers that are next to nothing in comparison.
       const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - integer_in(c, 0, 199));
-      return many(c, [&] {
+      return some_points(c, [&] {
         const double y = 1 + small_integer(c) * 0x1p-52;
         return Point3d{x, y, either_sign(c)};
       });
     });
     add("across_the_range", [](DrawStream& c) -> Question {
       // The half axes of a box along its diagonal are beyond the range.
-      double end = -0x1.fffffffffffffp+1023;
-      return many(c, [&] {
+      double end = -greatest_double;
+      return some_points(c, [&] {
         end = -end;
         const double one = either_sign(c), y = c.one_in(8) ? one : end;
         return Point3d{end, y, c.coin() ? one : end};
       });
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
-      return many(c, [&c] {
-        const auto end = [&c] {
-          const double size = c.coin() ? greatest : 0x1p1022;
-          return either_sign(c) * size;
-        };
-        const double x = end(), y = c.coin() ? end() : 0.0, one = either_sign(c);
-        return Point3d{x, y, c.coin() ? end() : one};
+      return some_points(c, [&c] {
+        const double x = end_of_range(c), y = c.coin() ? end_of_range(c) : 0.0, one = either_sign(c);
+        return Point3d{x, y, c.coin() ? end_of_range(c) : one};
       });
     });
-    add("rounded", [](DrawStream& c) -> Question {
-      return many(c, [&c] {
-        const double x = ordinary(c), y = ordinary(c);
-        return Point3d{x, y, ordinary(c)};
-      });
-    });
+    add("rounded",
+        [](DrawStream& c) -> Question { return some_points(c, [&c] { return ordinary_point_in_space(c); }); });
     cloud_cases(add);
     add.unscaled("many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); });
   }
@@ -163,15 +145,6 @@ struct obb_of_points {
             .excess = excess,
             .map_centre = map_centre,
             .map_axes = map_axes};
-  }
-
- private:
-  template <class Draw>
-  static Question many(DrawStream& c, const Draw& draw) {
-    Points points;
-    const std::size_t length = 1 + c.below(9);
-    while (points.size() < length) points.push_back(draw());
-    return points;
   }
 };
 

@@ -59,10 +59,9 @@ struct point_in_kdop {
     add("normals_of_any_size", [](DrawStream& c) -> Question {
       auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
       for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
-        const int exponent = integer_in(c, -1050, 949);
-        Vector3d& n = kdop.normals[i];
-        n = {std::ldexp(n.x, exponent), std::ldexp(n.y, exponent), std::ldexp(n.z, exponent)};
-        kdop.slabs[i] = {std::ldexp(kdop.slabs[i].min, exponent), std::ldexp(kdop.slabs[i].max, exponent)};
+        const int k = integer_in(c, -1050, 949);
+        kdop.normals[i] = scaled(kdop.normals[i], k);
+        kdop.slabs[i] = {std::ldexp(kdop.slabs[i].min, k), std::ldexp(kdop.slabs[i].max, k)};
       }
       return {kdop, p};
     });
@@ -83,17 +82,15 @@ struct point_in_kdop {
       return {{{{x, -x, 1}}, {c.coin() ? Slabd{end, x} : Slabd{-1, end}}}, {x, x, small_integer(c, 1)}};
     });
     add("beyond_range", [](DrawStream& c) -> Question {
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
       const double x = std::ldexp(one_to(c, 8), 1020), y = either_sign(c) * x;
-      const Point3d p{x, y, x};
       return {kdop_of(c, usual_normal,
                       [](DrawStream& d, const Vector3d&) {
                         const double end = std::ldexp(small_integer(d), 1020);
-                        return d.coin() ? Slabd{end, greatest} : Slabd{-greatest, end};
+                        return d.coin() ? Slabd{end, greatest_double} : Slabd{-greatest_double, end};
                       }),
-              p};
+              {x, y, x}};
     });
-    add("rounded_end", [](DrawStream& c) -> Question { return rounded(c, [](DrawStream& d) { return ordinary(d); }); });
+    add("rounded_end", [](DrawStream& c) -> Question { return rounded(c, ordinary); });
     add("typed_end", [](DrawStream& c) -> Question { return rounded(c, typed); });
     add("not_valid", [](DrawStream& c) -> Question {
       auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);

@@ -52,13 +52,11 @@ struct point_in_obb {
     });
     add("near_boundary", [](DrawStream& c) -> Question {
       const Obb3d box{lattice_point_in_space(c, 20), skew_half_axes(c, 24)};
-      const Point3d p = on_obb(box, c);
-      return {box, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
+      return {box, beside(on_obb(box, c), c)};
     });
     add("nearly_dependent", [](DrawStream& c) -> Question {
       const Obb3d box{lattice_point_in_space(c, 20), slanted_half_axes(c)};
-      const Point3d p = on_obb(box, c);
-      return {box, {p.x + small_integer(c, 1), p.y + small_integer(c, 1), p.z + small_integer(c, 1)}};
+      return {box, beside(on_obb(box, c), c)};
     });
     add("dependent", [](DrawStream& c) -> Question {
       const Vector3d u = lattice_normal(c), v = lattice_normal(c);
@@ -70,8 +68,7 @@ struct point_in_obb {
     add("stretched", [](DrawStream& c) -> Question {
       Obb3d box = lattice_obb(c);
       Point3d p = on_obb(box, c);
-      const Stretch stretch(c);
-      stretch(box), stretch(p);
+      Stretch{c, {0, 60, 255, -170, 300, -300, -355}}(box, p);
       return {box, p};
     });
     add("long_and_thin", [](DrawStream& c) -> Question {
@@ -84,12 +81,8 @@ struct point_in_obb {
       }
     });
     add("rounded_on_face", [](DrawStream& c) -> Question {
-      Obb3d box{};
-      for (Vector3d* axis : each_of(box.half_axes)) {
-        const double x = ordinary(c), y = ordinary(c);
-        *axis = {x, y, ordinary(c)};
-      }
-      box.center = {ordinary(c), 0, 1};
+      const HalfAxes3d axes = ordinary_half_axes(c);
+      const Obb3d box{{ordinary(c), 0, 1}, axes};
       const double s = 2 * ordinary(c), t = 2 * ordinary(c);
       return {box, halves_along(box, 2, s, t)};
     });
@@ -98,10 +91,8 @@ struct point_in_obb {
       Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
       Point3d p = on_obb(box, c);
       const int k = -350 - integer_in(c, 0, 15);
-      const auto shrink = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
-      for (Vector3d* axis : each_of(box.half_axes)) shrink(*axis);
-      shrink(p);
-      return {box, p};
+      change_each(box, [k](auto& v) { v = scaled(v, k); });
+      return {box, scaled(p, k)};
     });
     add("whole_range", [](DrawStream& c) -> Question {
       // The point's way from the center is beyond the range.

@@ -117,10 +117,9 @@ struct sphere_aabb {
       return seen({{x, y, z0}, more == 0 ? r : more}, {{z1, z0, -1}, {end, 1, top}}, c.coin());
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
-      const double r = c.coin() ? greatest : std::ldexp(one_to(c, 2), 1022);
-      const double x = c.coin() ? -greatest : -0x1p1023, y = c.coin() ? 0.0 : 0x1p1022;
-      const double aside = small_integer(c, 1), end = c.coin() ? greatest : 1;
+      const double r = c.coin() ? greatest_double : std::ldexp(one_to(c, 2), 1022);
+      const double x = c.coin() ? -greatest_double : -0x1p1023, y = c.coin() ? 0.0 : 0x1p1022;
+      const double aside = small_integer(c, 1), end = c.coin() ? greatest_double : 1;
       return seen({{x, y, 0}, r}, {{aside, -end, -end}, {end, end, end}}, c.coin());
     });
     add("typed_touch", [](DrawStream& c) -> Question {

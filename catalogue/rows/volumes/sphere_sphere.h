@@ -58,8 +58,7 @@ struct sphere_sphere {
       return apart_by(step, 0, step.length + small_integer(c, 3), c);
     });
     add("points", [](DrawStream& c) -> Question {
-      const double x = small_integer(c, 1), y = small_integer(c, 1);
-      return apart_by({{x, y, 0}, 0, c.coin()}, 0, 0, c);
+      return apart_by({{small_integer(c, 1), small_integer(c, 1), 0}, 0, c.coin()}, 0, 0, c);
     });
     add("long_tangent", [](DrawStream& c) -> Question {
       // A multiple of 3, 4, 5 whose squares do not fit a double.
@@ -86,8 +85,7 @@ struct sphere_sphere {
       if (plane) p.z = q.z = 0;
       const Vector3d v = q - p;
       const double distance = std::sqrt(dot(v, v)), r = distance * up_to(c, 8) / 8;
-      const int ulps = integer_in(c, -3, 3);
-      return seen({p, r}, {q, std::fabs(moved_by_ulps(distance - r, ulps))}, plane, c);
+      return seen({p, r}, {q, std::fabs(moved_by_ulps(distance - r, integer_in(c, -3, 3)))}, plane, c);
     });
     add("much_rounded", [](DrawStream& c) -> Question {
       // One position and one radius just above a power of two, the others far smaller: differences and sums round
@@ -108,18 +106,16 @@ struct sphere_sphere {
     add("least_radius", [](DrawStream& c) -> Question {
       // A point, or a ball as small as can be, in another: only one of them has an interior.
       const double r = std::ldexp(up_to(c, 2), -1074), x = small_integer(c, 2);
-      const double s = one_to(c, 2);
-      return seen({{x, 0, 0}, r}, {{0, 0, 0}, s}, c);
+      return seen({{x, 0, 0}, r}, {{0, 0, 0}, one_to(c, 2)}, c);
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const double x = zero(c), y = zero(c), r = zero(c), s = zero(c), more = up_to(c, 1), aside = small_integer(c, 1);
       return seen({{x, 0, 0}, r}, {{aside == 0 ? y : aside, 0, 0}, more == 0 ? s : more}, c);
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      constexpr double greatest = 0x1.fffffffffffffp+1023;
       const auto half = [&c] { return std::ldexp(one_to(c, 2), 1022); };
-      const double r = half(), s = c.coin() ? half() : greatest;
-      const double x = c.coin() ? -half() : -greatest, y = c.coin() ? 0.0 : half(), aside = small_integer(c, 1);
+      const double r = half(), s = c.coin() ? half() : greatest_double;
+      const double x = c.coin() ? -half() : -greatest_double, y = c.coin() ? 0.0 : half(), aside = small_integer(c, 1);
       return seen({{x, 0, 0}, r}, {{y, aside, 0}, s}, c);
     });
     add("typed_touch", [](DrawStream& c) -> Question {
@@ -173,10 +169,7 @@ struct sphere_sphere {
     return in_order(a, b, in_plane);
   }
   /// Centers with z = 0: either.
-  static Question seen(const Sphere3d& a, const Sphere3d& b, DrawStream& c) {
-    const bool in_plane = c.coin();
-    return seen(a, b, in_plane, c);
-  }
+  static Question seen(const Sphere3d& a, const Sphere3d& b, DrawStream& c) { return seen(a, b, c.coin(), c); }
   static Question in_order(const Sphere3d& a, const Sphere3d& b, bool in_plane) {
     if (!in_plane) return InSpace{a, b};
     return InPlane{{{a.center.x, a.center.y}, a.radius}, {{b.center.x, b.center.y}, b.radius}};
