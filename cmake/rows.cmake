@@ -68,3 +68,11 @@ file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/all.h @ONLY CONTENT
 
 #include "catalogue/rows/declared.h"
 @all_includes@]])
+file(GLOB shapes RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/geometry/*.h)
+list(TRANSFORM shapes REPLACE "(.+)" "#include \"\\1\"\n")
+list(JOIN shapes "" shapes)
+file(CONFIGURE OUTPUT ${touchstone_generated}/geometry/all.h @ONLY CONTENT [[
+// Made by cmake/rows.cmake from geometry/: every type of questions and answers.
+#pragma once
+
+@shapes@]])

@@ -11,45 +11,69 @@
 #include "geometry/volumes.h"
 
 /// What operations answer. An enumerator is a word of the contract; a field that the enumerator rules out is empty.
+/// `plain_false` is the enumerator of "no common point" and of "not in the closed shape", which a yes-or-no answer has
+/// as its no.
 namespace touchstone {
 
 /// Where a point lies of a directed line p0 -> p1: `left` is counter-clockwise (y up).
 enum class Side { left, on, right };
+constexpr auto words_of(Side) { return as_words("left", "on", "right"); }
 
 /// Where a point lies of a line that is not vertical; above is +y.
 enum class Height { above, on, below };
+constexpr auto words_of(Height) { return as_words("above", "on", "below"); }
 
 /// Where a point lies of a solid: its interior, its boundary, or neither.
 enum class Location { inside, boundary, outside };
+constexpr auto words_of(Location) { return as_words("inside", "boundary", "outside"); }
+constexpr auto plain_false(Location) { return Location::outside; }
 
 /// Whether a point lies on a thin closed shape.
 enum class Incidence { on, off };
+constexpr auto words_of(Incidence) { return as_words("on", "off"); }
+constexpr auto plain_false(Incidence) { return Incidence::off; }
 
 enum class LineRelation { crossing, parallel, same };
+constexpr auto words_of(LineRelation) { return as_words("crossing", "parallel", "same"); }
+constexpr auto plain_false(LineRelation) { return LineRelation::parallel; }
 enum class SegmentRelation { disjoint, point, overlap };
+constexpr auto words_of(SegmentRelation) { return as_words("disjoint", "point", "overlap"); }
+constexpr auto plain_false(SegmentRelation) { return SegmentRelation::disjoint; }
 enum class RayRelation { none, point, overlap };
+constexpr auto words_of(RayRelation) { return as_words("none", "point", "overlap"); }
+constexpr auto plain_false(RayRelation) { return RayRelation::none; }
 
 /// Whether two solids have a common point, and a common interior point.
 enum class Contact { disjoint, touching, overlapping };
+constexpr auto words_of(Contact) { return as_words("disjoint", "touching", "overlapping"); }
+constexpr auto plain_false(Contact) { return Contact::disjoint; }
 
 /// `degenerate`: repeated neighbours, or all vertices on one line. `not_simple`: the ring meets itself elsewhere.
 enum class PolygonClass { convex, concave, not_simple, degenerate };
+constexpr auto words_of(PolygonClass) { return as_words("convex", "concave", "not_simple", "degenerate"); }
 enum class Winding { ccw, cw, none };
+constexpr auto words_of(Winding) { return as_words("ccw", "cw", "none"); }
 
 /// Where a point lies of a plane; the front is where the normal points.
 enum class PlaneSide { front, on, back };
+constexpr auto words_of(PlaneSide) { return as_words("front", "on", "back"); }
 /// `degenerate`: the normal is the zero vector.
 enum class NormalClass { proper, degenerate };
+constexpr auto words_of(NormalClass) { return as_words("proper", "degenerate"); }
 enum class HitRelation { hit, never };
+constexpr auto words_of(HitRelation) { return as_words("hit", "never"); }
+constexpr auto plain_false(HitRelation) { return HitRelation::never; }
 
 /// The coordinate axes.
 enum class Axis { x, y, z };
+constexpr auto words_of(Axis) { return as_words("x", "y", "z"); }
 
 /// relation `on`: point = a + t (b - a), 0 <= t <= 1; t is 0 on a segment of length zero. `off`: no t.
 template <class Real>
 struct PointOnSegment {
   Incidence relation;
   std::optional<Real> t;
+  static constexpr auto members = as_record("relation", "t");
 };
 
 /// relation `crossing`: a.p + ta (a.q - a.p) = b.p + tb (b.q - b.p) = point. `parallel` (no common point) and `same`:
@@ -59,6 +83,7 @@ struct LineLine {
   LineRelation relation;
   std::optional<Real> ta, tb;
   std::optional<Point2<Real>> point;
+  static constexpr auto members = as_record("relation", "ta", "tb", "point");
 };
 
 /// relation `point`: the one common point, at ta on a and tb on b (0 on a segment of length zero).
@@ -69,6 +94,7 @@ struct SegmentSegment {
   std::optional<Real> ta, tb;
   std::optional<Point2<Real>> point;
   std::optional<Segment2<Real>> overlap;
+  static constexpr auto members = as_record("relation", "ta", "tb", "point", "overlap");
 };
 
 /// relation `point`: the one common point and its t on the ray. `overlap`: t of the first common point, and the common
@@ -79,6 +105,7 @@ struct RaySegment {
   std::optional<Real> t;
   std::optional<Point2<Real>> point;
   std::optional<Segment2<Real>> overlap;
+  static constexpr auto members = as_record("relation", "t", "point", "overlap");
 };
 
 /// strict: convex, and no interior angle is flat. `not_simple` and `degenerate`: not strict, orientation `none`.
@@ -86,6 +113,7 @@ struct PolygonConvexity {
   PolygonClass polygon_class;
   bool strict;
   Winding orientation;
+  static constexpr auto members = as_record("class", "strict", "orientation");
 };
 
 /// signed_distance: positive in front, 0 on the plane, in the unit of the coordinates.
@@ -93,6 +121,7 @@ template <class Real>
 struct PointPlane {
   PlaneSide side;
   Real signed_distance;
+  static constexpr auto members = as_record("side", "signed_distance");
 };
 
 /// `proper`: the normal by Newell's sum, and that vector divided by its length. `degenerate`: neither.
@@ -100,11 +129,13 @@ template <class Real>
 struct PolygonNormal {
   NormalClass normal_class;
   std::optional<Vector3<Real>> normal, unit;
+  static constexpr auto members = as_record("class", "normal", "unit");
 };
 
 /// Whether the end of a step is not in front of the plane any more.
 struct StepTest {
   HitRelation relation;
+  static constexpr auto members = as_record("relation");
 };
 
 /// relation `hit`: the first t in [0, 1], and the point start + t (end - start) there. `never`: no numbers.
@@ -113,6 +144,7 @@ struct FirstHit {
   HitRelation relation;
   std::optional<Real> t;
   std::optional<Point3<Real>> point;
+  static constexpr auto members = as_record("relation", "t", "point");
 };
 
 /// relation `hit`: the first t in [0, 1] at which two moving solids have a common point. `never`: no number.
@@ -120,6 +152,7 @@ template <class Real>
 struct FirstContact {
   HitRelation relation;
   std::optional<Real> t;
+  static constexpr auto members = as_record("relation", "t");
 };
 
 /// The convex hull of points in the plane, by their places in the list; of equal points, any one. dimension 0: `point`;
@@ -129,6 +162,7 @@ struct ConvexHull2 {
   std::optional<Index> point;
   std::optional<IndexPair> segment;
   std::optional<std::vector<Index>> polygon;
+  static constexpr auto members = as_record("dimension", "point", "segment", "polygon");
 };
 
 /// The convex hull of points in space, by their places in the list; of equal points, any one. dimension 0: `point`;
@@ -140,12 +174,14 @@ struct ConvexHull {
   std::optional<IndexPair> segment;
   std::optional<std::vector<Index>> polygon;
   std::optional<std::vector<Face>> faces;
+  static constexpr auto members = as_record("dimension", "point", "segment", "polygon", "faces");
 };
 
 template <class Real>
 struct PointPlaneToi {
   StepTest option_1;
   FirstHit<Real> option_2;
+  static constexpr auto members = as_record("option_1", "option_2");
 };
 
 }  // namespace touchstone

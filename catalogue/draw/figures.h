@@ -16,7 +16,7 @@
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
 
-/// How each shape is drawn; a new type of geometry adds its overload, and its name to the list in by_shape.cpp.
+/// How shapes are drawn, for rows that draw more than their arguments; a new shape is drawn in by_shape.cpp.
 namespace touchstone::catalogue {
 
 inline void draw(Drawing& drawing, const std::string& label, double value, bool) {

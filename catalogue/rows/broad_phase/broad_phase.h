@@ -9,7 +9,6 @@
 #include "catalogue/draw/searches.h"
 #include "catalogue/families/searching_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_commands.h"
 #include "oracle/broad_phase/broad_phase.h"
 #include "oracle/exact/shapes/queries_of_boxes.h"
 #include "oracle/volumes/aabb_aabb.h"

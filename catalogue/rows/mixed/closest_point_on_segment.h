@@ -4,7 +4,6 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/operation/stages_either.h"
-#include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/closest_point_on_segment.h"
 #include "reference/mixed/closest_point_on_segment.h"
 #include "reference/standard/point_and_segment.h"

@@ -3,7 +3,6 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/closest_point_on_triangle.h"
 #include "reference/mixed/closest_point_on_triangle.h"
 #include "reference/standard/point_and_triangle.h"

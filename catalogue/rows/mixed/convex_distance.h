@@ -12,7 +12,6 @@
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/convex_distance.h"
 #include "reference/mixed/convex_distance.h"
 #include "robust/mixed/convex_distance.h"

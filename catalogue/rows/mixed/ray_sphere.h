@@ -4,7 +4,6 @@
 #include "catalogue/families/passages/line_ball_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/ray_sphere.h"
 #include "reference/mixed/ray_sphere.h"
 #include "reference/standard/roots_of_sphere.h"

@@ -3,7 +3,6 @@
 
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/ray_triangle.h"
 #include "reference/mixed/ray_triangle.h"
 #include "reference/standard/moeller_trumbore.h"

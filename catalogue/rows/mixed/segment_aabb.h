@@ -4,7 +4,6 @@
 #include "catalogue/families/passages/line_box_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/segment_aabb.h"
 #include "reference/mixed/segment_aabb.h"
 #include "reference/standard/slabs.h"

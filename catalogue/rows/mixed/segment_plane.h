@@ -4,7 +4,6 @@
 #include "catalogue/families/passages/line_plane_cases.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/segment_plane.h"
 #include "reference/mixed/segment_plane.h"
 #include "robust/mixed/segment_plane.h"

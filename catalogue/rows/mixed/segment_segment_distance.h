@@ -4,7 +4,6 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/operation/stages_either.h"
-#include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/segment_segment_distance.h"
 #include "reference/mixed/segment_segment_distance.h"
 #include "reference/standard/pair_of_segments.h"

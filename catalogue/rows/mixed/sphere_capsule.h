@@ -4,7 +4,6 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_capsules.h"
 #include "oracle/mixed/sphere_capsule.h"
 #include "reference/mixed/sphere_capsule.h"
 #include "reference/standard/point_and_segment.h"

@@ -4,7 +4,6 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
 #include "oracle/mixed/sphere_triangle.h"
 #include "reference/mixed/sphere_triangle.h"
 #include "reference/standard/point_and_triangle.h"

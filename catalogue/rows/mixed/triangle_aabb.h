@@ -6,7 +6,6 @@
 #include "catalogue/families/edge_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
 #include "oracle/mixed/triangle_aabb.h"
 #include "reference/mixed/triangle_aabb.h"
 #include "reference/standard/triangle_in_box.h"

@@ -10,7 +10,6 @@
 #include "catalogue/families/meshes/wrong_cuts.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_complexity.h"
 #include "oracle/polyhedra/polyhedron_complexity.h"
 #include "reference/polyhedra/polyhedron_complexity.h"
 #include "robust/polyhedra/polyhedron_complexity.h"

@@ -13,7 +13,6 @@
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_solids.h"
 #include "oracle/polyhedra/polyhedron_polyhedron.h"
 #include "reference/polyhedra/polyhedron_polyhedron.h"
 #include "robust/polyhedra/polyhedron_polyhedron.h"

@@ -5,7 +5,6 @@
 #include "catalogue/families/meshes/reported_meshes.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/segment_triangle.h"
 #include "reference/polyhedra/segment_triangle.h"
 #include "reference/standard/moeller_trumbore.h"

@@ -6,7 +6,6 @@
 #include "catalogue/families/reported_triangles.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/triangle_triangle.h"
 #include "reference/polyhedra/triangle_triangle.h"
 #include "robust/batch/triangle_triangle.h"

@@ -19,7 +19,7 @@
 #include "catalogue/families/meshes/named_meshes.h"
 #include "catalogue/operation/operation.h"
 #include "catalogue/operation/probes/not_finite.h"
-#include "catalogue/shape/described_shapes.h"
+#include "catalogue/shape/described.h"
 #include "oracle/certificates/check.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/validation_of_bodies.h"
+#include "geometry/validation.h"
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 
 /// Two turning bodies side by side, one in each lane, enclosed; the window is asked of numbers by `Bounded`.
