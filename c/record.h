@@ -17,8 +17,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "catalogue/shape/described_all.h"
 #include "catalogue/shape/encoded_value.h"
+#include "geometry/all.h"
 
 /// Records calls of your own functions, with their answers, in a log (docs/own_inputs.md). Header-only; links only
 /// POSIX threads. touchstone_record.h says what the log can lose, and when.
@@ -85,14 +85,11 @@ touchstone_record_site& site_of(std::atomic<SiteHere*>& sites, const OperationHe
 /// The count of numbers in a value if all values of its type hold the same count and nothing else; otherwise 0.
 template <class T>
 constexpr std::size_t fixed_numbers() {
-  if constexpr (catalogue::Composite<T>) {
-    return catalogue::spread(
-        [](const auto&... member) {
-          constexpr bool fixed =
-              ((fixed_numbers<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>>() > 0) && ...);
-          return fixed ? (fixed_numbers<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>>() + ...) : 0;
-        },
-        catalogue::Described<T>::members);
+  if constexpr (Composite<T>) {
+    return []<class... Member>(Types<Member...>) {
+      constexpr bool fixed = ((fixed_numbers<Member>() > 0) && ...);
+      return fixed ? (fixed_numbers<Member>() + ...) : 0;
+    }(member_types<T>());
   } else {
     return std::is_floating_point_v<T> ? 1 : 0;
   }
@@ -101,12 +98,10 @@ constexpr std::size_t fixed_numbers() {
 /// True if a value of the type holds numbers of type Real.
 template <class T, class Real>
 inline constexpr bool holds = std::is_same_v<T, Real>;
-template <catalogue::Composite T, class Real>
-inline constexpr bool holds<T, Real> = catalogue::spread(
-    [](const auto&... member) {
-      return (holds<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>, Real> || ...);
-    },
-    catalogue::Described<T>::members);
+template <class... Ts, class Real>
+inline constexpr bool holds<Types<Ts...>, Real> = (holds<Ts, Real> || ...);
+template <Composite T, class Real>
+inline constexpr bool holds<T, Real> = holds<member_types<T>, Real>;
 template <class T, class Real>
 inline constexpr bool holds<std::optional<T>, Real> = holds<T, Real>;
 template <class T, class Real>
@@ -121,9 +116,8 @@ using number_type = std::conditional_t<(holds<Ts, float> || ...) && !(holds<Ts, 
 /// Writes the value's numbers in order.
 template <class Real, class T>
 constexpr void put_numbers(const T& value, Real*& at) {
-  if constexpr (catalogue::Composite<T>) {
-    catalogue::spread([&](const auto&... member) { (put_numbers(value.*member.pointer, at), ...); },
-                      catalogue::Described<T>::members);
+  if constexpr (Composite<T>) {
+    with_members(value, [&](const auto&... member) { (put_numbers(member, at), ...); });
   } else {
     *at++ = static_cast<Real>(value);
   }

@@ -19,6 +19,7 @@ template <class Real>
 struct PointOnSegment {
   Incidence relation;
   std::optional<Real> t;
+  static constexpr auto members = as_record("relation", "t");
 };
 
 /// relation `crossing`: a.p + ta (a.q - a.p) = b.p + tb (b.q - b.p) = point. `parallel` (no common point) and `same`:
@@ -28,6 +29,7 @@ struct LineLine {
   LineRelation relation;
   std::optional<Real> ta, tb;
   std::optional<Point2<Real>> point;
+  static constexpr auto members = as_record("relation", "ta", "tb", "point");
 };
 
 /// relation `point`: the one common point, at ta on a and tb on b (0 on a segment of length zero).
@@ -38,6 +40,7 @@ struct SegmentSegment {
   std::optional<Real> ta, tb;
   std::optional<Point2<Real>> point;
   std::optional<Segment2<Real>> overlap;
+  static constexpr auto members = as_record("relation", "ta", "tb", "point", "overlap");
 };
 
 /// relation `point`: the one common point and its t on the ray. `overlap`: t of the first common point, and the common
@@ -48,6 +51,7 @@ struct RaySegment {
   std::optional<Real> t;
   std::optional<Point2<Real>> point;
   std::optional<Segment2<Real>> overlap;
+  static constexpr auto members = as_record("relation", "t", "point", "overlap");
 };
 
 /// strict: convex, and no interior angle is flat. `not_simple` and `degenerate`: not strict, orientation `none`.
@@ -55,6 +59,7 @@ struct PolygonConvexity {
   PolygonClass polygon_class;
   bool strict;
   Winding orientation;
+  static constexpr auto members = as_record("class", "strict", "orientation");
 };
 
 /// signed_distance: positive in front, 0 on the plane, in the unit of the coordinates.
@@ -62,6 +67,7 @@ template <class Real>
 struct PointPlane {
   PlaneSide side;
   Real signed_distance;
+  static constexpr auto members = as_record("side", "signed_distance");
 };
 
 /// `proper`: the normal by Newell's sum, and that vector divided by its length. `degenerate`: neither.
@@ -69,11 +75,13 @@ template <class Real>
 struct PolygonNormal {
   NormalClass normal_class;
   std::optional<Vector3<Real>> normal, unit;
+  static constexpr auto members = as_record("class", "normal", "unit");
 };
 
 /// Whether the end of a step is not in front of the plane any more.
 struct StepTest {
   HitRelation relation;
+  static constexpr auto members = as_record("relation");
 };
 
 /// relation `hit`: the first t in [0, 1], and the point start + t (end - start) there. `never`: no numbers.
@@ -82,6 +90,7 @@ struct FirstHit {
   HitRelation relation;
   std::optional<Real> t;
   std::optional<Point3<Real>> point;
+  static constexpr auto members = as_record("relation", "t", "point");
 };
 
 /// relation `hit`: the first t in [0, 1] at which two moving solids have a common point. `never`: no number.
@@ -89,6 +98,7 @@ template <class Real>
 struct FirstContact {
   HitRelation relation;
   std::optional<Real> t;
+  static constexpr auto members = as_record("relation", "t");
 };
 
 /// The convex hull of points in the plane, by their places in the list; of equal points, any one. dimension 0: `point`;
@@ -98,6 +108,7 @@ struct ConvexHull2 {
   std::optional<Index> point;
   std::optional<IndexPair> segment;
   std::optional<std::vector<Index>> polygon;
+  static constexpr auto members = as_record("dimension", "point", "segment", "polygon");
 };
 
 /// The convex hull of points in space, by their places in the list; of equal points, any one. dimension 0: `point`;
@@ -109,12 +120,14 @@ struct ConvexHull {
   std::optional<IndexPair> segment;
   std::optional<std::vector<Index>> polygon;
   std::optional<std::vector<Face>> faces;
+  static constexpr auto members = as_record("dimension", "point", "segment", "polygon", "faces");
 };
 
 template <class Real>
 struct PointPlaneToi {
   StepTest option_1;
   FirstHit<Real> option_2;
+  static constexpr auto members = as_record("option_1", "option_2");
 };
 
 }  // namespace touchstone

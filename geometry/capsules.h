@@ -11,6 +11,8 @@ template <class Real>
 struct Capsule3 {
   Segment3<Real> segment;
   Real radius;
+  static constexpr auto members = as_record("segment", "radius").of(Meaning::length);
+  bool rules(const auto& check) const { return check("radius", rule::radius(radius)); }
 };
 
 using Capsule3d = Capsule3<double>;

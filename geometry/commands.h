@@ -9,43 +9,52 @@
 #include "geometry/rays.h"
 #include "geometry/volumes.h"
 
-/// A question that is a program: bodies to start with, then commands, one after another.
+/// A question that is a program: bodies to start with, then commands, one after another. JSON: {"insert":box},
+/// {"move":body,"box":box}, {"remove":body}; {"ask":"pairs"}, {"in_box":box}, {"at_point":point}, {"along_ray":ray}.
 namespace touchstone {
 
 /// One more body. Its index is the number of bodies that there have been before it.
 template <class Real>
 struct Insert {
   Aabb3<Real> box;
+  static constexpr auto members = as_record("insert");
 };
 /// A body takes another place and size, and keeps its index. A body that is not there is refused.
 template <class Real>
 struct Move {
   Index body;
   Aabb3<Real> box;
+  static constexpr auto members = as_record("move", "box");
 };
 /// Its index is not used again. A body that is not there is refused.
 struct Remove {
   Index body;
+  static constexpr auto members = as_record("remove");
 };
 /// pairs: which of the bodies that are there meet?
 enum class Query { pairs };
+constexpr auto words_of(Query) { return as_words("pairs"); }
 struct Ask {
   Query query;
+  static constexpr auto members = as_record("ask");
 };
 /// Which bodies meet this box?
 template <class Real>
 struct InBox {
   Aabb3<Real> box;
+  static constexpr auto members = as_record("in_box");
 };
 /// In which bodies is this point?
 template <class Real>
 struct AtPoint {
   Point3<Real> point;
+  static constexpr auto members = as_record("at_point");
 };
 /// Which bodies does this ray meet, one after another?
 template <class Real>
 struct AlongRay {
   Ray3<Real> ray;
+  static constexpr auto members = as_record("along_ray");
 };
 template <class Real>
 using Command = std::variant<Insert<Real>, Move<Real>, Remove, Ask, InBox<Real>, AtPoint<Real>, AlongRay<Real>>;
@@ -53,17 +62,20 @@ using Command = std::variant<Insert<Real>, Move<Real>, Remove, Ask, InBox<Real>,
 /// What is answered to `pairs`: the pairs of bodies i < j, sorted.
 struct PairsReply {
   std::vector<IndexPair> pairs;
+  static constexpr auto members = as_record("pairs");
   friend bool operator==(const PairsReply&, const PairsReply&) = default;
 };
 /// To `in_box` and `at_point`: bodies, sorted.
 struct BodiesReply {
   std::vector<Index> bodies;
+  static constexpr auto members = as_record("bodies");
   friend bool operator==(const BodiesReply&, const BodiesReply&) = default;
 };
 /// To `along_ray`: bodies in the order in which the ray meets them; of those that it meets at once, the lesser index
-/// first.
+/// first. What is called `in_order` is judged with its order (catalogue/judge/compare.h).
 struct RayReply {
   std::vector<Index> in_order;
+  static constexpr auto members = as_record("in_order");
   friend bool operator==(const RayReply&, const RayReply&) = default;
 };
 using QueryReply = std::variant<PairsReply, BodiesReply, RayReply>;

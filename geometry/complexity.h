@@ -11,10 +11,12 @@ namespace touchstone {
 
 /// `none` where faces do not enclose a volume: the mesh is open, or turns both ways.
 enum class VolumeSign { none, negative, zero, positive };
+constexpr auto words_of(VolumeSign) { return as_words("none", "negative", "zero", "positive"); }
 
 /// A face whose plane has vertices on both sides: the first vertex that is not on it, and the first on the other side.
 struct SplittingFace {
   Index face, one, other;
+  static constexpr auto members = as_record("face", "one", "other");
   friend bool operator==(const SplittingFace&, const SplittingFace&) = default;
 };
 
@@ -32,6 +34,10 @@ struct PolyhedronComplexity {
   std::optional<SplittingFace> splitting_face;
   /// Component i contains component j, in ascending order.
   std::optional<std::vector<IndexPair>> nesting;
+  static constexpr auto members =
+      as_record("vertices", "edges", "faces", "components", "euler", "volume", "closed", "oriented", "edge_manifold",
+                "vertex_manifold", "embedded", "convex", "open_edge", "turned_edge", "crowded_edge", "pinched_vertex",
+                "flat_face", "meeting_faces", "splitting_face", "nesting");
   friend bool operator==(const PolyhedronComplexity&, const PolyhedronComplexity&) = default;
 };
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/members.h"
+
 namespace touchstone {
 
 /// A displacement in the plane. Real: any number type; finite binary64 wherever `robust` or `oracle` is asked.
 template <class Real>
 struct Vector2 {
   Real x, y;
+  static constexpr auto members = as_list("x", "y").of(Meaning::direction);
 };
 
 /// A position in the plane. Points are not vectors: point - point is a vector, point + vector is a point, point + point
@@ -14,6 +17,7 @@ struct Vector2 {
 template <class Real>
 struct Point2 {
   Real x, y;
+  static constexpr auto members = as_list("x", "y").of(Meaning::place);
   friend bool operator==(const Point2& a, const Point2& b) { return a.x == b.x && a.y == b.y; }
 };
 

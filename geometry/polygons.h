@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/points.h"
+#include "geometry/rules.h"
 
 namespace touchstone {
 
@@ -13,10 +14,12 @@ namespace touchstone {
 using Index = std::uint32_t;
 
 /// A closed ring of at least three vertices in the plane, in either direction; the last is joined to the first. Fewer
-/// are refused. A last position that repeats the first is no vertex: operations drop it, once (geometry/validation.h).
+/// are refused. A last position that repeats the first is no vertex: operations drop it, once (geometry/rules.h).
 template <class Real>
 struct Polygon2 {
   std::vector<Point2<Real>> vertices;
+  static constexpr auto members = as_bare("vertices");
+  bool rules(const auto& check) const { return check("", rule::ring(vertices)); }
   std::size_t size() const { return vertices.size(); }
   const Point2<Real>& operator[](std::size_t i) const { return vertices[i]; }
   /// The vertex after vertex i, and before it, round the ring.

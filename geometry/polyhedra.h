@@ -13,6 +13,7 @@ namespace touchstone {
 /// Three places in a list of vertices, counter-clockwise as seen from outside.
 struct Face {
   Index a, b, c;
+  static constexpr auto members = as_list("a", "b", "c");
   friend bool operator==(const Face&, const Face&) = default;
 };
 
@@ -32,6 +33,34 @@ struct Mesh {
   std::vector<Point3<Real>> vertices;
   std::vector<Face> faces;
   std::vector<std::vector<Index>> polygons;
+  static constexpr auto members = Members<3>{Form::mesh, {"vertices", "faces", "polygons"}};
+
+  /// Corners name vertices, and there are as many triangles as a cut of the polygons has. What takes arithmetic is
+  /// refused by geometry/validation.h.
+  bool rules(const auto& check) const {
+    if (!polygon_rules(check)) return false;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Index corners[]{faces[i].a, faces[i].b, faces[i].c};
+      if (!names_vertices({polygons.empty() ? "faces" : "cut", i}, corners, 3, check)) return false;
+    }
+    std::size_t triangles = 0;
+    for (const auto& polygon : polygons) triangles += polygon.size() - 2;
+    return check("cut", {polygons.empty() || triangles == faces.size(), cut_of_faces.words});
+  }
+  bool polygon_rules(const auto& check) const {
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+      const auto& corners = polygons[i];
+      if (!check({"faces", i}, {corners.size() >= 3, "at least 3 corners"})) return false;
+      if (!names_vertices({"faces", i}, corners.data(), corners.size(), check)) return false;
+    }
+    return true;
+  }
+  bool names_vertices(const Where& face, const Index* corners, std::size_t count, const auto& check) const {
+    for (std::size_t k = 0; k < count; ++k)
+      if (!check({face.name, face.i, k}, {corners[k] < vertices.size(), "index of a vertex"})) return false;
+    return true;
+  }
+  static constexpr rule::Exact cut_of_faces{"cut", "a cut of the faces into triangles"};
 };
 
 using Meshd = Mesh<double>;

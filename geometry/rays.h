@@ -15,12 +15,16 @@ template <class Real>
 struct Ray3 {
   Point3<Real> origin;
   Vector3<Real> direction;
+  static constexpr auto members = as_record("origin", "direction");
+  bool rules(const auto& check) const { return check("direction", rule::direction(direction)); }
 };
 
 using Ray3d = Ray3<double>;
 
 /// What a ray or a segment has in common with a plane: `inside` is all of it.
 enum class LinePlaneRelation { none, point, inside };
+constexpr auto words_of(LinePlaneRelation) { return as_words("none", "point", "inside"); }
+constexpr auto plain_false(LinePlaneRelation) { return LinePlaneRelation::none; }
 
 /// relation `point`: the one common point and its t: origin + t direction of a ray, a + t (b - a) of a segment. `none`
 /// and `inside`: no numbers.
@@ -29,6 +33,7 @@ struct LinePlane {
   LinePlaneRelation relation;
   std::optional<Real> t;
   std::optional<Point3<Real>> point;
+  static constexpr auto members = as_record("relation", "t", "point");
 };
 
 /// What a ray has in common with a triangle. relation `point`: the one common point, its t, and where it lies of the
@@ -40,10 +45,13 @@ struct RayTriangle {
   std::optional<Real> t;
   std::optional<Point3<Real>> point;
   std::optional<Location> location;
+  static constexpr auto members = as_record("relation", "t", "point", "location");
 };
 
 /// Whether a ray or a segment meets a solid.
 enum class PassageRelation { none, hit };
+constexpr auto words_of(PassageRelation) { return as_words("none", "hit"); }
+constexpr auto plain_false(PassageRelation) { return PassageRelation::none; }
 
 /// relation `hit`: the first and the last t of a common point; both are 0 on a segment of length zero. `none`: no
 /// numbers.
@@ -51,6 +59,7 @@ template <class Real>
 struct Passage {
   PassageRelation relation;
   std::optional<Real> first, last;
+  static constexpr auto members = as_record("relation", "first", "last");
 };
 
 }  // namespace touchstone

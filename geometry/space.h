@@ -4,18 +4,22 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/rules.h"
+
 namespace touchstone {
 
 /// A displacement in space.
 template <class Real>
 struct Vector3 {
   Real x, y, z;
+  static constexpr auto members = as_list("x", "y", "z").of(Meaning::direction);
 };
 
 /// A position in space; y is up.
 template <class Real>
 struct Point3 {
   Real x, y, z;
+  static constexpr auto members = as_list("x", "y", "z").of(Meaning::place);
   friend bool operator==(const Point3& a, const Point3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 };
 
@@ -25,12 +29,16 @@ template <class Real>
 struct Plane {
   Vector3<Real> normal;
   Real offset;
+  static constexpr auto members = as_record("normal", "offset");
+  bool rules(const auto& check) const { return check("normal", rule::normal(normal)); }
 };
 
 /// A closed ring of at least three vertices in space; the last is joined to the first. Fewer are refused.
 template <class Real>
 struct Polygon3 {
   std::vector<Point3<Real>> vertices;
+  static constexpr auto members = as_bare("vertices");
+  bool rules(const auto& check) const { return check("", rule::ring(vertices)); }
   std::size_t size() const { return vertices.size(); }
   const Point3<Real>& operator[](std::size_t i) const { return vertices[i]; }
   const Point3<Real>& next(std::size_t i) const { return vertices[i + 1 == vertices.size() ? 0 : i + 1]; }

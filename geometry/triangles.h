@@ -12,12 +12,14 @@ namespace touchstone {
 template <class Real>
 struct Segment3 {
   Point3<Real> a, b;
+  static constexpr auto members = as_list("a", "b");
 };
 
 /// The smallest convex set that holds three points of space, closed. Valid without area, too: a segment or a point.
 template <class Real>
 struct Triangle3 {
   Point3<Real> a, b, c;
+  static constexpr auto members = as_list("a", "b", "c");
 };
 
 using Segment3d = Segment3<double>;
@@ -25,8 +27,12 @@ using Triangle3d = Triangle3<double>;
 
 /// Of which dimension the common part of two triangles is.
 enum class TriangleTriangleRelation { none, point, segment, area };
+constexpr auto words_of(TriangleTriangleRelation) { return as_words("none", "point", "segment", "area"); }
+constexpr auto plain_false(TriangleTriangleRelation) { return TriangleTriangleRelation::none; }
 
 enum class SegmentTriangleRelation { none, point, segment };
+constexpr auto words_of(SegmentTriangleRelation) { return as_words("none", "point", "segment"); }
+constexpr auto plain_false(SegmentTriangleRelation) { return SegmentTriangleRelation::none; }
 
 /// relation `point`: the one common point and its t on the segment, point = a + t (b - a) (0 on a segment of length
 /// zero). `segment`: the common segment, its ends in the direction of the segment. `none`: no numbers.
@@ -36,6 +42,7 @@ struct SegmentTriangle {
   std::optional<Real> t;
   std::optional<Point3<Real>> point;
   std::optional<Segment3<Real>> overlap;
+  static constexpr auto members = as_record("relation", "t", "point", "overlap");
 };
 
 }  // namespace touchstone

@@ -1,233 +1,145 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <limits>
 #include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "geometry/invalid_input.h"
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"
-#include "geometry/space.h"
-#include "geometry/thin_shapes.h"
+#include "geometry/rules.h"
 #include "geometry/volumes.h"
 
-/// Validation: what is valid input, written once for everybody. Each `validate` throws InvalidInput naming the field
-/// and the rule, or returns. Numbers are looked at as bits, so this holds in every floating-point environment and build
-/// type.
+/// Validation: what is valid input, for every shape by its members and rules, and for every number type. Each
+/// `validate` throws InvalidInput naming the field and the rule, or returns.
 ///
 /// The order of rules is one for all operations (docs/judging.md): first the numbers of all fields, `validate_numbers`;
 /// then the rules of each field, `validate`; then those that tie several fields.
 namespace touchstone::validation {
 
-inline bool finite(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff; }
+template <class T>
+concept List = requires(const T& value) {
+  value.begin();
+  value.size();
+};
+template <class T>
+concept Choice = requires(const T& value) {
+  value.valueless_by_exception();
+};
 
-/// -0.0 and 0.0 are zero; a subnormal is not, whatever the control word says. clang 17 and later would compile the last
-/// line as value == 0.0, which is another question where subnormals are read as zero: the empty instruction hides from
-/// it where the bits came from.
-inline bool zero(double value) {
-  auto bits = std::bit_cast<std::uint64_t>(value);
-  __asm__("" : "+r"(bits));
-  return bits << 1 == 0;
-}
-inline bool negative(double value) { return std::bit_cast<std::int64_t>(value) < 0 && !zero(value); }
-inline bool same(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (zero(a) && zero(b));
-}
-/// Of numbers that are no doubles.
-template <class Real>
-bool same(const Real& a, const Real& b) {
-  return a == b;
-}
-template <class Point>
-bool same_position(const Point& p, const Point& q) {
-  if constexpr (requires { p.z; }) {
-    if (!same(p.z, q.z)) return false;
-  }
-  return same(p.x, q.x) && same(p.y, q.y);
-}
-
-inline void validate_numbers(const std::string& field, double value) {
-  if (!finite(value)) throw InvalidInput(field, "finite number");
-}
-inline void validate_numbers(const std::string& field, const Point2d& p) {
-  validate_numbers(field + "[0]", p.x), validate_numbers(field + "[1]", p.y);
-}
-inline void validate_numbers(const std::string& field, const Vector2d& v) {
-  validate_numbers(field + "[0]", v.x), validate_numbers(field + "[1]", v.y);
-}
-inline void validate_numbers(const std::string& field, const Segment2d& s) {
-  validate_numbers(field + "[0]", s.a), validate_numbers(field + "[1]", s.b);
-}
-inline void validate_numbers(const std::string& field, const Line2d& l) {
-  validate_numbers(field + "[0]", l.p), validate_numbers(field + "[1]", l.q);
-}
-inline void validate_numbers(const std::string& field, const ParametricLine2d& l) {
-  validate_numbers(field + ".origin", l.origin), validate_numbers(field + ".direction", l.direction);
-}
-inline void validate_numbers(const std::string& field, const Ray2d& r) {
-  validate_numbers(field + ".origin", r.origin), validate_numbers(field + ".direction", r.direction);
-}
-inline void validate_numbers(const std::string& field, const Circle2d& c) {
-  validate_numbers(field + ".center", c.center), validate_numbers(field + ".radius", c.radius);
-}
-inline void validate_numbers(const std::string& field, const Point3d& p) {
-  validate_numbers(field + "[0]", p.x), validate_numbers(field + "[1]", p.y), validate_numbers(field + "[2]", p.z);
-}
-inline void validate_numbers(const std::string& field, const Vector3d& v) {
-  validate_numbers(field + "[0]", v.x), validate_numbers(field + "[1]", v.y), validate_numbers(field + "[2]", v.z);
-}
-inline void validate_numbers(const std::string& field, const Plane3d& plane) {
-  validate_numbers(field + ".normal", plane.normal), validate_numbers(field + ".offset", plane.offset);
-}
-inline void validate_numbers(const std::string& field, const Aabb2d& box) {
-  validate_numbers(field + ".min", box.min), validate_numbers(field + ".max", box.max);
-}
-inline void validate_numbers(const std::string& field, const Aabb3d& box) {
-  validate_numbers(field + ".min", box.min), validate_numbers(field + ".max", box.max);
-}
-inline void validate_numbers(const std::string& field, const Sphere3d& ball) {
-  validate_numbers(field + ".center", ball.center), validate_numbers(field + ".radius", ball.radius);
-}
-inline void validate_numbers(const std::string& field, const Slabd& slab) {
-  validate_numbers(field + "[0]", slab.min), validate_numbers(field + "[1]", slab.max);
-}
-template <class Shape>
-void validate_numbers(const std::string& field, const std::vector<Shape>& shapes) {
-  for (std::size_t i = 0; i < shapes.size(); ++i) validate_numbers(field + "[" + std::to_string(i) + "]", shapes[i]);
-}
-inline void validate_numbers(const std::string& field, const Obb3d& box) {
-  const auto& [u, v, w] = box.half_axes;
-  validate_numbers(field + ".center", box.center);
-  validate_numbers(field + ".half_axes", std::vector<Vector3d>{u, v, w});
-}
-inline void validate_numbers(const std::string& field, const Kdop3d& kdop) {
-  validate_numbers(field + ".normals", kdop.normals), validate_numbers(field + ".slabs", kdop.slabs);
-}
-/// Of many points a name is made for the one that is not finite alone.
-template <class Point>
-void validate_points_numbers(const std::string& field, const std::vector<Point>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& p = points[i];
-    bool valid = finite(p.x) && finite(p.y);
-    if constexpr (requires { p.z; }) valid = valid && finite(p.z);
-    if (!valid) validate_numbers(field + "[" + std::to_string(i) + "]", p);
+/// Whether a value has a number that is NaN or infinite. An int, so that many numbers make one branch; only doubles can
+/// be so.
+template <class T>
+constexpr int not_finite(const T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    return static_cast<int>(!finite(value));
+  } else if constexpr (Composite<T>) {
+    return with_members(value, [](const auto&... member) { return (not_finite(member) | ...); });
+  } else if constexpr (List<T>) {
+    int found = 0;
+    for (const auto& element : value) found |= not_finite(element);
+    return found;
+  } else if constexpr (Choice<T>) {
+    return std::visit([](const auto& alternative) { return not_finite(alternative); }, value);
+  } else {
+    return 0;
   }
 }
-inline void validate_numbers(const std::string& field, const Polygon2d& polygon) {
-  validate_points_numbers(field, polygon.vertices);
-}
-inline void validate_numbers(const std::string& field, const Polygon3d& polygon) {
-  validate_points_numbers(field, polygon.vertices);
-}
-inline void validate_numbers(const std::string& field, const Meshd& mesh) {
-  validate_points_numbers(field + ".vertices", mesh.vertices);
+template <class... T>
+bool all_finite(const T&... values) {
+  return (not_finite(values) | ...) == 0;
 }
 
-/// Shapes that have no rules but that their numbers are finite.
-inline void validate(const std::string& field, double value) { validate_numbers(field, value); }
-inline void validate(const std::string& field, const Point2d& p) { validate_numbers(field, p); }
-inline void validate(const std::string& field, const Segment2d& s) { validate_numbers(field, s); }
-inline void validate(const std::string& field, const Point3d& p) { validate_numbers(field, p); }
-inline void validate(const std::string& field, const Vector2d& v) { validate_numbers(field, v); }
-inline void validate(const std::string& field, const Vector3d& v) { validate_numbers(field, v); }
-/// But for the half axes' independence, which is decided where determinants are exact, and refused by refuse_dependent.
-inline void validate(const std::string& field, const Obb3d& box) { validate_numbers(field, box); }
-
-inline void validate(const std::string& field, const Line2d& l) {
-  validate_numbers(field, l);
-  if (same(l.p.x, l.q.x) && same(l.p.y, l.q.y)) throw InvalidInput(field, "two distinct points");
-}
-inline void validate_direction(const std::string& field, const Vector2d& v) {
-  validate_numbers(field, v);
-  if (zero(v.x) && zero(v.y)) throw InvalidInput(field, "nonzero direction");
-}
-inline void validate(const std::string& field, const ParametricLine2d& l) {
-  validate_numbers(field, l), validate_direction(field + ".direction", l.direction);
-}
-inline void validate(const std::string& field, const Ray2d& r) {
-  validate_numbers(field, r), validate_direction(field + ".direction", r.direction);
-}
-inline void validate(const std::string& field, const Circle2d& c) {
-  validate_numbers(field, c);
-  if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
-}
-inline void validate_normal(const std::string& field, const Vector3d& normal) {
-  validate_numbers(field, normal);
-  if (zero(normal.x) && zero(normal.y) && zero(normal.z)) throw InvalidInput(field, "nonzero normal");
-}
-inline void validate(const std::string& field, const Plane3d& plane) {
-  validate_numbers(field, plane), validate_normal(field + ".normal", plane.normal);
-}
-
-/// min <= max, of finite numbers as bits: in every floating-point environment.
-inline bool in_order(double min, double max) {
-  const auto key = [](double x) {
-    const auto bits = std::bit_cast<std::int64_t>(x);
-    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
-  };
-  return key(min) <= key(max);
-}
-inline void validate(const std::string& field, const Aabb2d& box) {
-  validate_numbers(field, box);
-  if (!in_order(box.min.x, box.max.x)) throw InvalidInput(field + ".max[0]", "min <= max");
-  if (!in_order(box.min.y, box.max.y)) throw InvalidInput(field + ".max[1]", "min <= max");
-}
-inline void validate(const std::string& field, const Aabb3d& box) {
-  validate_numbers(field, box);
-  if (!in_order(box.min.x, box.max.x)) throw InvalidInput(field + ".max[0]", "min <= max");
-  if (!in_order(box.min.y, box.max.y)) throw InvalidInput(field + ".max[1]", "min <= max");
-  if (!in_order(box.min.z, box.max.z)) throw InvalidInput(field + ".max[2]", "min <= max");
-}
-inline void validate(const std::string& field, const Sphere3d& ball) {
-  validate_numbers(field, ball);
-  if (negative(ball.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
-}
-[[noreturn]] inline void refuse_dependent(const std::string& field) {
-  throw InvalidInput(field + ".half_axes", "linearly independent");
-}
-inline void validate(const std::string& field, const Slabd& slab) {
-  validate_numbers(field, slab);
-  if (!in_order(slab.min, slab.max)) throw InvalidInput(field + "[1]", "min <= max");
-}
-/// The lengths of its lists.
-template <class Real>
-void validate_lengths(const std::string& field, const Kdop3<Real>& kdop) {
-  if (kdop.normals.empty()) throw InvalidInput(field + ".normals", "at least 1 normal");
-  if (kdop.slabs.size() != kdop.normals.size()) throw InvalidInput(field + ".slabs", "as many slabs as normals");
-}
-inline void validate(const std::string& field, const Kdop3d& kdop) {
-  validate_numbers(field, kdop), validate_lengths(field, kdop);
-  for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
-    validate_normal(field + ".normals[" + std::to_string(i) + "]", kdop.normals[i]);
-    validate(field + ".slabs[" + std::to_string(i) + "]", kdop.slabs[i]);
+/// Whether a value keeps its rules: its own, or those of all that it is made of.
+template <class T, class Check>
+bool keeps_rules(const T& value, const Check& check) {
+  if constexpr (requires { value.rules(check); }) {
+    return value.rules(check);
+  } else if constexpr (Composite<T>) {
+    std::size_t i = 0;
+    return with_members(value, [&](const auto&... member) { return (check.part(T::members.at(i++), member) && ...); });
+  } else if constexpr (List<T>) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (!check.part({"", i}, value[i])) return false;
+    return true;
+  } else if constexpr (Choice<T>) {
+    return std::visit([&](const auto& alternative) { return keeps_rules(alternative, check); }, value);
+  } else {
+    return true;
   }
 }
-/// Points around which something is built.
-template <class Point>
-void validate_points(const std::string& field, const std::vector<Point>& points) {
-  validate_points_numbers(field, points);
-  if (points.empty()) throw InvalidInput(field, "at least 1 point");
+/// Says whether rules hold.
+struct Asking {
+  bool operator()(const Where&, const rule::Outcome& outcome) const { return outcome.holds; }
+  template <class T>
+  bool part(const Where&, const T& value) const {
+    return keeps_rules(value, *this);
+  }
+};
+
+/// Whether a value is valid. Names of fields cost more than the geometry: they are made only where this says no.
+template <class T>
+bool valid(const T& value) {
+  return all_finite(value) && keeps_rules(value, Asking());
+}
+/// And whether it keeps one more rule, which its type does not say.
+template <class T, class Rule>
+bool valid(const T& value, const Rule& rule) {
+  return all_finite(value) && keeps_rules(value, Asking()) && rule(value).holds;
 }
 
-template <class Shape>
-void validate(const std::string& field, const std::vector<Shape>& shapes) {
-  validate_numbers(field, shapes);
-  for (std::size_t i = 0; i < shapes.size(); ++i) validate(field + "[" + std::to_string(i) + "]", shapes[i]);
+inline std::string named(const std::string& field, const Where& where) {
+  std::string name = field + (*where.name == 0 ? "" : ".") + where.name;
+  for (const std::size_t index : {where.i, where.j})
+    if (index != Where::none) name += "[" + std::to_string(index) + "]";
+  return name;
 }
+/// Refuses the first rule that does not hold.
+struct Refusing {
+  std::string field;
+  bool operator()(const Where& where, const rule::Outcome& outcome) const {
+    if (!outcome.holds) throw InvalidInput(named(field, where), outcome.words);
+    return true;
+  }
+  template <class T>
+  bool part(const Where& where, const T& value) const {
+    return keeps_rules(value, Refusing{named(field, where)});
+  }
+};
 
-/// Whether the last position of a ring repeats the first, as GeoJSON, WKT and editors write rings. Such a position is
-/// no vertex: it is dropped, once, so that every other keeps its index. -0.0 equals 0.0.
-template <class Point>
-bool closed(const std::vector<Point>& ring) {
-  return ring.size() > 1 && same_position(ring.front(), ring.back());
+/// Refuses the first number that is not finite.
+template <class T>
+void validate_numbers(const std::string& field, const T& value) {
+  if (not_finite(value) == 0) return;
+  if constexpr (Composite<T>) {
+    std::size_t i = 0;
+    with_members(value,
+                 [&](const auto&... member) { (validate_numbers(named(field, T::members.at(i++)), member), ...); });
+  } else if constexpr (List<T>) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (not_finite(value[i]) != 0) validate_numbers(named(field, {"", i}), value[i]);
+  } else if constexpr (Choice<T>) {
+    std::visit([&](const auto& alternative) { validate_numbers(field, alternative); }, value);
+  } else {
+    throw InvalidInput(field, "finite number");
+  }
 }
-template <class Point>
-bool fewer_than_three(const std::vector<Point>& ring) {
-  return ring.size() < 3 || (ring.size() == 3 && closed(ring));
+template <class T>
+void validate(const std::string& field, const T& value) {
+  if (valid(value)) return;
+  validate_numbers(field, value);
+  keeps_rules(value, Refusing{field});
+}
+template <class T, class Rule>
+void validate(const std::string& field, const T& value, const Rule& rule) {
+  validate(field, value);
+  Refusing{field}("", rule(value));
+}
+/// What was decided in exact arithmetic does not hold.
+[[noreturn]] inline void refuse(const std::string& field, const rule::Exact& rule) {
+  throw InvalidInput(named(field, rule.member), rule.words);
 }
 
 /// A polygon without the position that closes it; it has to outlive this.
@@ -244,11 +156,6 @@ class OpenRing {
   Polygon dropped_;
 };
 
-template <class Point>
-void validate_ring(const std::string& field, const std::vector<Point>& vertices) {
-  validate_points_numbers(field, vertices);
-  if (fewer_than_three(vertices)) throw InvalidInput(field, "at least 3 vertices");
-}
 /// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first
 /// elsewhere than in a vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one
 /// with the least `first` counts, edges of length zero before all others, then the least `second`.
@@ -275,14 +182,9 @@ struct RingDefect {
                      "convex: the ring must not turn against its direction");
 }
 
-inline void validate(const std::string& field, const Polygon2d& polygon) { validate_ring(field, polygon.vertices); }
-inline void validate(const std::string& field, const Polygon3d& polygon) { validate_ring(field, polygon.vertices); }
-
 /// A mesh named by polygons, in this order: a corner names no vertex; the triangles are not as many as a cut of them
 /// has; the corners of a face are not in one plane; the triangles of a face do not cut it.
-[[noreturn]] inline void refuse_cut(const std::string& field) {
-  throw InvalidInput(field + ".cut", "a cut of the faces into triangles");
-}
+[[noreturn]] inline void refuse_cut(const std::string& field) { refuse(field, Meshd::cut_of_faces); }
 [[noreturn]] inline void refuse_askew(const std::string& field, std::size_t polygon) {
   throw InvalidInput(field + ".faces[" + std::to_string(polygon) + "]", "planar");
 }
@@ -290,40 +192,6 @@ inline void validate(const std::string& field, const Polygon3d& polygon) { valid
 [[noreturn]] inline void refuse_ring(const std::string& field, std::size_t polygon) {
   throw InvalidInput(field + ".faces[" + std::to_string(polygon) + "]",
                      "a polygon that encloses one area and does not cross itself");
-}
-
-/// Each of the corners names a vertex that is there.
-template <class Real, class Corners>
-void validate_corners(const std::string& field, const Mesh<Real>& mesh, const Corners& corners) {
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    if (corners[k] < mesh.vertices.size()) continue;
-    throw InvalidInput(field + "[" + std::to_string(k) + "]", "index of a vertex");
-  }
-}
-/// The corners of polygons.
-template <class Real>
-void validate_corners(const std::string& field, const Mesh<Real>& mesh) {
-  for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
-    const std::string face = field + ".faces[" + std::to_string(i) + "]";
-    if (mesh.polygons[i].size() < 3) throw InvalidInput(face, "at least 3 corners");
-    validate_corners(face, mesh, mesh.polygons[i]);
-  }
-}
-/// Every face of a mesh names vertices that are there, and there are as many triangles as a cut of polygons has.
-template <class Real>
-void validate_indices(const std::string& field, const Mesh<Real>& mesh) {
-  validate_corners(field, mesh);
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const std::array<Index, 3> corners{mesh.faces[i].a, mesh.faces[i].b, mesh.faces[i].c};
-    if (std::all_of(corners.begin(), corners.end(), [&](Index v) { return v < mesh.vertices.size(); })) continue;
-    validate_corners(field + (mesh.polygons.empty() ? ".faces[" : ".cut[") + std::to_string(i) + "]", mesh, corners);
-  }
-  std::size_t triangles = 0;
-  for (const auto& polygon : mesh.polygons) triangles += polygon.size() - 2;
-  if (!mesh.polygons.empty() && triangles != mesh.faces.size()) refuse_cut(field);
-}
-inline void validate(const std::string& field, const Meshd& mesh) {
-  validate_numbers(field, mesh), validate_indices(field, mesh);
 }
 
 /// The face of which that triangle is a part.

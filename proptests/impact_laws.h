@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/shape/described_bodies.h"
+#include "geometry/bodies.h"
 #include "proptests/response_laws.h"
 
 /// Laws of two bodies, as identities over rationals. A question is masses, velocities, and whatever follows.

@@ -41,8 +41,8 @@ void for_each_part(T& value, const Change& change) {
     if (value) for_each_part(*value, change);
   } else if constexpr (catalogue::is_vector<T>) {
     for (auto& part : value) for_each_part(part, change);
-  } else if constexpr (catalogue::Composite<T>) {
-    catalogue::for_each_member<T>([&](const auto& member) { for_each_part(value.*member.pointer, change); });
+  } else if constexpr (Composite<T>) {
+    with_members(value, [&](auto&... member) { (for_each_part(member, change), ...); });
   }
 }
 
@@ -90,11 +90,10 @@ bool on_lattice(const Asked& asked) {
 /// Every word and number equal; the two zeros are.
 template <class T>
 bool equal(const T& a, const T& b) {
-  if constexpr (catalogue::Composite<T>) {
-    bool same = true;
-    catalogue::for_each_member<T>(
-        [&](const auto& member) { same = same && equal(a.*member.pointer, b.*member.pointer); });
-    return same;
+  if constexpr (Composite<T>) {
+    return with_members(a, [&](const auto&... of_a) {
+      return with_members(b, [&](const auto&... of_b) { return (equal(of_a, of_b) && ...); });
+    });
   } else if constexpr (catalogue::is_optional<T>) {
     return a.has_value() == b.has_value() && (!a || equal(*a, *b));
   } else if constexpr (catalogue::is_vector<T>) {
@@ -199,11 +198,10 @@ bool scaled(const Point2<R>& answer, const Point2<R>& found, int k) {
 }
 template <class T>
 bool scaled(const T& answer, const T& found, int k) {
-  if constexpr (catalogue::Composite<T>) {
-    bool same = true;
-    catalogue::for_each_member<T>(
-        [&](const auto& m) { same = same && scaled(answer.*m.pointer, found.*m.pointer, k); });
-    return same;
+  if constexpr (Composite<T>) {
+    return with_members(answer, [&](const auto&... of_answer) {
+      return with_members(found, [&](const auto&... of_found) { return (scaled(of_answer, of_found, k) && ...); });
+    });
   } else if constexpr (catalogue::is_optional<T>) {
     return answer.has_value() == found.has_value() && (!answer || scaled(*answer, *found, k));
   } else if constexpr (catalogue::is_vector<T>) {

@@ -17,8 +17,8 @@ template <class T>
 void append_bits(const T& value, std::vector<std::uint64_t>& words) {
   if constexpr (catalogue::Enumeration<T>) {
     words.push_back(static_cast<std::uint64_t>(value));
-  } else if constexpr (catalogue::Composite<T>) {
-    catalogue::for_each_member<T>([&](const auto& member) { append_bits(value.*member.pointer, words); });
+  } else if constexpr (Composite<T>) {
+    with_members(value, [&](const auto&... member) { (append_bits(member, words), ...); });
   } else if constexpr (catalogue::is_optional<T>) {
     words.push_back(value.has_value());
     if (value) append_bits(*value, words);

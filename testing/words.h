@@ -4,20 +4,17 @@
 #include <string>
 
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/shape/described_bodies.h"
-#include "catalogue/shape/described_rays.h"
-#include "catalogue/shape/described_simultaneous.h"
 
 namespace touchstone::audit {
 
 /// The types that test frameworks print by our codec: shapes, answers, enumerators.
 template <class T>
-concept Printed = Composite<T> ||(Enumeration<T>&& requires { Words<T>::words; });
+concept Printed = Composite<T> || Worded<T>;
 
 /// Prints JSON, with decimals that read back to the same double; an enumerator prints as its name.
 template <Printed T>
 std::string printed(const T& value) {
-  if constexpr (Enumeration<T>) return Words<T>::words[static_cast<std::size_t>(value)];
+  if constexpr (Worded<T>) return Words<T>::words[static_cast<std::size_t>(value)];
   else return one_line(to_json(value));
 }
 

@@ -21,11 +21,7 @@ inline constexpr bool can_be_false<Word> = requires {
 template <class Answer>
 constexpr bool has_plain_reading() {
   if constexpr (Composite<Answer>) {
-    return spread(
-        [](const auto&... member) {
-          return (can_be_false<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>> || ...);
-        },
-        Described<Answer>::members);
+    return []<class... Member>(Types<Member...>) { return (can_be_false<Member> || ...); }(member_types<Answer>());
   } else {
     return can_be_false<Answer>;
   }
@@ -36,10 +32,12 @@ template <class Answer, class Word>
 const char* member_of_type() {
   const char* name = nullptr;
   if constexpr (Composite<Answer>) {
-    for_each_member<Answer>([&](const auto& member) {
-      if (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word>)
-        name = member.name;
-    });
+    std::size_t next = 0;
+    const auto look = [&](bool found) {
+      if (found) name = Answer::members.names[next];
+      ++next;
+    };
+    [&]<class... Member>(Types<Member...>) { (look(std::is_same_v<Member, Word>), ...); }(member_types<Answer>());
   }
   return name;
 }
@@ -47,11 +45,8 @@ const char* member_of_type() {
 template <class Answer, class Word>
 constexpr bool has_member_of_type() {
   if constexpr (Composite<Answer>) {
-    return spread(
-        [](const auto&... member) {
-          return (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word> || ...);
-        },
-        Described<Answer>::members);
+    return
+        []<class... Member>(Types<Member...>) { return (std::is_same_v<Member, Word> || ...); }(member_types<Answer>());
   }
   return false;
 }
@@ -59,13 +54,9 @@ constexpr bool has_member_of_type() {
 /// True if that enumerator alone is an answer: the rest of the answer is numbers, which may be omitted.
 template <class Answer, class Word>
 constexpr bool is_the_only_word() {
-  return spread(
-      [](const auto&... member) {
-        return ((std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word> ||
-                 may_be_left_out<rebound_t<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>,
-                                           std::optional<double>>>)&&...);
-      },
-      Described<Answer>::members);
+  return []<class... Member>(Types<Member...>) {
+    return ((std::is_same_v<Member, Word> || may_be_left_out<rebound_t<Member, std::optional<double>>>)&&...);
+  }(member_types<Answer>());
 }
 
 /// Result: the operation's answer over double or float, its enumerator alone, true or false if that is an answer, or a

@@ -5,7 +5,7 @@
 
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/families/meshes/named_meshes.h"
-#include "catalogue/shape/described_shapes.h"
+#include "catalogue/shape/described.h"
 #include "oracle/certificates/named_file.h"
 
 namespace touchstone::audit {

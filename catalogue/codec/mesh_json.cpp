@@ -44,7 +44,7 @@ std::vector<Face> cut_of(const std::vector<Corners>& polygons, const std::string
                          std::size_t count) {
   std::vector<Point3<Real>> vertices;
   for (std::size_t i = 0; i < count; ++i) vertices.push_back({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
-  validation::validate_corners(path, Mesh<Real>{vertices, {}, polygons});
+  Mesh<Real>{vertices, {}, polygons}.polygon_rules(validation::Refusing{path});
   std::vector<Face> triangles;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const Corners& corners = polygons[i];

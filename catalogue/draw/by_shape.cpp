@@ -4,11 +4,10 @@
 #include <map>
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/shape/described_bodies.h"
-#include "catalogue/shape/described_capsules.h"
-#include "catalogue/shape/described_rays.h"
-#include "catalogue/shape/described_triangles.h"
 #include "geometry/bodies.h"
+#include "geometry/capsules.h"
+#include "geometry/rays.h"
+#include "geometry/triangles.h"
 
 namespace touchstone::catalogue {
 

@@ -16,7 +16,7 @@
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
 
-/// The drawing of each shape; a new type of geometry adds its overload, and its name to the list in by_shape.cpp.
+/// The drawing of each shape, for rows that draw more than their arguments; by_shape.cpp draws a new shape.
 namespace touchstone::catalogue {
 
 inline void draw(Drawing& drawing, const std::string& label, double value, bool) {

@@ -11,11 +11,11 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/members.h"
 #include "geometry/polygons.h"
 
-/// What the machine must know of a vocabulary type to convert, print, parse, compare, nudge and draw it: its members by
-/// name, or the words of an enumeration. A new type needs its lines in described_shapes.h or described_answers.h and
-/// nothing elsewhere.
+/// What programs that ask any operation know of a type: the members that a struct declares (geometry/members.h), the
+/// enumerators of an enumeration, and what containers hold.
 namespace touchstone::catalogue {
 
 /// call(elements...) of a tuple, and call(alternative) of a variant. As std::apply and std::visit, but they find out
@@ -33,50 +33,27 @@ constexpr decltype(auto) visited(Call&& call, Variant& variant) {
   return call(*std::get_if<i>(&variant));
 }
 
-template <class Class, class Type>
-struct Member {
-  const char* name;
-  Type Class::*pointer;
+/// An enumeration with words: `words`, and `no`, the one that means "no common point" or "not in the closed shape", if
+/// it has a yes-or-no reading.
+template <class E>
+concept Worded = requires {
+  words_of(E{});
 };
-
-template <class Class, class Type>
-constexpr Member<Class, Type> member(const char* name, Type Class::*pointer) {
-  return {name, pointer};
-}
-
-/// What a number says.
-enum class Meaning {
-  number,     ///< nothing but itself: a parameter, a ratio
-  place,      ///< a coordinate of a position
-  direction,  ///< a coordinate of a displacement
-  length,
-};
-
-/// A list is a JSON array in the order of its members; a record is a JSON object; what is bare is written as its only
-/// member. A mesh is an object of `vertices` and `faces`: where it has polygons, these are its faces, and its triangles
-/// are `cut` (catalogue/codec/mesh_json.h).
-enum class Form { list, record, bare, mesh };
-
-template <class T>
-struct Described;
-
-/// The words of an enumeration, in the order of its enumerators, and the words that mean "no common point" /
-/// "not in the closed shape": a plain false. An enumeration without `no` has no yes-or-no reading.
 template <class E>
 struct Words;
+template <Worded E>
+struct Words<E> {
+  static constexpr auto words = std::to_array(words_of(E{}).words);
+};
+template <Worded E>
+requires requires { plain_false(E{}); }
+struct Words<E> {
+  static constexpr auto words = std::to_array(words_of(E{}).words);
+  static constexpr E no = plain_false(E{});
+};
 
 template <class T>
 concept Enumeration = std::is_enum_v<T>;
-
-template <class T>
-concept Composite = requires {
-  Described<T>::members;
-};
-
-template <class T>
-inline constexpr bool is_bare = false;
-template <Composite T>
-inline constexpr bool is_bare<T> = Described<T>::form == Form::bare;
 
 template <class T>
 inline constexpr bool is_optional = false;
@@ -86,12 +63,10 @@ inline constexpr bool is_optional<std::optional<T>> = true;
 /// Whether a value may be left out where it is read: it is optional, or all that it is made of.
 template <class T>
 inline constexpr bool may_be_left_out = is_optional<T>;
+template <class... T>
+inline constexpr bool may_be_left_out<Types<T...>> = (may_be_left_out<T> && ...);
 template <Composite T>
-inline constexpr bool may_be_left_out<T> = spread(
-    [](const auto&... member) {
-      return (may_be_left_out<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>> && ...);
-    },
-    Described<T>::members);
+inline constexpr bool may_be_left_out<T> = may_be_left_out<member_types<T>>;
 
 template <class T>
 inline constexpr bool is_vector = false;
@@ -150,10 +125,5 @@ struct Rebound<std::variant<Ts...>, To> {
 };
 template <class T, class To>
 using rebound_t = typename Rebound<T, To>::type;
-
-template <class T, class Visit>
-void for_each_member(Visit&& visit) {
-  spread([&](const auto&... member) { (visit(member), ...); }, Described<T>::members);
-}
 
 }  // namespace touchstone::catalogue

@@ -45,7 +45,7 @@ void pack(const T& value, EncodedValue<Real>& encoded) {
   } else if constexpr (Enumeration<T> || Plain<T>) {
     encoded.words.push_back(static_cast<Word>(value));
   } else if constexpr (Composite<T>) {
-    for_each_member<T>([&](const auto& member) { pack(value.*member.pointer, encoded); });
+    with_members(value, [&](const auto&... member) { (pack(member, encoded), ...); });
   } else if constexpr (is_optional<T>) {
     encoded.words.push_back(value.has_value());
     if (value) pack(*value, encoded);
@@ -83,7 +83,7 @@ void unpack(T& value, Cursor<Real>& from, const Convert& convert) {
   } else if constexpr (Enumeration<T> || Plain<T>) {
     value = static_cast<T>(*from.word++);
   } else if constexpr (Composite<T>) {
-    for_each_member<T>([&](const auto& member) { unpack(value.*member.pointer, from, convert); });
+    with_members(value, [&](auto&... member) { (unpack(member, from, convert), ...); });
   } else if constexpr (is_optional<T>) {
     if (*from.word++ != 0) unpack(value.emplace(), from, convert);
   } else if constexpr (is_vector<T>) {

@@ -93,12 +93,12 @@ Shape made_shape() {
     static_assert(Composite<T>);
     shape.kind = Shape::Kind::record;
     shape.name = name_of_type(written_by_compiler<T>());
-    shape.form = Described<T>::form;
-    if constexpr (requires { Described<T>::meaning; }) shape.meaning = Described<T>::meaning;
-    for_each_member<T>([&](const auto& member) {
-      using Part = std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>;
-      shape.parts.push_back({member.name, &shape_of<Part>(shape.meaning), std::string_view(member.name) != "polygons"});
-    });
+    shape.form = T::members.form;
+    shape.meaning = T::members.meaning;
+    [&]<class... Part>(Types<Part...>) {
+      (shape.parts.push_back({T::members.names[shape.parts.size()], &shape_of<Part>(shape.meaning)}), ...);
+    }(member_types<T>());
+    if (shape.form == Form::mesh) shape.parts.back().drawn = false;
   }
   return measured(std::move(shape));
 }

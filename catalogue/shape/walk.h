@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/shape/described_answers.h"
-#include "catalogue/shape/described_shapes.h"
+#include "catalogue/shape/described.h"
 
 /// Walks over described values: every number in canonical order, and the same value over another number type.
 namespace touchstone::catalogue {
@@ -14,7 +13,7 @@ void walk(T& value, const Visit& visit, const VisitList& visit_list) {
   if constexpr (Enumeration<Bare> || Plain<Bare>) {
     return;
   } else if constexpr (Composite<Bare>) {
-    for_each_member<Bare>([&](const auto& member) { walk(value.*member.pointer, visit, visit_list); });
+    with_members(value, [&](auto&... member) { (walk(member, visit, visit_list), ...); });
   } else if constexpr (is_optional<Bare>) {
     if (value) walk(*value, visit, visit_list);
   } else if constexpr (is_vector<Bare>) {
@@ -41,12 +40,9 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
     return value;
   } else if constexpr (Composite<T>) {
     rebound_t<T, To> result{};
-    spread(
-        [&](const auto&... from) {
-          spread([&](const auto&... to) { ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...); },
-                 Described<rebound_t<T, To>>::members);
-        },
-        Described<T>::members);
+    with_members(value, [&](const auto&... from) {
+      with_members(result, [&](auto&... to) { ((to = converted<To>(from, change)), ...); });
+    });
     return result;
   } else if constexpr (is_optional<T>) {
     if (!value) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "catalogue/shape/encoded_value.h"
+#include "geometry/answers.h"
 
 /// A signature is a struct named like its operation, in the file of that name. It says what an engine's member function
 /// of the operation takes and returns, and no more, so that an engine compiles fast. It holds

@@ -29,7 +29,7 @@ class Reader {
       }
       case Shape::Kind::list: return read_list(shape);
       case Shape::Kind::record:
-        if (shape.meaning == catalogue::Meaning::place || shape.meaning == catalogue::Meaning::direction)
+        if (shape.meaning == Meaning::place || shape.meaning == Meaning::direction)
           found.points.push_back({at_.number, shape.parts.size()});
         for (const Shape::Part& part : shape.parts) read(*part.shape);
     }

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/wide.h"
 #include "oracle/exact/shapes/whole_list.h"
 

@@ -5,10 +5,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "geometry/validation_of_commands.h"
-#include "geometry/validation_of_rays.h"
 #include "oracle/broad_phase/all_pairs.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/shapes/queries_of_boxes.h"
 
 namespace touchstone::oracle {
@@ -126,9 +125,7 @@ struct Proofs {
 template <class Number>
 Truth<Replies> truth_broad_phase(const std::vector<Aabb3<Number>>& boxes,
                                  const std::vector<Command<Number>>& commands) {
-  validation::validate_program(
-      boxes, commands, [](const std::string& field, const auto& shape) { validation::validate_numbers(field, shape); },
-      [](const std::string& field, const auto& shape) { validation::validate(field, shape); });
+  validation::validate_program(boxes, commands);
   Answers found = carried_out<Number, Answers>(boxes, commands);
   return {std::move(found.replies), std::move(found.margin),
           [boxes, commands] { return carried_out<Number, Proofs>(boxes, commands).certificate(); }};

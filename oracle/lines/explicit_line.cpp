@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/explicit_line.h"
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/decode.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
 #include "oracle/exact/numbers/nearest_double.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

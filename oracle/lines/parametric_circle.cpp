@@ -7,10 +7,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/circular.h"
 #include "oracle/exact/numbers/common_scale.h"
 #include "oracle/exact/numbers/nearest_double.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

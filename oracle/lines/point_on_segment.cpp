@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/point_on_segment.h"
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/systems/common_points.h"
 
 namespace touchstone::oracle {

@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/systems/common_points.h"
 
 namespace touchstone::oracle {

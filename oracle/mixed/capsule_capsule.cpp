@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/capsule_capsule.h"
 
-#include "oracle/exact/numbers/rational_validation_of_capsules.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/contact_of_nearest.h"
 
 namespace touchstone::oracle {

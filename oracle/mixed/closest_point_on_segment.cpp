@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/closest_point_on_segment.h"
 
-#include "geometry/validation_of_triangles.h"
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/nearest_pair.h"
 
 namespace touchstone::oracle {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/convex_distance.h"
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/nearest_pair.h"
 #include "oracle/exact/solids/meeting_solids.h"
 #include "oracle/exact/solids/solid_distance.h"

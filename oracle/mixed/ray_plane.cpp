@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/validation_of_rays.h"
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/shapes/line_plane.h"
 

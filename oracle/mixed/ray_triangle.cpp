@@ -5,9 +5,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/validation_of_rays.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 #include "oracle/exact/solids/triangles.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/segment_sphere.h"
 
-#include "geometry/validation_of_rays.h"
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/passage.h"
 
 namespace touchstone::oracle {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/sphere_triangle.h"
 
-#include "geometry/validation_of_triangles.h"
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/contact_of_nearest.h"
 
 namespace touchstone::oracle {

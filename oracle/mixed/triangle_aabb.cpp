@@ -5,9 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "geometry/validation_of_triangles.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/solids/plane_between.h"
 #include "oracle/exact/systems/linear_program.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {

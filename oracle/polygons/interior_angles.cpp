@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/direction.h"
 #include "oracle/exact/numbers/nearest_double.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 

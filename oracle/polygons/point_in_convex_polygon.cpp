@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/systems/common_points.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"

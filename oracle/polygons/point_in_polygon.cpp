@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/systems/common_points.h"
 #include "oracle/rings/whole.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/systems/common_points.h"
 #include "oracle/exact/systems/elimination.h"
 #include "oracle/lines/segment_segment.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/systems/common_points.h"
 #include "oracle/exact/systems/elimination.h"
 #include "oracle/rings/boxes.h"

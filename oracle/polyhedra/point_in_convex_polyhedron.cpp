@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/wide.h"
 #include "oracle/exact/solids/convex_mesh.h"
 

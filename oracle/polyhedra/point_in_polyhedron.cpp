@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 #include "oracle/exact/solids/closed_mesh.h"
 #include "oracle/exact/solids/polygon_faces.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 #include "oracle/exact/solids/near_triangles.h"
 #include "oracle/exact/solids/polygon_faces.h"

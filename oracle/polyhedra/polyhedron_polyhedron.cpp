@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 #include "oracle/exact/solids/closed_mesh.h"
 #include "oracle/exact/solids/common_dimension.h"

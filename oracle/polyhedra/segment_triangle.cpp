@@ -4,9 +4,8 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/validation_of_triangles.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/solids/triangles.h"
 
 namespace touchstone::oracle {

@@ -26,7 +26,7 @@ Truth<ContactState> truth_contact_state(const MovingBody<Number>& a, const Movin
   validation::validate_numbers("a", a), validation::validate_numbers("b", b),
       validation::validate_numbers("point", point), validation::validate_numbers("normal", normal),
       validation::validate("a", a), validation::validate("b", b), validation::validate("point", point),
-      validation::validate_normal("normal", normal);
+      validation::validate("normal", normal, rule::normal);
   Twist of_a(a), of_b(b);
   const Vector3<Rational> n = exact_vector(normal), moment = cross(from_origin(point), n);
   const Rational apart(dot(of_a.of_origin - of_b.of_origin, n) + dot(of_a.turn - of_b.turn, moment));

@@ -11,7 +11,7 @@ Truth<Vector3<Rational>> truth_damped_reflection(const Vector3<Number>& velocity
                                                  const Number& k) {
   validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
       validation::validate_numbers("k", k), validation::validate("velocity", velocity),
-      validation::validate_normal("normal", normal), validation::validate("k", k);
+      validation::validate("normal", normal, rule::normal), validation::validate("k", k);
   return bounced(velocity, normal, exact(k));
 }
 

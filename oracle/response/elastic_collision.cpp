@@ -11,7 +11,7 @@ Truth<Velocities<Rational>> truth_elastic_collision(const Masses<Number>& masses
                                                     const Vector3<Number>& normal) {
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate("masses", masses),
-      validation::validate("velocities", velocities), validation::validate_normal("normal", normal);
+      validation::validate("velocities", velocities), validation::validate("normal", normal, rule::normal);
   return after_impact(masses, velocities, normal, Rational(1));
 }
 

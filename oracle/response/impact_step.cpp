@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/nearest_double.h"
-#include "oracle/exact/numbers/rational_validation_of_steps.h"
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/shapes/around_balls.h"
 #include "oracle/exact/systems/impulses_at_a_root.h"
@@ -24,14 +24,11 @@ using Column = std::vector<OverRoot>;
 template <class Number>
 void validate_all_impact_step(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
                               const Number& restitution, const Number& timestep) {
-  const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < walls.size(); ++i) validation::validate_numbers(numbered("walls", i), walls[i]);
+  validation::validate_numbers("bodies", bodies), validation::validate_numbers("walls", walls);
   validation::validate_numbers("restitution", restitution), validation::validate_numbers("timestep", timestep);
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < walls.size(); ++i) validation::validate(numbered("walls", i), walls[i]);
-  validation::validate_restitution("restitution", restitution);
-  validation::require_timestep(sgn(exact(timestep)) > 0, "timestep");
+  validation::validate("bodies", bodies), validation::validate("walls", walls);
+  validation::validate("restitution", restitution, rule::restitution);
+  validation::validate("timestep", timestep, rule::timestep);
 }
 
 /// The nearest number of 53 binary digits, ties to even.

@@ -8,7 +8,7 @@ namespace {
 
 template <class Number>
 Truth<Vector3<Rational>> truth_reflect_plane(const Vector3<Number>& velocity, const Vector3<Number>& normal) {
-  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
+  validation::validate("velocity", velocity), validation::validate("normal", normal, rule::normal);
   return bounced(velocity, normal, Rational(1));
 }
 

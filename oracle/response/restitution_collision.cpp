@@ -13,7 +13,7 @@ Truth<Velocities<Rational>> truth_restitution_collision(const Masses<Number>& ma
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate_numbers("e", e),
       validation::validate("masses", masses), validation::validate("velocities", velocities),
-      validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
+      validation::validate("normal", normal, rule::normal), validation::validate("e", e, rule::restitution);
   return after_impact(masses, velocities, normal, exact(e));
 }
 

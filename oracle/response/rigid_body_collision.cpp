@@ -69,11 +69,15 @@ struct Collision {
   Rational impulse;
 };
 
+/// The inertia by its leading minors.
 template <class Number>
 ExactBody validated(const std::string& field, const RigidBody<Number>& body) {
   validation::validate(field, body);
   ExactBody exactly = exact_body(body);
-  validation::validate(field, exactly);
+  const auto& [x, y, z] = exactly.inertia;
+  const Rational second = x.x * y.y - x.y * y.x;
+  if (sgn(x.x) <= 0 || sgn(second) <= 0 || sgn(dot(cross(x, y), z)) <= 0)
+    validation::refuse(field, RigidBodyd::definite);
   return exactly;
 }
 
@@ -84,8 +88,8 @@ Collision collide(const RigidBody<Number>& a, const RigidBody<Number>& b, const 
       validation::validate_numbers("point", point);
   validation::validate_numbers("normal", normal), validation::validate_numbers("e", e);
   ExactBody of_a = validated("a", a), of_b = validated("b", b);
-  validation::validate_normal("normal", normal);
-  validation::validate_restitution("e", e);
+  validation::validate("normal", normal, rule::normal);
+  validation::validate("e", e, rule::restitution);
   const Vector3<Rational> n = exact_vector(normal), p = from_origin(point);
   Collision result{{std::move(of_a), p, n}, {std::move(of_b), p, Rational(-1) * n}, Rational(0)};
   const auto apart = [&](const Rational& impulse) {

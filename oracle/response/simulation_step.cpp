@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/simulation_step.h"
 
-#include "oracle/exact/numbers/rational_validation_of_steps.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/shapes/around_balls.h"
 #include "oracle/response/simultaneous_collisions.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "oracle/exact/numbers/rational_validation_of_bodies.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_list.h"
 #include "oracle/exact/systems/guessed_complement.h"
 #include "oracle/exact/systems/principal_pivots.h"
@@ -21,17 +21,13 @@ struct WholeContact {
 template <class Number>
 void validate_all_simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
                                           const std::vector<BodyContact<Number>>& contacts, const Number& e) {
-  const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < contacts.size(); ++i) validation::validate_numbers(numbered("contacts", i), contacts[i]);
+  validation::validate_numbers("bodies", bodies), validation::validate_numbers("contacts", contacts);
   validation::validate_numbers("e", e);
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::string field = numbered("contacts", i);
-    validation::validate_bodies_of(field, contacts[i], bodies.size());
-    validation::validate(field, contacts[i]);
-  }
-  validation::validate_restitution("e", e);
+  validation::validate("bodies", bodies);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (!contacts[i].rules_among(bodies.size(), validation::Asking()))
+      contacts[i].rules_among(bodies.size(), validation::Refusing{validation::named("contacts", {"", i})});
+  validation::validate("e", e, rule::restitution);
 }
 
 template <class Number>

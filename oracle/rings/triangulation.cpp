@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/rings/simple.h"
 
 namespace touchstone::oracle {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/systems/linear_program.h"
 
 namespace touchstone::oracle {

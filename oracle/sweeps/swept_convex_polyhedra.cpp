@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/solids/meeting_solids.h"
 
 namespace touchstone::oracle {

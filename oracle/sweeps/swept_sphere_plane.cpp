@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/parabola.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {

@@ -3,9 +3,9 @@
 
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
 #include "oracle/exact/numbers/parabola.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

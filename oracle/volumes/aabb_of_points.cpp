@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/decode.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -44,7 +44,7 @@ struct Extents {
 /// Refuses invalid input.
 template <class Points>
 Extents extents(const Points& points) {
-  validation::validate_points("points", points);
+  validation::validate("points", points, rule::points);
   Extents found;
   std::vector<std::size_t> least, greatest;
   for (const Column& numbers : columns(points)) {

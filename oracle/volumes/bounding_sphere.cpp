@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/nearest_double.h"
-#include "oracle/exact/numbers/rational_validation.h"
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/numbers/wide.h"
 #include "oracle/exact/shapes/enclosing_ball.h"
@@ -50,8 +50,7 @@ void without_common_twos(WholeList& list) {
 /// Refuses invalid input.
 template <class Number>
 Counted counted(const std::vector<Point3<Number>>& points) {
-  if constexpr (std::is_same_v<Number, double>) validation::validate_points("points", points);
-  else if (points.empty()) validation::validate_points("points", std::vector<Point3d>{});
+  validation::validate("points", points, rule::points);
   std::vector<Number> numbers;
   for (const auto& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
   WholeList list = whole_list(numbers);

@@ -12,7 +12,7 @@
 namespace touchstone::oracle {
 namespace {
 
-void validate_convex_hull(const std::vector<Point3d>& points) { validation::validate_points("points", points); }
+void validate_convex_hull(const std::vector<Point3d>& points) { validation::validate("points", points, rule::points); }
 void validate_convex_hull(const std::vector<Point3<Rational>>& points) {
   if (points.empty()) throw InvalidInput("points", "at least 1 point");
 }

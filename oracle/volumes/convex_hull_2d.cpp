@@ -74,7 +74,9 @@ ConvexHull2 hull_of_convex_hull_2d(const std::vector<Index>& ring) {
   return {2, {}, {}, ring};
 }
 
-void validate_convex_hull_2d(const std::vector<Point2d>& points) { validation::validate_points("points", points); }
+void validate_convex_hull_2d(const std::vector<Point2d>& points) {
+  validation::validate("points", points, rule::points);
+}
 void validate_convex_hull_2d(const std::vector<Point2<Rational>>& points) {
   if (points.empty()) throw InvalidInput("points", "at least 1 point");
 }

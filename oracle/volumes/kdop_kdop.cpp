@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/decode.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

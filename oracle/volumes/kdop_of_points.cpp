@@ -10,8 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/decode.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -33,11 +33,11 @@ struct Heights {
 template <class Number>
 std::vector<Heights> heights(const std::vector<Point3<Number>>& points, const std::vector<Vector3<Number>>& normals) {
   validation::validate_numbers("points", points), validation::validate_numbers("normals", normals);
-  validation::validate_points("points", points);
-  if (normals.empty()) throw InvalidInput("normals", "at least 1 normal");
+  validation::validate("points", points, rule::points);
+  validation::validate("normals", normals, rule::normals);
   std::vector<Heights> all;
   for (const auto& n : normals) {
-    validation::validate_normal("normals[" + std::to_string(all.size()) + "]", n);
+    validation::validate("normals[" + std::to_string(all.size()) + "]", n, rule::normal);
     Heights found;
     for (const auto& p : points) {
       const Rational x(exact(n.x) * exact(p.x)), y(exact(n.y) * exact(p.y)), z(exact(n.z) * exact(p.z));

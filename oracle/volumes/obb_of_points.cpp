@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/box_around.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 
@@ -17,7 +17,7 @@ using Matrix = std::array<std::array<Integer, 3>, 3>;
 
 template <class Number>
 WholeCloud validated_obb_of_points(const std::vector<Point3<Number>>& points) {
-  validation::validate_points("points", points);
+  validation::validate("points", points, rule::points);
   return WholeCloud(points);
 }
 

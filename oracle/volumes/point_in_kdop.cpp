@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_list.h"
 
 namespace touchstone::oracle {

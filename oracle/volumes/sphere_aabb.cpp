@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
 #include "oracle/exact/numbers/nearest_in_interval.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "robust/kernel/shapes/spheres.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/structures/pair_tree.h"
 #include "robust/structures/sort_and_sweep.h"
 

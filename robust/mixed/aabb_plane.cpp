@@ -3,7 +3,7 @@
 
 #include "robust/kernel/filters/plane_filter.h"
 #include "robust/kernel/integers/plane_terms.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "robust/kernel/enclosed/enclosed_nearest.h"
 #include "robust/kernel/shapes/nearest_points.h"
-#include "robust/kernel/shapes/valid_capsules.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

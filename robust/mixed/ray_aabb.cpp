@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/ray_aabb.h"
 
-#include "geometry/validation_of_rays.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "geometry/validation.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
 
 void validate_ray_aabb(const kernel::Line& line, const kernel::Box& aabb) {
-  if (kernel::valid(line.from) && kernel::valid_normal(line.ray().direction) && kernel::valid(aabb)) return;
+  if (kernel::valid(line.from) && kernel::valid(line.ray().direction, rule::direction) && kernel::valid(aabb)) return;
   validation::validate_numbers("ray", line.ray()), validation::validate_numbers("aabb", aabb);
   validation::validate("ray", line.ray()), validation::validate("aabb", aabb);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/ray_plane.h"
 
-#include "geometry/validation_of_rays.h"
+#include "geometry/validation.h"
 #include "robust/kernel/shapes/plane_crossing.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -19,7 +19,7 @@ kernel::CrossingLine line_of(const Ray3d& ray, const Plane3d& plane) {
 }
 
 void validate_ray_plane(const Ray3d& ray, const Plane3d& plane) {
-  if (kernel::valid(ray.origin) && kernel::valid_normal(ray.direction) && kernel::valid(plane)) return;
+  if (kernel::valid(ray.origin) && kernel::valid(ray.direction, rule::direction) && kernel::valid(plane)) return;
   validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
   validation::validate("ray", ray), validation::validate("plane", plane);
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/ray_sphere.h"
 
-#include "geometry/validation_of_rays.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "geometry/validation.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
 
 void validate_ray_sphere(const kernel::Line& line, const kernel::Ball& sphere) {
-  if (kernel::valid(line.from) && kernel::valid_normal(line.ray().direction) && kernel::valid(sphere)) return;
+  if (kernel::valid(line.from) && kernel::valid(line.ray().direction, rule::direction) && kernel::valid(sphere)) return;
   validation::validate_numbers("ray", line.ray()), validation::validate_numbers("sphere", sphere);
   validation::validate("ray", line.ray()), validation::validate("sphere", sphere);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/ray_triangle.h"
 
-#include "geometry/validation_of_rays.h"
+#include "geometry/validation.h"
 #include "robust/kernel/enclosed/enclosed_crossing.h"
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/shapes/triangle_clip.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/small_hulls.h"
 
 namespace touchstone::robust {
@@ -64,7 +64,8 @@ struct Question {
 
 void validate_ray_triangle(const Ray3d& ray, const Triangle3d& t) {
   using kernel::valid;
-  if (valid(ray.origin) && kernel::valid_normal(ray.direction) && valid(t.a) && valid(t.b) && valid(t.c)) return;
+  if (valid(ray.origin) && kernel::valid(ray.direction, rule::direction) && valid(t.a) && valid(t.b) && valid(t.c))
+    return;
   validation::validate_numbers("ray", ray), validation::validate_numbers("triangle", t);
   validation::validate("ray", ray);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/segment_aabb.h"
 
-#include "geometry/validation_of_rays.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "geometry/validation.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/segment_plane.h"
 
-#include "geometry/validation_of_triangles.h"
+#include "geometry/validation.h"
 #include "robust/kernel/shapes/plane_crossing.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

@@ -5,9 +5,10 @@
 #include <array>
 #include <type_traits>
 
-#include "geometry/validation_of_triangles.h"
+#include "geometry/validation.h"
 #include "robust/kernel/filters/face_filter.h"
-#include "robust/kernel/shapes/valid_capsules.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {

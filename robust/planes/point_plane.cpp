@@ -6,7 +6,7 @@
 #include "robust/kernel/integers/plane_terms.h"
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/shapes/cgal_predicates.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

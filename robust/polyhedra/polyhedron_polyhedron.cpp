@@ -11,7 +11,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/space_box.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/closed_mesh.h"
 #include "robust/kernel/solids/common_interior.h"
 #include "robust/polyhedra/point_in_polyhedron.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polyhedra/segment_triangle.h"
 
-#include "geometry/validation_of_triangles.h"
+#include "geometry/validation.h"
 #include "robust/kernel/enclosed/enclosed_crossing.h"
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/shapes/triangle_clip.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/small_hulls.h"
 
 namespace touchstone::robust {

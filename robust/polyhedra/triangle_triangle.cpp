@@ -4,8 +4,8 @@
 #include <array>
 #include <utility>
 
-#include "geometry/validation_of_triangles.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "geometry/validation.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/small_hulls.h"
 
 namespace touchstone::robust {

@@ -2,7 +2,7 @@
 #include "robust/response/damped_reflection.h"
 
 #include "robust/kernel/contacts/along_normal.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -27,10 +27,10 @@ namespace {
 }
 
 void validate_damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
-  if (kernel::valid(velocity) && kernel::valid_normal(normal) && kernel::all_finite(k)) return;
+  if (kernel::valid(velocity) && kernel::valid(normal, rule::normal) && kernel::all_finite(k)) return;
   validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
       validation::validate_numbers("k", k), validation::validate("velocity", velocity),
-      validation::validate_normal("normal", normal), validation::validate("k", k);
+      validation::validate("normal", normal, rule::normal), validation::validate("k", k);
 }
 
 }  // namespace

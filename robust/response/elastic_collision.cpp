@@ -2,7 +2,7 @@
 #include "robust/response/elastic_collision.h"
 
 #include "robust/kernel/contacts/impulse.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -22,10 +22,10 @@ namespace {
 }
 
 void validate_elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
-  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal)) return;
+  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid(normal, rule::normal)) return;
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate("masses", masses),
-      validation::validate("velocities", velocities), validation::validate_normal("normal", normal);
+      validation::validate("velocities", velocities), validation::validate("normal", normal, rule::normal);
 }
 
 }  // namespace

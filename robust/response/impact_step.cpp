@@ -7,12 +7,12 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/validation_of_steps.h"
+#include "geometry/validation.h"
 #include "robust/kernel/contacts/pushes_at_a_root.h"
 #include "robust/kernel/contacts/rational_pushes.h"
 #include "robust/kernel/integers/dyadic.h"
 #include "robust/kernel/integers/one_root.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -23,14 +23,11 @@ using Rational = mpq_class;
 
 void validate_impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
                           double timestep) {
-  const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < walls.size(); ++i) validation::validate_numbers(numbered("walls", i), walls[i]);
+  validation::validate_numbers("bodies", bodies), validation::validate_numbers("walls", walls);
   validation::validate_numbers("restitution", restitution), validation::validate_numbers("timestep", timestep);
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < walls.size(); ++i) validation::validate(numbered("walls", i), walls[i]);
-  validation::validate_restitution("restitution", restitution);
-  validation::require_timestep(validation::positive(timestep), "timestep");
+  validation::validate("bodies", bodies), validation::validate("walls", walls);
+  validation::validate("restitution", restitution, rule::restitution);
+  validation::validate("timestep", timestep, rule::timestep);
 }
 
 Rational rational(double value) {

@@ -4,7 +4,7 @@
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

@@ -2,7 +2,7 @@
 #include "robust/response/kinetic_energy.h"
 
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/shapes/whole_bodies.h"
 
 namespace touchstone::robust {
@@ -43,8 +43,16 @@ double stages::kinetic_energy::exact(const std::vector<Bodyd>& bodies) {
   return kernel::round_scaled(doubled, whole.mass_exponent + 2L * whole.velocity_exponent - 1);
 }
 
+namespace {
+
+void validate_bodies_of_kinetic_energy(const std::vector<Bodyd>& bodies) {
+  if (!kernel::valid(bodies)) validation::validate("bodies", bodies);
+}
+
+}  // namespace
+
 Decided<double> stages::kinetic_energy::ask(const std::vector<Bodyd>& bodies) {
-  return in_turn<kinetic_energy, Stage::enclosed, kernel::validate_bodies, Stage::exact>(bodies);
+  return in_turn<kinetic_energy, Stage::enclosed, validate_bodies_of_kinetic_energy, Stage::exact>(bodies);
 }
 
 double kinetic_energy(const std::vector<Bodyd>& bodies) { return stages::kinetic_energy::ask(bodies).answer; }

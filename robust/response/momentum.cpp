@@ -2,7 +2,7 @@
 #include "robust/response/momentum.h"
 
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/shapes/whole_bodies.h"
 
 namespace touchstone::robust {
@@ -39,12 +39,20 @@ Vector3d stages::momentum::exact(const std::vector<Bodyd>& bodies) {
   return {rounded(sum.x), rounded(sum.y), rounded(sum.z)};
 }
 
+namespace {
+
+void validate_bodies_of_momentum(const std::vector<Bodyd>& bodies) {
+  if (!kernel::valid(bodies)) validation::validate("bodies", bodies);
+}
+
+}  // namespace
+
 Decided<Vector3d> stages::momentum::ask(const std::vector<Bodyd>& bodies) {
-  return in_turn<momentum, Stage::enclosed, kernel::validate_bodies, Stage::exact>(bodies);
+  return in_turn<momentum, Stage::enclosed, validate_bodies_of_momentum, Stage::exact>(bodies);
 }
 
 Vector3d momentum(const std::vector<Bodyd>& bodies) {
-  return answer_in_turn<stages::momentum, Stage::enclosed, kernel::validate_bodies, Stage::exact>(bodies);
+  return answer_in_turn<stages::momentum, Stage::enclosed, validate_bodies_of_momentum, Stage::exact>(bodies);
 }
 
 }  // namespace touchstone::robust

@@ -4,7 +4,7 @@
 #include "robust/kernel/contacts/along_normal.h"
 #include "robust/kernel/integers/dyadic.h"
 #include "robust/kernel/integers/plane_terms.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 

@@ -2,7 +2,7 @@
 #include "robust/response/reflect_plane.h"
 
 #include "robust/kernel/contacts/along_normal.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -20,8 +20,8 @@ namespace {
 }
 
 void validate_reflect_plane(const Vector3d& velocity, const Vector3d& normal) {
-  if (kernel::valid(velocity) && kernel::valid_normal(normal)) return;
-  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
+  if (kernel::valid(velocity) && kernel::valid(normal, rule::normal)) return;
+  validation::validate("velocity", velocity), validation::validate("normal", normal, rule::normal);
 }
 
 }  // namespace

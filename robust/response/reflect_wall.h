@@ -6,7 +6,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 

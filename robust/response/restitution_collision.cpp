@@ -2,7 +2,7 @@
 #include "robust/response/restitution_collision.h"
 
 #include "robust/kernel/contacts/impulse.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -26,13 +26,13 @@ namespace {
 
 void validate_restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                     double e) {
-  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal) &&
-      kernel::valid_restitution(e))
+  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid(normal, rule::normal) &&
+      kernel::valid(e, rule::restitution))
     return;
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate_numbers("e", e),
       validation::validate("masses", masses), validation::validate("velocities", velocities),
-      validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
+      validation::validate("normal", normal, rule::normal), validation::validate("e", e, rule::restitution);
 }
 
 }  // namespace

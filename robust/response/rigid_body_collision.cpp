@@ -4,7 +4,7 @@
 #include "robust/kernel/contacts/along_normal.h"
 #include "robust/kernel/enclosed/enclosed_inertia.h"
 #include "robust/kernel/integers/dyadic.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 
@@ -100,7 +100,7 @@ bool positive_definite(const Inertiad& inertia) {
 
 void validate_body(const std::string& field, const RigidBodyd& body) {
   validation::validate(field, body);
-  if (!positive_definite(body.inertia)) validation::refuse_indefinite(field + ".inertia");
+  if (!positive_definite(body.inertia)) validation::refuse(field, RigidBodyd::definite);
 }
 
 void validate_rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
@@ -109,9 +109,9 @@ void validate_rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, con
       validation::validate_numbers("point", point);
   validation::validate_numbers("normal", normal), validation::validate_numbers("e", e);
   validate_body("a", a), validate_body("b", b);
-  if (kernel::valid(point) && kernel::valid_normal(normal) && kernel::valid_restitution(e)) return;
-  validation::validate("point", point), validation::validate_normal("normal", normal);
-  validation::validate_restitution("e", e);
+  if (kernel::valid(point) && kernel::valid(normal, rule::normal) && kernel::valid(e, rule::restitution)) return;
+  validation::validate("point", point), validation::validate("normal", normal, rule::normal);
+  validation::validate("e", e, rule::restitution);
 }
 
 }  // namespace

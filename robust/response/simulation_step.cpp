@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "geometry/validation_of_steps.h"
+#include "geometry/validation.h"
 #include "robust/kernel/contacts/contact_system.h"
 #include "robust/kernel/integers/dyadic.h"
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -16,21 +16,9 @@ using kernel::Dyadic;
 
 void validate_simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
                               const StepSettingsd& settings) {
-  const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!kernel::valid(bodies[i].sphere) || !kernel::valid(bodies[i].velocity) ||
-        !kernel::all_finite(bodies[i].inverse_mass))
-      validation::validate_numbers(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < walls.size(); ++i)
-    if (!kernel::valid(walls[i])) validation::validate_numbers(numbered("walls", i), walls[i]);
+  validation::validate_numbers("bodies", bodies), validation::validate_numbers("walls", walls);
   validation::validate_numbers("settings", settings);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const auto& [w, v, sphere] = bodies[i];
-    if (kernel::valid(sphere) && (validation::positive(w) || (validation::zero(w) && validation::still(v)))) continue;
-    validation::validate(numbered("bodies", i), bodies[i]);
-  }
-  for (std::size_t i = 0; i < walls.size(); ++i)
-    if (!kernel::valid(walls[i])) validation::validate(numbered("walls", i), walls[i]);
+  validation::validate("bodies", bodies), validation::validate("walls", walls);
   validation::validate("settings", settings);
 }
 

@@ -5,30 +5,20 @@
 
 #include "robust/kernel/contacts/contact_system.h"
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/valid_bodies.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
 
 void validate_simultaneous_collisions(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts,
                                       double e) {
-  const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (!kernel::valid(bodies[i].velocity) || !kernel::all_finite(bodies[i].inverse_mass))
-      validation::validate_numbers(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (!kernel::valid(contacts[i].normal)) validation::validate_numbers(numbered("contacts", i), contacts[i]);
+  validation::validate_numbers("bodies", bodies), validation::validate_numbers("contacts", contacts);
   validation::validate_numbers("e", e);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (validation::negative(bodies[i].inverse_mass)) validation::validate(numbered("bodies", i), bodies[i]);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& [a, b, n] = contacts[i];
-    if (a < bodies.size() && b < bodies.size() && a != b && kernel::valid_normal(n)) continue;
-    const std::string field = numbered("contacts", i);
-    validation::validate_bodies_of(field, contacts[i], bodies.size());
-    validation::validate(field, contacts[i]);
-  }
-  if (!kernel::valid_restitution(e)) validation::validate_restitution("e", e);
+  validation::validate("bodies", bodies);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (!contacts[i].rules_among(bodies.size(), validation::Asking()))
+      contacts[i].rules_among(bodies.size(), validation::Refusing{validation::named("contacts", {"", i})});
+  if (!kernel::valid(e, rule::restitution)) validation::validate("e", e, rule::restitution);
 }
 
 /// Turns -0 into +0.

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "geometry/validation_of_rays.h"
+#include "geometry/validation.h"
 #include "robust/structures/along_ray.h"
 #include "robust/structures/box_order.h"
 #include "robust/structures/pair_tree.h"

@@ -13,7 +13,7 @@ namespace touchstone::robust {
 
 Meshd polygon_mesh(std::vector<Point3d> vertices, std::vector<std::vector<Index>> polygons) {
   Meshd mesh{std::move(vertices), {}, std::move(polygons)};
-  validation::validate_numbers("mesh", mesh), validation::validate_corners("mesh", mesh);
+  validation::validate_numbers("mesh", mesh), mesh.polygon_rules(validation::Refusing{"mesh"});
   for (std::size_t i = 0; i < mesh.polygons.size(); ++i) {
     const std::vector<Index>& corners = mesh.polygons[i];
     if (corners.size() == 3) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/validation_of_rays.h"
+#include "geometry/validation.h"
 #include "robust/structures/along_ray.h"
 #include "robust/structures/box_order.h"
 #include "robust/structures/sort_and_sweep.h"

@@ -6,7 +6,7 @@
 #include "robust/kernel/enclosed/window.h"
 #include "robust/kernel/filters/box_differences.h"
 #include "robust/kernel/integers/axis_times.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

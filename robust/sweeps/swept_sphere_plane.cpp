@@ -5,7 +5,7 @@
 #include "robust/kernel/filters/height_filter.h"
 #include "robust/kernel/integers/plane_terms.h"
 #include "robust/kernel/integers/quadratic_root.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

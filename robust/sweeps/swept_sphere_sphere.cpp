@@ -6,7 +6,7 @@
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/quadratic_root.h"
 #include "robust/kernel/integers/term_sum.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/ordered_bits.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

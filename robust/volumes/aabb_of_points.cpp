@@ -7,7 +7,7 @@
 
 #include "robust/kernel/filters/box_differences.h"
 #include "robust/kernel/filters/ordered_bits.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -94,7 +94,7 @@ typename Of<Point>::Box exactly(const std::vector<Point>& points) {
 template <class Point>
 void validate_aabb_of_points(const std::vector<Point>& points) {
   const bool valid = std::all_of(points.begin(), points.end(), [](const Point& p) { return kernel::valid(p); });
-  if (!valid || points.empty()) validation::validate_points("points", points);
+  if (!valid || points.empty()) validation::validate("points", points, rule::points);
 }
 
 template <class Point>

@@ -10,7 +10,7 @@
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/integers/term_sum.h"
 #include "robust/kernel/shapes/enclosing_ball.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -111,7 +111,7 @@ Point3d center_of_growing_ball(const Points& points) {
 
 Sphere3d bounding_sphere(const std::vector<Point3d>& points, SphereMethod method) {
   const bool valid = std::all_of(points.begin(), points.end(), [](const Point3d& p) { return kernel::valid(p); });
-  if (points.empty() || !valid) validation::validate_points("points", points);
+  if (points.empty() || !valid) validation::validate("points", points, rule::points);
   const kernel::ControlWord ieee;
   const Point3d center = center_of(points, method);
   return {center, kernel::least_radius(center, points)};

@@ -3,7 +3,8 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 

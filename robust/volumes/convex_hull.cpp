@@ -33,7 +33,7 @@ Decided<ConvexHull> stages::convex_hull::ask(const std::vector<Point3d>& points)
   if (points.size() >= std::size_t{1} << 30) throw std::length_error("convex_hull: fewer than 2^30 points");
   const kernel::ControlWord ieee;  // the bounds of robust/hulls
   const auto frame = points.empty() ? std::nullopt : hulls::frame_of(points);
-  if (!frame) validation::validate_points("points", points);
+  if (!frame) validation::validate("points", points, rule::points);
   Stage latest = Stage::filter;
   const hulls::Solid solid = hulls::solid_of(points, *frame, latest);
   if (solid.simplex.empty()) return {{3, {}, {}, {}, solid.faces}, latest};

@@ -11,7 +11,7 @@ namespace touchstone::robust {
 
 Decided<ConvexHull2> stages::convex_hull_2d::ask(const std::vector<Point2d>& points) {
   const bool valid = std::all_of(points.begin(), points.end(), [](const Point2d& p) { return kernel::valid(p); });
-  if (!valid || points.empty()) validation::validate_points("points", points);
+  if (!valid || points.empty()) validation::validate("points", points, rule::points);
   const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
   Stage latest = Stage::filter;
   const std::vector<Index> ring = planar_hull(points, latest);

@@ -7,7 +7,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/box_differences.h"
 #include "robust/kernel/filters/ordered_bits.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -40,7 +40,8 @@ Perhaps<Contact> stages::kdop_kdop::filter(const Kdop3d& a, const Kdop3d& b) {
   for (std::size_t i = 0; i < count; ++i) {
     const Slabd &s = a.slabs[i], &t = b.slabs[i];
     if (i > 0) all = kernel::together(all, kernel::differences_on_axis(s.min, s.max, t.min, t.max));
-    valid &= static_cast<int>(kernel::valid_normal(a.normals[i])) & static_cast<int>(same(a.normals[i], b.normals[i]));
+    valid &= static_cast<int>(kernel::valid(a.normals[i], rule::normal)) &
+             static_cast<int>(same(a.normals[i], b.normals[i]));
   }
   if (valid == 0 || !all.certain()) return std::nullopt;
   return all.contact();

@@ -9,7 +9,7 @@
 #include "robust/kernel/filters/extreme_filter.h"
 #include "robust/kernel/integers/outward.h"
 #include "robust/kernel/integers/term_sum.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -62,12 +62,12 @@ class Outward {
 };
 
 void validate_kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
-  validation::validate_points_numbers("points", points), validation::validate_numbers("normals", normals);
-  if (points.empty()) validation::validate_points("points", points);
-  if (normals.empty()) throw InvalidInput("normals", "at least 1 normal");
+  validation::validate_numbers("points", points), validation::validate_numbers("normals", normals);
+  if (points.empty()) validation::validate("points", points, rule::points);
+  if (normals.empty()) validation::validate("normals", normals, rule::normals);
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    if (!kernel::valid_normal(normals[i]))
-      validation::validate_normal("normals[" + std::to_string(i) + "]", normals[i]);
+    if (!kernel::valid(normals[i], rule::normal))
+      validation::validate("normals[" + std::to_string(i) + "]", normals[i], rule::normal);
   }
 }
 

@@ -5,7 +5,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/obb_filter.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {

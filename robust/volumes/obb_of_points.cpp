@@ -13,7 +13,7 @@
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/integers/term_sum.h"
 #include "robust/kernel/shapes/enclosing_ball.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/volumes/point_in_obb.h"
 
 namespace touchstone::robust {
@@ -147,7 +147,7 @@ std::optional<Obb3d> turned_box(const Points& points) {
 
 Obb3d obb_of_points(const std::vector<Point3d>& points) {
   const bool valid = std::all_of(points.begin(), points.end(), [](const Point3d& p) { return kernel::valid(p); });
-  if (points.empty() || !valid) validation::validate_points("points", points);
+  if (points.empty() || !valid) validation::validate("points", points, rule::points);
   const kernel::ControlWord ieee;
   return box_around(points);
 }

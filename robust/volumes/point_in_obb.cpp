@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/parallelepiped.h"
 
 namespace touchstone::robust {

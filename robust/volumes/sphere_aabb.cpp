@@ -3,7 +3,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/integers/integers.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {

@@ -2,7 +2,7 @@
 #include "robust/volumes/sphere_sphere.h"
 
 #include "robust/kernel/shapes/spheres.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/shape/described_all.h"
 #include "simulate/world/arithmetic.h"
 
 /// The questions of a step, in their order.

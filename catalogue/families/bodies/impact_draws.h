@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/families/bodies/bounce_draws.h"
-#include "catalogue/shape/described_bodies.h"
+#include "geometry/bodies.h"
 
 /// Two bodies before they meet, drawn from a draw stream.
 namespace touchstone::catalogue {

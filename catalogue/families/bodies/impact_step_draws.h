@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "catalogue/families/bodies/step_draws.h"
-#include "catalogue/shape/described_impacts.h"
+#include "geometry/impacts.h"
 
 /// Balls and walls before a step in which they collide when they meet, drawn from a draw stream.
 namespace touchstone::catalogue {

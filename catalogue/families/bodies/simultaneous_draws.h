@@ -5,7 +5,7 @@
 
 #include "catalogue/families/bodies/impact_draws.h"
 #include "catalogue/families/list_draws.h"
-#include "catalogue/shape/described_simultaneous.h"
+#include "geometry/simultaneous.h"
 #include "geometry/validation.h"
 
 /// Bodies that touch, drawn from a draw stream.

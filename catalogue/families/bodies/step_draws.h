@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "catalogue/families/bodies/simultaneous_draws.h"
-#include "catalogue/shape/described_steps.h"
+#include "geometry/steps.h"
 
 /// Balls and walls before a step, drawn from a draw stream: mostly by where they are to be at its end.
 namespace touchstone::catalogue {

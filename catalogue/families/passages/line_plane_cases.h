@@ -6,7 +6,6 @@
 
 #include "catalogue/families/hard_case.h"
 #include "catalogue/families/triangle_draws.h"
-#include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/walk.h"
 #include "geometry/rays.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/shape/described_rays.h"
 #include "catalogue/signatures/signature.h"
+#include "geometry/rays.h"
 
 namespace touchstone::catalogue::signatures {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/shape/described_impacts.h"
 #include "catalogue/signatures/signature.h"
+#include "geometry/impacts.h"
 
 namespace touchstone::catalogue::signatures {
 

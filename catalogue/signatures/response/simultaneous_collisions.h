@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/signatures/signature.h"
+#include "geometry/simultaneous.h"
 
 namespace touchstone::catalogue::signatures {
 

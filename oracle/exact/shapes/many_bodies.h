@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/exact/numbers/rational_validation_of_bodies.h"
+#include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_list.h"
 
 namespace touchstone::oracle {

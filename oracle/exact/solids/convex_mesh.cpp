@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "oracle/exact/numbers/rational_validation.h"
+#include "geometry/validation.h"
 #include "oracle/exact/solids/closed_mesh.h"
 #include "oracle/exact/solids/polygon_faces.h"
 

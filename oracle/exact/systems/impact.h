@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/bodies.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation_of_bodies.h"
 #include "oracle/truth.h"
 
 /// The effect of a bounce, on integers: velocities in one unit, the normal in another, and the same in doubles and

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/validation.h"
 #include "geometry/volumes.h"
 #include "oracle/exact/numbers/common_scale.h"
-#include "oracle/exact/numbers/rational_validation.h"
 
 namespace touchstone::oracle {
 
@@ -45,16 +45,14 @@ class Zonotope {
   std::vector<Vector3<Integer>> edges_;
 };
 
-/// For doubles the determinant is taken in integers: half axes are linearly independent in any unit.
+/// The determinant is taken in integers: half axes are linearly independent in any unit.
 template <class Number>
 void validate_parallelepiped(const std::string& field, const Obb3<Number>& box) {
   validation::validate(field, box);
-  if constexpr (!std::is_same_v<Number, Rational>) {
-    const auto& [u, v, w] = box.half_axes;
-    const CommonScale<Number, 9> n({u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z});
-    const auto at = [&n](std::size_t i) { return Vector3<Integer>{n.whole(i), n.whole(i + 1), n.whole(i + 2)}; };
-    if (sgn(dot(cross(at(0), at(3)), at(6))) == 0) validation::refuse_dependent(field);
-  }
+  const auto& [u, v, w] = box.half_axes;
+  const CommonScale<Number, 9> n({u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z});
+  const auto at = [&n](std::size_t i) { return Vector3<Integer>{n.whole(i), n.whole(i + 1), n.whole(i + 2)}; };
+  if (sgn(dot(cross(at(0), at(3)), at(6))) == 0) validation::refuse(field, Obb3d::independent);
 }
 
 }  // namespace touchstone::oracle

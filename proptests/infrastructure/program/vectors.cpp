@@ -12,7 +12,7 @@
 #include "catalogue/families/meshes/named_meshes.h"
 #include "catalogue/operation/operation.h"
 #include "catalogue/operation/probes/not_finite.h"
-#include "catalogue/shape/described_shapes.h"
+#include "catalogue/shape/described.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 

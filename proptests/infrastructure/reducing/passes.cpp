@@ -9,7 +9,6 @@
 #include "audit/reducing/reduced.h"
 #include "audit/reducing/same_finding.h"
 #include "audit/reducing/until.h"
-#include "catalogue/shape/described_all.h"
 #include "proptests/catch.h"
 #include "proptests/solids.h"
 #include "proptests/uses.h"

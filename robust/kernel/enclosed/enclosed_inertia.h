@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/validation_of_bodies.h"
+#include "geometry/validation.h"
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 
 /// Two rotating bodies, one per lane, enclosed; `Bounded` checks the window of their numbers.

@@ -5,7 +5,7 @@
 #include "robust/kernel/filters/sweep_filter.h"
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/quadratic_root.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust::kernel {
 namespace {

@@ -7,7 +7,7 @@
 #include "robust/kernel/enclosed/window.h"
 #include "robust/kernel/shapes/plane.h"
 #include "robust/kernel/shapes/triangle_clip.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust::kernel {
 namespace {

@@ -47,7 +47,7 @@ std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
 }  // namespace
 
 void validate_closed(const std::string& field, const Meshd& mesh) {
-  validation::validate_indices(field, mesh), validate_polygons(field, mesh);
+  mesh.rules(validation::Refusing{field}), validate_polygons(field, mesh);
   validation::validate_triangles(field, mesh);
   const auto odd = edges_of_odd_number(mesh);
   if (odd.empty()) return;

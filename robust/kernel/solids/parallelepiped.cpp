@@ -3,7 +3,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/shapes/face_side.h"
-#include "robust/kernel/shapes/valid_space.h"
+#include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust::kernel {
 
@@ -12,7 +12,8 @@ void validate_obb(const std::string& field, const Obb3d& box) {
   const auto& [u, v, w] = box.half_axes;
   const Point3d o{0, 0, 0}, a = {u.x, u.y, u.z}, b = {v.x, v.y, v.z}, c = {w.x, w.y, w.z};
   if (filters::FacePlane<double>(o, a, b).side(c) != filters::Sign::unknown) return;
-  if (in_turn<SideOfFace, Stage::lattice, Stage::exact>(o, a, b, c).answer == 0) validation::refuse_dependent(field);
+  if (in_turn<SideOfFace, Stage::lattice, Stage::exact>(o, a, b, c).answer == 0)
+    validation::refuse(field, Obb3d::independent);
 }
 
 }  // namespace touchstone::robust::kernel
