@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 #include "geometry/members.h"
@@ -10,24 +9,24 @@
 /// and build type; numbers of other types compare themselves.
 namespace touchstone::validation {
 
-constexpr bool finite(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff; }
+constexpr bool finite(double value) { return (__builtin_bit_cast(std::uint64_t, value) >> 52 & 0x7ff) != 0x7ff; }
 
 /// -0.0 and 0.0 are zero; a subnormal is not, whatever the control word says. clang 17 and later would compile the last
 /// line as value == 0.0, which is another question where subnormals are read as zero: the empty instruction hides from
 /// it where the bits came from.
 inline bool zero(double value) {
-  auto bits = std::bit_cast<std::uint64_t>(value);
+  auto bits = __builtin_bit_cast(std::uint64_t, value);
   __asm__("" : "+r"(bits));
   return bits << 1 == 0;
 }
-inline bool negative(double value) { return std::bit_cast<std::int64_t>(value) < 0 && !zero(value); }
+inline bool negative(double value) { return __builtin_bit_cast(std::int64_t, value) < 0 && !zero(value); }
 inline bool same(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (zero(a) && zero(b));
+  return __builtin_bit_cast(std::uint64_t, a) == __builtin_bit_cast(std::uint64_t, b) || (zero(a) && zero(b));
 }
 /// min <= max, of finite numbers.
 inline bool in_order(double min, double max) {
   const auto key = [](double x) {
-    const auto bits = std::bit_cast<std::int64_t>(x);
+    const auto bits = __builtin_bit_cast(std::int64_t, x);
     return bits < 0 ? INT64_MIN - bits : bits;
   };
   return key(min) <= key(max);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "audit/uses.h"
 #include "catalogue/codec/shape_json.h"
 
 namespace touchstone::audit {
