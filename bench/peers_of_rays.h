@@ -14,18 +14,19 @@ namespace touchstone::bench {
 /// Moeller and Trumbore's two coordinates and t, over the determinant, without a division.
 struct MoellerTrumbore {
   double determinant, u, v, t;
-  MoellerTrumbore(const Point3d& from, const Vector3d& way, const Triangle3d& triangle) {
-    const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(way, f), s = from - triangle.a,
-                   q = cross(s, e);
+  MoellerTrumbore(const Point3d& from, const Vector3d& displacement, const Triangle3d& triangle) {
+    const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(displacement, f),
+                   s = from - triangle.a, q = cross(s, e);
     const double d = dot(e, p), turn = d < 0 ? -1 : 1;
-    determinant = turn * d, u = turn * dot(s, p), v = turn * dot(way, q), t = turn * dot(f, q);
+    determinant = turn * d, u = turn * dot(s, p), v = turn * dot(displacement, q), t = turn * dot(f, q);
   }
   bool inside() const { return (determinant > 0) & (u >= 0) & (v >= 0) & (u + v <= determinant) & (t >= 0); }
 };
 
 /// The version in books: each test as soon as its number is known, and an epsilon.
-inline bool usual_moeller_trumbore(const Point3d& from, const Vector3d& way, const Triangle3d& triangle, double most) {
-  const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(way, f);
+inline bool usual_moeller_trumbore(const Point3d& from, const Vector3d& displacement, const Triangle3d& triangle,
+                                   double most) {
+  const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(displacement, f);
   const double d = dot(e, p);
   if (d > -1e-8 && d < 1e-8) return false;
   const double inverse = 1 / d;
@@ -33,7 +34,7 @@ inline bool usual_moeller_trumbore(const Point3d& from, const Vector3d& way, con
   const double u = dot(s, p) * inverse;
   if (u < 0 || u > 1) return false;
   const Vector3d q = cross(s, e);
-  const double v = dot(way, q) * inverse;
+  const double v = dot(displacement, q) * inverse;
   if (v < 0 || u + v > 1) return false;
   const double t = dot(f, q) * inverse;
   return t >= 0 && t <= most;
@@ -81,8 +82,8 @@ struct Decisions<catalogue::rows::segment_triangle> : OfDoubles {
 /// Slabs with divisions: 1/0 is infinite, and a NaN from 0/0 is ignored.
 struct SlabTest {
   double first, last;
-  void cut(double from, double way, double min, double max) {
-    const double one = (min - from) / way, other = (max - from) / way;
+  void cut(double from, double displacement, double min, double max) {
+    const double one = (min - from) / displacement, other = (max - from) / displacement;
     first = std::max(first, std::min(one, other)), last = std::min(last, std::max(one, other));
   }
   static int of(const Point3d& p, const Vector3d& v, const Aabb3d& box, double most) {

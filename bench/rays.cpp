@@ -51,7 +51,7 @@ struct Target {
 template <class Integer>
 int side_of_edge(const std::array<Integer, 12>& n) {
   using robust::kernel::multiply, robust::kernel::sign_of;
-  const auto seen = [&n](std::size_t i) {
+  const auto projected = [&n](std::size_t i) {
     return Vector3<Integer>{Integer(n[i] - n[0]), Integer(n[i + 1] - n[1]), Integer(n[i + 2] - n[2])};
   };
   const auto across = [](const Vector3<Integer>& v, const Vector3<Integer>& w) {
@@ -59,7 +59,7 @@ int side_of_edge(const std::array<Integer, 12>& n) {
                                                     multiply(v.z, w.x) - multiply(v.x, w.z),
                                                     multiply(v.x, w.y) - multiply(v.y, w.x)};
   };
-  const Vector3<Integer> d{n[3], n[4], n[5]}, v = seen(6), w = seen(9);
+  const Vector3<Integer> d{n[3], n[4], n[5]}, v = projected(6), w = projected(9);
   const auto normal = across(v, w), change = across(d, Vector3<Integer>(w - v));
   using Third = robust::kernel::Third<Integer>;
   const int side = sign_of(Third(multiply(normal.x, d.x) + multiply(normal.y, d.y) + multiply(normal.z, d.z)));
@@ -149,8 +149,9 @@ void cast_some(Target& target, DrawStream& draws) {
   const Location location = robust::point_in_polyhedron(target.mesh, origin);
   if (location == Location::boundary) return;
   for (int i = 0; i < 100; ++i) {
-    const Vector3d way = aim(draws, target.mesh) - origin;
-    if (way.x != 0 || way.y != 0 || way.z != 0) cast(target, {origin, way}, location == Location::inside);
+    const Vector3d displacement = aim(draws, target.mesh) - origin;
+    if (displacement.x != 0 || displacement.y != 0 || displacement.z != 0)
+      cast(target, {origin, displacement}, location == Location::inside);
   }
 }
 

@@ -31,9 +31,10 @@ class EmbreeRay {
     return {SegmentTriangleRelation::point, *t, {}, {}};
   }
   std::optional<bool> segment_triangle(const Segment3<float>& s, const Triangle3<float>& triangle) {
-    const auto way = exactly::difference(Vector3<float>{s.b.x, s.b.y, s.b.z}, Vector3<float>{s.a.x, s.a.y, s.a.z});
-    if (!way) return std::nullopt;
-    return first({s.a, *way}, triangle, 1).has_value();
+    const auto displacement =
+        exactly::difference(Vector3<float>{s.b.x, s.b.y, s.b.z}, Vector3<float>{s.a.x, s.a.y, s.a.z});
+    if (!displacement) return std::nullopt;
+    return first({s.a, *displacement}, triangle, 1).has_value();
   }
 
  private:

@@ -38,10 +38,10 @@ std::optional<Hit<Real>> hit(const Velocities<Real>& velocities, const Vector3<R
                           (exact(v.z) - exact(w.z)) * exact(n.z);
   if (speed == 0) return std::nullopt;
   if (speed < 0) n = Real(-1) * n;
-  const double way = static_cast<double>(n.x) * (static_cast<double>(v.x) - static_cast<double>(w.x)) +
-                     static_cast<double>(n.y) * (static_cast<double>(v.y) - static_cast<double>(w.y)) +
-                     static_cast<double>(n.z) * (static_cast<double>(v.z) - static_cast<double>(w.z));
-  return Hit<Real>{n, length, way / static_cast<double>(length)};
+  const double displacement = static_cast<double>(n.x) * (static_cast<double>(v.x) - static_cast<double>(w.x)) +
+                              static_cast<double>(n.y) * (static_cast<double>(v.y) - static_cast<double>(w.y)) +
+                              static_cast<double>(n.z) * (static_cast<double>(v.z) - static_cast<double>(w.z));
+  return Hit<Real>{n, length, displacement / static_cast<double>(length)};
 }
 
 }  // namespace touchstone::exactly

@@ -17,7 +17,7 @@ const CLI::Validator positive(
     },
     "POSITIVE");
 
-CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
+CLI::Validator integer_in_range(std::uint64_t least, std::uint64_t most) {
   const std::string rule = fmt::format("an integer from {} to {}", least, most);
   return CLI::Validator(
       [=](std::string& text) {
@@ -29,7 +29,8 @@ CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
       },
       "WHOLE");
 }
-const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, most_cases), any_jobs = whole(1, 1024);
+const CLI::Validator any_seed = integer_in_range(0, UINT64_MAX), any_cases = integer_in_range(1, most_cases),
+                     any_jobs = integer_in_range(1, 1024);
 
 const CLI::Validator a_command(
     [](std::string& text) {

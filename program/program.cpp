@@ -281,7 +281,9 @@ void add_simulate(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
   auto options = std::make_shared<SimulateCommand>();
   command->add_option("scene", options->file, "JSON file of the scene (docs/simulate.md)")->required();
-  command->add_option("--steps", options->steps, "How many")->check(whole(0, 1'000'000'000))->default_str("");
+  command->add_option("--steps", options->steps, "How many")
+      ->check(integer_in_range(0, 1'000'000'000))
+      ->default_str("");
   command->add_option("--runs", options->runs, "Any of float, double, robust, separated by commas");
   command->add_option("--trajectory", options->trajectory,
                       "Write each step into this file, CSV if named .csv, else JSON lines; - is standard output");
@@ -303,7 +305,7 @@ void add_deck(CLI::App& program, Action& action) {
   auto options = std::make_shared<DeckCommand>();
   command->add_option("--page", options->page, "Write it into this file; - is standard output")->required();
   command->add_option("--scenes", options->scenes, "Directory of the scenes that the page plays")->default_str("");
-  command->add_option("--cases", options->cases, "Questions per operation")->check(whole(1, 1'000'000));
+  command->add_option("--cases", options->cases, "Questions per operation")->check(integer_in_range(1, 1'000'000));
   command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
   command->callback([=, &action] { action = [=] { return deck_command(*options, std::cerr); }; });
 }

@@ -66,8 +66,8 @@ struct SegmentBound {
                                 x = exact_coordinates(answered);
     Rational products, foot, square;
     for (std::size_t k = 0; k < x.size(); ++k) {
-      const Rational along(end[k] - start[k]), way(from[k] - start[k]);
-      foot += way * along, products += abs(way * along), square += along * along;
+      const Rational along(end[k] - start[k]), displacement(from[k] - start[k]);
+      foot += displacement * along, products += abs(displacement * along), square += along * along;
     }
     const Rational u = unit(), t = std::clamp(Rational(foot / square), Rational(0), Rational(1));
     const Rational of_t(((5 + 11 * u) * u * products + power_of_two(-1073)) / square + 7 * u);

@@ -24,22 +24,22 @@ __extension__ typedef __int128 Int128;
 /// The definition on integers below 2^30, for clouds that the oracle would take too long for: as convex_hull_defect,
 /// which says why that is enough.
 inline bool is_hull(const std::vector<Point3d>& points, const std::vector<Face>& faces) {
-  using Whole = std::array<Int128, 3>;
+  using IntegerPoint = std::array<Int128, 3>;
   const auto minus = [&](Index a, Index b) {
     const auto part = [](double p, double q) { return static_cast<Int128>(p) - static_cast<Int128>(q); };
     const Point3d &p = points[a], &q = points[b];
-    return Whole{part(p.x, q.x), part(p.y, q.y), part(p.z, q.z)};
+    return IntegerPoint{part(p.x, q.x), part(p.y, q.y), part(p.z, q.z)};
   };
-  const auto dot = [](const Whole& v, const Whole& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; };
-  const auto cross = [](const Whole& v, const Whole& w) {
-    return Whole{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
+  const auto dot = [](const IntegerPoint& v, const IntegerPoint& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; };
+  const auto cross = [](const IntegerPoint& v, const IntegerPoint& w) {
+    return IntegerPoint{v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
   };
   std::set<std::pair<Index, Index>> edges;
-  std::map<Index, std::vector<Whole>> normals;
+  std::map<Index, std::vector<IntegerPoint>> normals;
   for (const Face& f : faces) {
     for (const auto& edge : {std::pair{f.a, f.b}, {f.b, f.c}, {f.c, f.a}})
       if (!edges.insert(edge).second) return false;
-    const Whole n = cross(minus(f.b, f.a), minus(f.c, f.a));
+    const IntegerPoint n = cross(minus(f.b, f.a), minus(f.c, f.a));
     for (const Index corner : {f.a, f.b, f.c}) normals[corner].push_back(n);
     bool below = false;
     for (Index p = 0; p < points.size(); ++p) {

@@ -37,15 +37,15 @@ std::uint64_t affordable(const Operation& operation, std::uint64_t questions) {
 void never_at(const Operation& operation, const std::string& sentence, const ComplaintAt& complaint, int usual,
               std::uint64_t size) {
   // A test's name begins with the operation, which is said of every family.
-  std::string told = sentence;
+  std::string message = sentence;
   const std::string prefix = operation.name() + ": ";
-  if (const auto at = told.find(prefix); at != std::string::npos) told.erase(at, prefix.size());
+  if (const auto at = message.find(prefix); at != std::string::npos) message.erase(at, prefix.size());
   const std::uint64_t cases = affordable(operation, static_cast<std::uint64_t>(usual) * size);
   size = std::min(size, cases);
   usual = static_cast<int>(cases / size);
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     property(
-        operation.name() + ", " + operation.families()[family] + ": " + told,
+        operation.name() + ", " + operation.families()[family] + ": " + message,
         [&] {
           const Drawn drawn = *questions(operation, family, complaint, size);
           const std::string said = complaint(drawn.question, 0);

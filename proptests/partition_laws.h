@@ -35,8 +35,9 @@ inline bool edges_match(std::size_t n, const IndexLists& pieces, bool clockwise)
 
 /// Twice the area of three vertices of a lattice ring (proptests/laws.h).
 inline Int128 lattice_turn(const Point2d& p, const Point2d& q, const Point2d& r) {
-  const auto whole = [](double n) { return static_cast<Int128>(n); };
-  return (whole(q.x) - whole(p.x)) * (whole(r.y) - whole(p.y)) - (whole(q.y) - whole(p.y)) * (whole(r.x) - whole(p.x));
+  const auto integer = [](double n) { return static_cast<Int128>(n); };
+  return (integer(q.x) - integer(p.x)) * (integer(r.y) - integer(p.y)) -
+         (integer(q.y) - integer(p.y)) * (integer(r.x) - integer(p.x));
 }
 
 /// The edges match one way round or the other; on a lattice also: every corner of a piece turns left (or is flat, if

@@ -91,19 +91,19 @@ bool slab_times_keep(const Truth& truth, const Answer& answer, const std::vector
   std::vector<Time> entries{{0, 0, axes.size()}}, exits;
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto& [from, to, min, max] = axes[k];
-    const double way = ends ? to - from : to;
-    if (!finite(min - from, max - from, way)) return true;
-    if (way == 0) {
+    const double displacement = ends ? to - from : to;
+    if (!finite(min - from, max - from, displacement)) return true;
+    if (displacement == 0) {
       if (from < min || max < from) return answer.relation == PassageRelation::none;
       continue;
     }
     const Rational exactly(ends ? Rational(exact(to) - exact(from)) : exact(to));
-    if (!finite((min - from) / way, (max - from) / way)) return true;
+    if (!finite((min - from) / displacement, (max - from) / displacement)) return true;
     const auto time = [&, from = from](double side) {
       const Rational t((exact(side) - exact(from)) / exactly);
       return Time{t, Rational(roundings * unit() * abs(t) + power_of_two(-1073)), k};
     };
-    entries.push_back(time(way > 0 ? min : max)), exits.push_back(time(way > 0 ? max : min));
+    entries.push_back(time(displacement > 0 ? min : max)), exits.push_back(time(displacement > 0 ? max : min));
   }
   if (exits.empty()) return true;  // a segment of length zero
   if (ends) exits.push_back({1, 0, axes.size() + 1});

@@ -17,7 +17,7 @@ inline const Meshd cube = cube_surface({{0, 0, 0}}), angle = cube_surface({{0, 0
                    edge_to_edge = cube_surface({{0, 0, 0}, {1, 1, 0}}),
                    corner_to_corner = cube_surface({{0, 0, 0}, {1, 1, 1}});
 inline Meshd but_the_middle(long height) {
-  std::vector<catalogue::Whole> cells;
+  std::vector<catalogue::LatticePoint> cells;
   for (long i = 0; i < 9 * height; ++i) {
     if (i != 9 * height / 2) cells.push_back({i % 3, i / 3 % 3, i / 9});
   }

@@ -21,6 +21,13 @@ SUFFIXES = {".h", ".cpp", ".py", ".js", ".mjs", ".cmake", ".md"}
 # Replaced identifiers, as patterns of the whole identifier, and their replacements.
 REPLACED = {
     r"Card": "Metadata",
+    r"Whole[A-Z]\w+": "Integer (IntegerVector)",
+    r"whole_(?:vector|points?|segment|list|bodies|normal|step|bits|root)(?!\.)|\w+_whole_(?:length|range)": "integer, full",
+    r"WayCount|WayOfOperation|most_ways|by_way|ways_of_cell": "outcome (OutcomeCount)",
+    r"\w*(?:squared|shortest|draw|zero)_way\w*": "displacement, distance",
+    r"told_\w+|\w+_told_?": "reported, shown",
+    r"SeenPolygon|seen_along": "projected (ProjectedPolygon)",
+    r"(?:Quotient)?BesideTie|beside_tie|quotient_beside_tie": "near (NearTie, near_tie)",
     r"Tape": "EncodedValue",
     r"Choices": "DrawStream",
     r"doubtful": "inconclusive",

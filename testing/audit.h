@@ -89,10 +89,11 @@ audit::Tally audit(E& engine, const AuditOptions& options = {}) {
 
 /// Describes failures, as in "rounding in 12 of 300 cases: the truth is on, it says left", with the best example and
 /// the command that repeats it.
-inline std::string in_words(const Operation& operation, const audit::Cell& cell, const audit::Way& way,
-                            const audit::WayCount& count) {
-  std::string text = std::string(name_of(way.verdict)) + " in " + std::to_string(audit::both(count.cases)) + " of " +
-                     std::to_string(cell.cases()) + " cases: truth " + way.truth + ", answer " + way.answer + '\n';
+inline std::string in_words(const Operation& operation, const audit::Cell& cell, const audit::JudgedOutcome& outcome,
+                            const audit::OutcomeCount& count) {
+  std::string text = std::string(name_of(outcome.verdict)) + " in " + std::to_string(audit::both(count.cases)) +
+                     " of " + std::to_string(cell.cases()) + " cases: truth " + outcome.truth + ", answer " +
+                     outcome.answer + '\n';
   if (!count.example) return text;
   const audit::Finding& finding = *count.example;
   if (!finding.judgement.remark.empty()) text += "  " + finding.judgement.remark + '\n';
@@ -108,9 +109,9 @@ inline std::string findings(const audit::Tally& tally) {
   for (const audit::OperationTally& operation : tally.operations) {
     const Operation& asked = *catalogue::find_operation(operation.operation);
     for (const auto& [family, cell] : operation.families) {
-      for (const auto& [way, count] : cell.ways) {
-        if (catalogue::is_finding(way.verdict))
-          text += operation.operation + ", " + family + ": " + in_words(asked, cell, way, count);
+      for (const auto& [outcome, count] : cell.outcomes) {
+        if (catalogue::is_finding(outcome.verdict))
+          text += operation.operation + ", " + family + ": " + in_words(asked, cell, outcome, count);
       }
     }
     if (operation.too_much_surplus(tally.max_surplus))

@@ -37,7 +37,7 @@ const Declaration& reference_declaration() {
   return declaration;
 }
 
-Way way_of(const Judgement& judgement, const std::string& truth) {
+JudgedOutcome judged_outcome(const Judgement& judgement, const std::string& truth) {
   const Verdict verdict = judgement.verdict;
   return {verdict, truth,
           verdict == Verdict::invalid       ? no_valid_answer
@@ -49,10 +49,11 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   const Verdict verdict = judgement.verdict;
   const Range range = range_of(asked.question, asked.limits);
   const auto r = static_cast<std::size_t>(range);
-  const Way way = way_of(judgement, asked.truth);
-  const std::string in_words = asked.operation.name() + "/" + name_of(verdict) + "/" + way.truth + "/" + way.answer;
+  const JudgedOutcome outcome = judged_outcome(judgement, asked.truth);
+  const std::string in_words =
+      asked.operation.name() + "/" + name_of(verdict) + "/" + outcome.truth + "/" + outcome.answer;
   cell.hash += seed_of(asked.index, in_words.c_str(), 0);
-  WayCount& counted = cell.ways[way];
+  OutcomeCount& counted = cell.outcomes[outcome];
   ++counted.cases[r];
   if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
   // A decision that rounding may have made, or that is missing, reveals nothing about the convention.

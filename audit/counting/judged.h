@@ -35,7 +35,7 @@ struct Asked {
 void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer = nullptr);
 
 /// The outcome of a judged case.
-Way way_of(const Judgement& judgement, const std::string& truth);
+JudgedOutcome judged_outcome(const Judgement& judgement, const std::string& truth);
 
 /// The declaration of our reference in double, as if it were a foreign engine.
 const Declaration& reference_declaration();

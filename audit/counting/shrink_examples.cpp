@@ -31,8 +31,8 @@ std::uint64_t numbers_in(const Question& question) { return 1 + question.numbers
 /// One example, and the draw streams around it.
 class Shrinker {
  public:
-  Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way, Finding& example)
-      : shrinking_(shrinking), family_(family), way_(way), example_(example) {}
+  Shrinker(const Shrinking& shrinking, std::size_t family, const JudgedOutcome& outcome, Finding& example)
+      : shrinking_(shrinking), family_(family), outcome_(outcome), example_(example) {}
 
   const Finding& example() const { return example_; }
   bool ended() const { return ended_; }
@@ -57,7 +57,7 @@ class Shrinker {
     DrawStream draws = case_draws(shrinking_.operation, family_, shrinking_.seed, example_.index, true);
     shrinking_.operation.draw(draws, family_);
     draws_ = draws.recorded();
-    const bool slow = way_.verdict == Verdict::invalid && shrinking_.engine != nullptr;
+    const bool slow = outcome_.verdict == Verdict::invalid && shrinking_.engine != nullptr;
     most_solves_ = slow ? 20 : shrinking_.engine != nullptr ? 300 : 2000;
     if (std::optional<Finding> drawn = look(draws_)) example_ = *std::move(drawn);
   }
@@ -103,7 +103,7 @@ class Shrinker {
         found.judgement = judged(reply, *examination, engine->declaration());
         found.answer = kept(reply.answer);
       }
-      if (way_of(found.judgement, examination->outcome()) != way_) return std::nullopt;
+      if (judged_outcome(found.judgement, examination->outcome()) != outcome_) return std::nullopt;
       found.examined = std::make_shared<Once<std::unique_ptr<const Examination>>>(std::move(examination));
     } catch (const InvalidInput&) {
       return std::nullopt;
@@ -115,7 +115,7 @@ class Shrinker {
 
   const Shrinking& shrinking_;
   std::size_t family_;
-  const Way& way_;
+  const JudgedOutcome& outcome_;
   Finding& example_;
   std::vector<std::uint8_t> draws_{};
   std::set<std::vector<std::uint8_t>> refused_{};  ///< not asked again when shrinking continues
@@ -132,13 +132,13 @@ struct Waves {
 };
 
 Waves waves_of(const Shrinking& shrinking, const std::vector<std::size_t>& families, OperationTally& tally) {
-  std::map<Way, std::vector<Shrinker>> by_way;
+  std::map<JudgedOutcome, std::vector<Shrinker>> by_outcome;
   for (std::size_t f = 0; f < families.size(); ++f) {
-    for (auto& [way, counted] : tally.families[f].second.ways)
-      if (counted.example) by_way[way].emplace_back(shrinking, families[f], way, *counted.example);
+    for (auto& [outcome, counted] : tally.families[f].second.outcomes)
+      if (counted.example) by_outcome[outcome].emplace_back(shrinking, families[f], outcome, *counted.example);
   }
   Waves waves;
-  for (auto& [way, examples] : by_way) {
+  for (auto& [outcome, examples] : by_outcome) {
     // Sorts indices, because a shrinker refers to its example and must not move.
     std::vector<std::size_t> order(examples.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

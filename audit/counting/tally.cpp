@@ -158,7 +158,7 @@ bool shown_before(const Finding& a, const Finding& b) {
   return !smaller(b.question, a.question) && a.index < b.index;
 }
 
-void WayCount::merge(const WayCount& other) {
+void OutcomeCount::merge(const OutcomeCount& other) {
   for (std::size_t range = 0; range < range_count; ++range) {
     cases[range] += other.cases[range];
     out_of_range[range] += other.out_of_range[range];
@@ -168,13 +168,13 @@ void WayCount::merge(const WayCount& other) {
 
 ByRange Cell::by_range() const {
   ByRange sum{};
-  for (const auto& [way, counted] : ways) sum[0] += counted.cases[0], sum[1] += counted.cases[1];
+  for (const auto& [outcome, counted] : outcomes) sum[0] += counted.cases[0], sum[1] += counted.cases[1];
   return sum;
 }
 ByRange Cell::by_range(Verdict verdict) const {
   ByRange sum{};
-  for (const auto& [way, counted] : ways) {
-    if (way.verdict == verdict) sum[0] += counted.cases[0], sum[1] += counted.cases[1];
+  for (const auto& [outcome, counted] : outcomes) {
+    if (outcome.verdict == verdict) sum[0] += counted.cases[0], sum[1] += counted.cases[1];
   }
   return sum;
 }
@@ -188,7 +188,8 @@ std::uint64_t Cell::count(Verdict verdict, Range range) const {
 
 std::array<std::uint64_t, verdict_count> Cell::counts() const {
   std::array<std::uint64_t, verdict_count> sums{};
-  for (const auto& [way, counted] : ways) sums[static_cast<std::size_t>(way.verdict)] += both(counted.cases);
+  for (const auto& [outcome, counted] : outcomes)
+    sums[static_cast<std::size_t>(outcome.verdict)] += both(counted.cases);
   return sums;
 }
 
@@ -200,15 +201,15 @@ std::uint64_t Cell::wrong() const { return findings() - count(Verdict::inexact);
 
 std::uint64_t Cell::findings(Range range) const {
   std::uint64_t sum = 0;
-  for (const auto& [way, counted] : ways)
-    sum += is_finding(way.verdict) ? counted.cases[static_cast<std::size_t>(range)] : 0;
+  for (const auto& [outcome, counted] : outcomes)
+    sum += is_finding(outcome.verdict) ? counted.cases[static_cast<std::size_t>(range)] : 0;
   return sum;
 }
 std::uint64_t Cell::findings() const { return findings(Range::ordinary) + findings(Range::extreme); }
 
 ByRange Cell::out_of_range() const {
   ByRange sum{};
-  for (const auto& [way, counted] : ways) sum[0] += counted.out_of_range[0], sum[1] += counted.out_of_range[1];
+  for (const auto& [outcome, counted] : outcomes) sum[0] += counted.out_of_range[0], sum[1] += counted.out_of_range[1];
   return sum;
 }
 ByRange Cell::cancellation() const {
@@ -218,14 +219,14 @@ ByRange Cell::cancellation() const {
 
 std::map<std::string, std::uint64_t> Cell::truths() const {
   std::map<std::string, std::uint64_t> sums;
-  for (const auto& [way, counted] : ways) sums[way.truth] += both(counted.cases);
+  for (const auto& [outcome, counted] : outcomes) sums[outcome.truth] += both(counted.cases);
   return sums;
 }
 
 std::map<std::pair<std::string, std::string>, ByRange> Cell::confusion() const {
   std::map<std::pair<std::string, std::string>, ByRange> sums;
-  for (const auto& [way, counted] : ways) {
-    ByRange& sum = sums[{way.truth, way.answer}];
+  for (const auto& [outcome, counted] : outcomes) {
+    ByRange& sum = sums[{outcome.truth, outcome.answer}];
     sum[0] += counted.cases[0], sum[1] += counted.cases[1];
   }
   return sums;
@@ -233,8 +234,8 @@ std::map<std::pair<std::string, std::string>, ByRange> Cell::confusion() const {
 
 const Finding* Cell::example(Verdict verdict) const {
   const Finding* best = nullptr;
-  for (const auto& [way, counted] : ways) {
-    if (way.verdict != verdict || !counted.example) continue;
+  for (const auto& [outcome, counted] : outcomes) {
+    if (outcome.verdict != verdict || !counted.example) continue;
     if (best == nullptr || shown_before(*counted.example, *best)) best = &*counted.example;
   }
   return best;
@@ -248,7 +249,7 @@ bool Cell::nothing_right() const {
 Cell Cell::of(const std::array<std::uint64_t, verdict_count>& counts) {
   Cell cell;
   for (std::size_t v = 0; v < verdict_count; ++v) {
-    if (counts[v] > 0) cell.ways[{static_cast<Verdict>(v), "value", "value"}].cases[0] = counts[v];
+    if (counts[v] > 0) cell.outcomes[{static_cast<Verdict>(v), "value", "value"}].cases[0] = counts[v];
   }
   return cell;
 }
@@ -259,7 +260,7 @@ void Cell::refuse(const std::string& rule) {
 }
 
 void Cell::merge(const Cell& other) {
-  for (const auto& [way, counted] : other.ways) ways[way].merge(counted);
+  for (const auto& [outcome, counted] : other.outcomes) outcomes[outcome].merge(counted);
   worst_ulps = std::max(worst_ulps, other.worst_ulps);
   touches_closed += other.touches_closed;
   touches_open += other.touches_open;

@@ -64,27 +64,27 @@ inline constexpr const char *no_valid_answer = "no valid answer", *no_answer = "
 /// An outcome: the verdict, the truth and the answer, both in enumerators of the operation ("boundary", "convex/ccw").
 /// A truth without any is "value", and "refused" if robust and oracle refuse differently. An answer may also be
 /// "value", "true" or "false", "no valid answer" if the verdict is `invalid`, "no answer" if it is `unsupported`.
-struct Way {
+struct JudgedOutcome {
   Verdict verdict = Verdict::agree;
   std::string truth, answer;
-  auto operator<=>(const Way&) const = default;
+  auto operator<=>(const JudgedOutcome&) const = default;
 };
 
 /// A number of cases for each Range.
 using ByRange = std::array<std::uint64_t, range_count>;
 inline std::uint64_t both(const ByRange& counts) { return counts[0] + counts[1]; }
 
-struct WayCount {
+struct OutcomeCount {
   ByRange cases{};
   ByRange out_of_range{};          ///< for `rounding`: by overflow or underflow; the rest is by cancellation
   std::optional<Finding> example;  ///< the best, by shown_before; none for `agree` and `unsupported`
 
-  void merge(const WayCount& other);
+  void merge(const OutcomeCount& other);
 };
 
 /// One operation and family, or for recorded calls: operation and call site.
 struct Cell {
-  std::map<Way, WayCount> ways;
+  std::map<JudgedOutcome, OutcomeCount> outcomes;
   double worst_ulps = 0;                               ///< over the answers whose decisions are all right
   std::uint64_t touches_closed = 0, touches_open = 0;  ///< clear touches answered as closed sets do, as open ones
   std::uint64_t surplus = 0;                           ///< clear touches answered as by closed sets, as by open ones

@@ -54,12 +54,13 @@ Json by_range_json(const ByRange& counts) {
   return result;
 }
 
-Json way_json(const Operation* operation, const Way& way, const WayCount& counted, const Whose& whose) {
-  Json result = {{"verdict", name_of(way.verdict)},
-                 {"truth", way.truth},
-                 {"answer", way.answer},
+Json outcome_json(const Operation* operation, const JudgedOutcome& outcome, const OutcomeCount& counted,
+                  const Whose& whose) {
+  Json result = {{"verdict", name_of(outcome.verdict)},
+                 {"truth", outcome.truth},
+                 {"answer", outcome.answer},
                  {"cases", by_range_json(counted.cases)}};
-  if (way.verdict == Verdict::rounding) result["out_of_range"] = by_range_json(counted.out_of_range);
+  if (outcome.verdict == Verdict::rounding) result["out_of_range"] = by_range_json(counted.out_of_range);
   if (counted.example && operation) result["example"] = finding_json(*operation, *counted.example, whose);
   return result;
 }
@@ -95,14 +96,15 @@ Recorded read_recorded(const Place& place) {
 
 Json cell_json(const Operation* operation, const std::string& family, const Cell& cell, const Whose& whose) {
   Json counts = Json::object(), outcomes = Json::object(), smallest = Json::object(), rules = Json::object();
-  Json ways = Json::array();
+  Json entries = Json::array();
   const auto by_verdict = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     counts[verdict_names[v]] = by_verdict[v];
     const Finding* example = cell.example(static_cast<Verdict>(v));
     if (example != nullptr && operation) smallest[verdict_names[v]] = finding_json(*operation, *example, whose);
   }
-  for (const auto& [way, counted] : cell.ways) ways.push_back(way_json(operation, way, counted, whose));
+  for (const auto& [outcome, counted] : cell.outcomes)
+    entries.push_back(outcome_json(operation, outcome, counted, whose));
   for (const auto& [truth, n] : cell.truths()) outcomes[truth] = n;
   for (const auto& [rule, n] : cell.rules) rules[rule] = n;
   Json result = {{"family", family},
@@ -111,7 +113,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
                  {"cancellation", both(cell.cancellation())},
                  {"out_of_range", both(cell.out_of_range())},
                  {"ordinary", ordinary_json(cell)},
-                 {"ways", ways},
+                 {"ways", entries},
                  {"outcomes", outcomes},
                  {"touches", {{"closed", cell.touches_closed}, {"open", cell.touches_open}}},
                  {"refused", cell.refused},
@@ -151,11 +153,11 @@ const std::vector<std::string>& range_words() {
   return words;
 }
 
-Finding read_finding(const Operation& operation, const Way& way, const Place& place) {
+Finding read_finding(const Operation& operation, const JudgedOutcome& outcome, const Place& place) {
   Finding finding;
   finding.question = operation.parse(place.at("input").value);
-  finding.judgement.verdict = way.verdict;
-  finding.judgement.said = way.verdict == Verdict::invalid ? "" : way.answer;
+  finding.judgement.verdict = outcome.verdict;
+  finding.judgement.said = outcome.verdict == Verdict::invalid ? "" : outcome.answer;
   finding.judgement.ulps = place.at("ulps").number();
   finding.judgement.remark = place.at("remark").text();
   if (place.value.contains("number")) {
@@ -169,7 +171,7 @@ Finding read_finding(const Operation& operation, const Way& way, const Place& pl
   finding.range = static_cast<Range>(place.at("range").one_of(range_words()));
   finding.features = place.at("features").count();
   static const std::vector<std::string> kinds{"cancellation", "out_of_range"};
-  if (way.verdict == Verdict::rounding) finding.judgement.out_of_range = place.at("cause").one_of(kinds) == 1;
+  if (outcome.verdict == Verdict::rounding) finding.judgement.out_of_range = place.at("cause").one_of(kinds) == 1;
   return finding;
 }
 
@@ -193,25 +195,25 @@ std::string outcome_text(const Operation& operation, const std::vector<std::stri
   return text;
 }
 
-void read_way(const Operation& operation, Cell& cell, const Place& place) {
-  Way way;
-  way.verdict = static_cast<Verdict>(place.at("verdict").one_of(verdict_words()));
-  way.truth = outcome_text(operation, {"value", "refused"}, place.at("truth"));
-  way.answer = outcome_text(operation, {"value", "true", "false", no_valid_answer, no_answer}, place.at("answer"));
-  WayCount counted;
+void read_outcome(const Operation& operation, Cell& cell, const Place& place) {
+  JudgedOutcome outcome;
+  outcome.verdict = static_cast<Verdict>(place.at("verdict").one_of(verdict_words()));
+  outcome.truth = outcome_text(operation, {"value", "refused"}, place.at("truth"));
+  outcome.answer = outcome_text(operation, {"value", "true", "false", no_valid_answer, no_answer}, place.at("answer"));
+  OutcomeCount counted;
   counted.cases = read_by_range(place.at("cases"));
-  if (way.verdict == Verdict::rounding) counted.out_of_range = read_by_range(place.at("out_of_range"));
+  if (outcome.verdict == Verdict::rounding) counted.out_of_range = read_by_range(place.at("out_of_range"));
   for (std::size_t range = 0; range < range_count; ++range) {
     if (counted.out_of_range[range] > counted.cases[range])
       throw InvalidInput(place.at("out_of_range").path, "no more than cases");
   }
-  if (place.value.contains("example")) counted.example = read_finding(operation, way, place.at("example"));
-  if (!cell.ways.emplace(way, counted).second) throw InvalidInput(place.path, "duplicate outcome");
+  if (place.value.contains("example")) counted.example = read_finding(operation, outcome, place.at("example"));
+  if (!cell.outcomes.emplace(outcome, counted).second) throw InvalidInput(place.path, "duplicate outcome");
 }
 
 std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& place) {
   Cell cell;
-  place.at("ways").each([&](const Place& way) { read_way(operation, cell, way); });
+  place.at("ways").each([&](const Place& outcome) { read_outcome(operation, cell, outcome); });
   place.at("counts").each_member([&](const std::string& key, const Place& n) {
     const auto verdict = static_cast<Verdict>(Place{key, n.path}.one_of(verdict_words()));
     if (n.count() != cell.count(verdict)) throw InvalidInput(n.path, "sum of the outcomes");

@@ -24,7 +24,7 @@
 ///                                "range":"ordinary", "features":0, "repeat":"echo ... | touchstone ask ..."}}}]}],
 ///    "robust":[...the same...]}
 ///
-/// `ways` counts everything (audit/counting/tally.h: Way, WayCount); the other counts by verdict or truth are its sums,
+/// `ways` counts everything (JudgedOutcome, OutcomeCount); the other counts by verdict or truth are its sums,
 /// and `smallest` is the best of its examples for each verdict. `truth` is exact and null if the question is refused;
 /// `cause` is the verdict, or for `rounding` its kind. If the verdict is about a number, `number` is {"exact":0,
 /// "answered":-1.92}, the exact one as the nearest of the engine's type. `touch`: how a touch was answered, 1 as closed

@@ -50,11 +50,12 @@ std::uint64_t EngineNotes::stray_lines() const {
 
 void EngineNotes::tell(std::ostream& err, bool all) const {
   const std::lock_guard lock(mutex_);
-  const std::size_t told = all ? remarks_.size() : std::min<std::size_t>(remarks_.size(), 1);
+  const std::size_t shown = all ? remarks_.size() : std::min<std::size_t>(remarks_.size(), 1);
   const std::string more =
-      told < remarks_.size() ? "; --verbose tells " + std::to_string(remarks_.size() - told) + " more" : "";
+      shown < remarks_.size() ? "; --verbose tells " + std::to_string(remarks_.size() - shown) + " more" : "";
   auto remark = remarks_.begin();
-  for (std::size_t i = 0; i < told; ++i, ++remark) err << "touchstone: engine: first line: " << *remark << more << '\n';
+  for (std::size_t i = 0; i < shown; ++i, ++remark)
+    err << "touchstone: engine: first line: " << *remark << more << '\n';
   if (restarts_ > 0)
     err << "touchstone: engine: restarted " << times(restarts_) << ", the last time for: " << last_defect_ << '\n';
   if (stray_lines_ > 0) {

@@ -52,10 +52,10 @@ const Finding* example_of(const Tally& tally, const Found& found) {
     if (operation.operation != found.operation) continue;
     for (const auto& [family, cell] : operation.families) {
       if (family != found.family) continue;
-      for (const auto& [way, counted] : cell.ways) {
+      for (const auto& [outcome, counted] : cell.outcomes) {
         const bool of_rounding = found.cause == Cause::cancellation || found.cause == Cause::out_of_range;
         const std::string verdict = of_rounding ? "rounding" : name_of(found.cause);
-        if (name_of(way.verdict) != verdict || !counted.example) continue;
+        if (name_of(outcome.verdict) != verdict || !counted.example) continue;
         if (best == nullptr || before(*counted.example, *best)) best = &*counted.example;
       }
     }

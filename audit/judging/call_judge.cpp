@@ -86,14 +86,14 @@ void CallJudge::vouch(Site& site, const RecordedCall& call, const std::string& t
   const auto same = [&](const Vouched& known) { return known.truth == truth && known.said == said; };
   auto found = std::find_if(site.answers.begin(), site.answers.end(), same);
   if (found == site.answers.end()) {
-    const std::string way = call.operation->name() + "/" + name_of(Verdict::agree) + "/" + truth + "/" + said;
-    found = site.answers.insert(found, Vouched{truth, said, way});
+    const std::string outcome = call.operation->name() + "/" + name_of(Verdict::agree) + "/" + truth + "/" + said;
+    found = site.answers.insert(found, Vouched{truth, said, outcome});
   }
   const Range range = range_of(call.question, limits_);
   ++found->cases[static_cast<std::size_t>(range)];
   if (range == Range::ordinary && !has_direction_on_axis(*call.operation, call.question))
     for (Cell* const cell : {&site.counted.answers, &site.counted.robust}) ++cell->right_off_axis;
-  found->hash += seed_of(call.ordinal, found->way.c_str(), 0);
+  found->hash += seed_of(call.ordinal, found->outcome.c_str(), 0);
 }
 
 std::string CallJudge::examine(Site& site, const RecordedCall& call) {
@@ -156,7 +156,8 @@ std::map<std::pair<const Operation*, std::size_t>, CallJudge::Counted> CallJudge
     for (const Vouched& vouched : site.answers) {
       for (Cell* const cell : {&site.counted.answers, &site.counted.robust}) {
         const bool of_robust = cell == &site.counted.robust;
-        WayCount& counted = cell->ways[{Verdict::agree, vouched.truth, of_robust ? vouched.truth : vouched.said}];
+        OutcomeCount& counted =
+            cell->outcomes[{Verdict::agree, vouched.truth, of_robust ? vouched.truth : vouched.said}];
         for (std::size_t r = 0; r < range_count; ++r) counted.cases[r] += vouched.cases[r];
         cell->hash += vouched.hash;
       }

@@ -54,7 +54,7 @@ class CallJudge {
   /// Right answers of one kind that were vouched for.
   struct Vouched {
     std::string truth, said;
-    std::string way;  ///< as count() writes it
+    std::string outcome;  ///< as count() writes it
     ByRange cases{};
     std::uint64_t hash = 0;
   };

@@ -38,9 +38,9 @@ struct Ring {
   int sign;
 
   Ring(const std::vector<Point3d>& vertices, const Corners& corners) {
-    const Projection seen = projection_of(vertices, corners);
-    for (const Index c : corners) points.push_back({vertices[c].*seen.u, vertices[c].*seen.v});
-    sign = seen.sign;
+    const Projection projected = projection_of(vertices, corners);
+    for (const Index c : corners) points.push_back({vertices[c].*projected.u, vertices[c].*projected.v});
+    sign = projected.sign;
   }
   int turn(std::size_t i, std::size_t j, std::size_t k) const {
     return sign * robust::kernel::sign_of_turn(points[i], points[j], points[k]);
@@ -51,12 +51,12 @@ struct Ring {
 }  // namespace
 
 std::optional<std::vector<Face>> cut_as_projected(const std::vector<Point3d>& vertices, const Corners& corners) {
-  const Projection seen = projection_of(vertices, corners);
+  const Projection projected = projection_of(vertices, corners);
   Corners distinct = corners, local;
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   std::vector<Point3d> flat;
-  for (const Index v : distinct) flat.push_back(vertices[v]), flat.back().*seen.along = 0;
+  for (const Index v : distinct) flat.push_back(vertices[v]), flat.back().*projected.along = 0;
   for (const Index v : corners)
     local.push_back(static_cast<Index>(std::lower_bound(distinct.begin(), distinct.end(), v) - distinct.begin()));
   auto cut = robust::kernel::cut_polygon(flat, local);

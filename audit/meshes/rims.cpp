@@ -19,8 +19,8 @@ bool collinear(const Point3d& p, const Point3d& q, const Point3d& r) {
   const robust::kernel::ControlWord ieee;
   for (std::size_t k = 0; k < 3; ++k) {
     const Axis u = axes[k], v = axes[(k + 1) % 3];
-    const auto seen = [&](const Point3d& point) { return Point2d{point.*u, point.*v}; };
-    if (robust::kernel::sign_of_turn(seen(p), seen(q), seen(r)) != 0) return false;
+    const auto projected = [&](const Point3d& point) { return Point2d{point.*u, point.*v}; };
+    if (robust::kernel::sign_of_turn(projected(p), projected(q), projected(r)) != 0) return false;
   }
   return true;
 }

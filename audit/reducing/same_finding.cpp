@@ -146,9 +146,9 @@ std::optional<SameFinding::Target> SameFinding::examined(const Question& questio
   const Judgement judgement = respondent_.judgement(reply, *examination);
   if (!is_shown(judgement)) return std::nullopt;
   const bool invalid = judgement.verdict == Verdict::invalid;
-  const Way way = way_of(judgement, examination->outcome());
+  const JudgedOutcome outcome = judged_outcome(judgement, examination->outcome());
   return Target{cause_of(judgement), invalid ? reason_of(judgement.remark) : "", false,
-                invalid ? "" : difference(way.truth, way.answer)};
+                invalid ? "" : difference(outcome.truth, outcome.answer)};
 }
 
 std::string SameFinding::begin(const Question& question) {

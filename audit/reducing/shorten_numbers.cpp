@@ -51,16 +51,16 @@ std::vector<double> shorter_than(double number, const std::vector<double>& other
 }
 
 /// Every number at first <= i < last rounded by one of these methods, the coarsest first.
-constexpr int ways_to_round = 20;
-std::optional<Question> rounded(const Question& question, std::size_t first, std::size_t last, int way) {
+constexpr int roundings = 20;
+std::optional<Question> rounded(const Question& question, std::size_t first, std::size_t last, int rounding) {
   Question result = question;
   for (std::size_t i = first; i < last; ++i) {
     double& number = result.numbers[i];
     if (!std::isfinite(number)) continue;
-    number = way == 0   ? 0
-             : way == 1 ? std::nearbyint(number)
-             : way < 12 ? to_digits(number, way - 1)
-                        : to_bits(number, 3 * (way - 11));
+    number = rounding == 0   ? 0
+             : rounding == 1 ? std::nearbyint(number)
+             : rounding < 12 ? to_digits(number, rounding - 1)
+                             : to_bits(number, 3 * (rounding - 11));
     number += 0.0;
   }
   return result;
@@ -72,10 +72,10 @@ bool shorten_together(Search& search) {
   const std::size_t count = search.best().numbers.size();
   for (std::size_t run = count; run > 1 && !search.over(); run = (run + 1) / 2) {
     for (std::size_t at = 0; at < count; at += run) {
-      const auto candidate = [&](std::size_t way) {
-        return rounded(search.best(), at, std::min(at + run, count), static_cast<int>(way));
+      const auto candidate = [&](std::size_t rounding) {
+        return rounded(search.best(), at, std::min(at + run, count), static_cast<int>(rounding));
       };
-      better = search.first(ways_to_round, candidate).has_value() || better;
+      better = search.first(roundings, candidate).has_value() || better;
     }
     if (run == 2) break;
   }

@@ -39,9 +39,10 @@ inline std::vector<Point3d> outline(const Meshd& mesh, const Vector3d&) {
 }
 /// Four points of the ball's great circle perpendicular to the displacement.
 inline std::vector<Point3d> outline(const Sphere3d& s, const Vector3d& v) {
-  const Vector3d way = unit_of(v);
-  const bool along_x = std::fabs(way.x) > 0.5;
-  const Vector3d one = unit_of(cross(way, along_x ? Vector3d{0, 1, 0} : Vector3d{1, 0, 0})), other = cross(way, one);
+  const Vector3d displacement = unit_of(v);
+  const bool along_x = std::fabs(displacement.x) > 0.5;
+  const Vector3d one = unit_of(cross(displacement, along_x ? Vector3d{0, 1, 0} : Vector3d{1, 0, 0})),
+                 other = cross(displacement, one);
   return {s.center + s.radius * one, s.center + -s.radius * one, s.center + s.radius * other,
           s.center + -s.radius * other};
 }
@@ -67,10 +68,10 @@ inline void draw_arrow(Drawing& drawing, const std::string& label, const Point3d
                        bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::arrow, label, coordinates_of({from, from + v}), {}, answer});
 }
-inline void draw_way(Drawing& drawing, const Point2d& from, const Point2d& to) {
+inline void draw_displacement(Drawing& drawing, const Point2d& from, const Point2d& to) {
   drawing.figures.push_back({Figure::Kind::segment, "", {from.x, from.y, to.x, to.y}, false});
 }
-inline void draw_way(Drawing& drawing, const Point3d& from, const Point3d& to) {
+inline void draw_displacement(Drawing& drawing, const Point3d& from, const Point3d& to) {
   drawing.space.push_back({SpaceFigure::Kind::segment, "", coordinates_of({from, to}), {}, false});
 }
 
@@ -95,7 +96,7 @@ void draw_sweep(Drawing& drawing, const std::string& name, const Solid& solid, c
   draw_arrow(drawing, "velocity of " + name, middle_of(solid), velocity, false);
   const std::vector<std::string> notes = drawing.notes;
   draw(drawing, "", moved(solid, velocity), false);
-  for (const auto& p : outline(solid, velocity)) draw_way(drawing, p, p + velocity);
+  for (const auto& p : outline(solid, velocity)) draw_displacement(drawing, p, p + velocity);
   if (t && std::isfinite(*t)) draw(drawing, name + " at first contact", moved(solid, *t * velocity), true);
   drawing.notes = notes;
 }

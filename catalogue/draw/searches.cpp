@@ -144,7 +144,7 @@ std::set<Index> partners_of(Index body, const std::vector<IndexPair>& pairs) {
   return partners;
 }
 
-Index told_of(const std::vector<IndexPair>& pairs, Index other) { return pairs.empty() ? other : pairs[0].i; }
+Index first_of_pairs(const std::vector<IndexPair>& pairs, Index other) { return pairs.empty() ? other : pairs[0].i; }
 
 std::set<Index> replied(const QueryReply& reply, Index searched) {
   if (const auto* pairs = std::get_if<PairsReply>(&reply)) return partners_of(searched, pairs->pairs);

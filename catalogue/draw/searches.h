@@ -74,7 +74,7 @@ void seen_from_above(Drawing& drawing);
 /// The bodies that are in a pair with this one.
 std::set<Index> partners_of(Index body, const std::vector<IndexPair>& pairs);
 /// The first body of the first pair, or else `other`.
-Index told_of(const std::vector<IndexPair>& pairs, Index other);
+Index first_of_pairs(const std::vector<IndexPair>& pairs, Index other);
 /// The bodies of a reply; to `pairs`, those that meet `searched`.
 std::set<Index> replied(const QueryReply& reply, Index searched);
 
@@ -108,7 +108,7 @@ void draw_in_structure(Drawing& drawing, const StructureWords& words,
   } else if (const auto* along = std::get_if<AlongRayd>(&query)) {
     show(reference::RayQuery<double>{along->ray}, sought_by(query));
   } else {
-    if (const auto* pairs = std::get_if<PairsReply>(&reply)) one = told_of(pairs->pairs, one);
+    if (const auto* pairs = std::get_if<PairsReply>(&reply)) one = first_of_pairs(pairs->pairs, one);
     SearchesForPairs both{bodies.size()};
     Aabb3d box{};
     for (const auto& body : bodies) {
@@ -134,7 +134,7 @@ void draw_in_balls(Drawing& drawing, const StructureWords& words, const std::vec
   std::vector<std::pair<Index, Solid>> in_order;
   for (Index i = 0; i < solids.size(); ++i) in_order.emplace_back(i, solids[i]);
   const reference::SphereHierarchy<double, Solid> hierarchy(in_order);
-  const Index one = told_of(truth, 0);
+  const Index one = first_of_pairs(truth, 0);
   SearchesForPairs pairs{solids.size()};
   for (const Solid& solid : solids) pairs.comparisons += comparisons_of(hierarchy, reference::ball_around(solid));
   const Sphere3d ball = reference::ball_around(solids[one]);

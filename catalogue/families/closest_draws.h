@@ -16,21 +16,21 @@ inline Point2d without_z(const Point3d& p) { return {p.x, p.y}; }
 struct LatticeLine {
   bool in_plane;
   Point3d origin;
-  Vector3d way, across;
+  Vector3d displacement, across;
 
   static LatticeLine of(DrawStream& draws) {
     const bool in_plane = draws.coin();
     Point3d origin = lattice_point_in_space(draws, 16);
-    Vector3d way = lattice_normal(draws, 10), across = lattice_across(draws, way);
+    Vector3d displacement = lattice_normal(draws, 10), across = lattice_across(draws, displacement);
     if (in_plane) {
-      origin.z = way.z = 0;
-      if (way.x == 0 && way.y == 0) way.y = 1;
+      origin.z = displacement.z = 0;
+      if (displacement.x == 0 && displacement.y == 0) displacement.y = 1;
       const double k = small_integer(draws);
-      across = {-k * way.y, k * way.x, 0};
+      across = {-k * displacement.y, k * displacement.x, 0};
     }
-    return {in_plane, origin, way, across};
+    return {in_plane, origin, displacement, across};
   }
-  Point3d at(double i) const { return along(origin, i, way); }
+  Point3d at(double i) const { return along(origin, i, displacement); }
   Segment3d between(double i, double j) const { return {at(i), at(j)}; }
 };
 
@@ -55,12 +55,12 @@ inline HalfwayStep halfway_step(DrawStream& draws) {
 }
 
 /// -2^k, 0, 2^k ... : the greatest binades, where differences overflow, beside small numbers.
-inline double of_whole_range(DrawStream& draws) {
+inline double of_full_range(DrawStream& draws) {
   const double n = small_integer(draws, 1);
   return std::ldexp(n, draws.coin() ? 1023 : integer_in(draws, -1, 1));
 }
-inline Point3d point_of_whole_range(DrawStream& draws) {
-  return {of_whole_range(draws), of_whole_range(draws), of_whole_range(draws)};
+inline Point3d point_of_full_range(DrawStream& draws) {
+  return {of_full_range(draws), of_full_range(draws), of_full_range(draws)};
 }
 /// Beside the least number.
 inline Point3d subnormal_point(DrawStream& draws) { return {subnormal(draws), subnormal(draws), subnormal(draws)}; }
@@ -69,12 +69,12 @@ inline Point3d typed_point(DrawStream& draws) { return {typed(draws), typed(draw
 inline Point3d zero_point(DrawStream& draws) { return {zero(draws), zero(draws), zero(draws)}; }
 
 /// A way of whole length, and two ways across it, which may be parallel or 0.
-struct WholeAcross {
-  Vector3d way, u, v;
+struct IntegerAcross {
+  Vector3d displacement, u, v;
   double length;
 
-  static WholeAcross of(DrawStream& draws) {
-    const auto [n, length] = whole_normal(draws);
+  static IntegerAcross of(DrawStream& draws) {
+    const auto [n, length] = integer_normal(draws);
     const double k = one_to(draws, 64);
     return {k * n, lattice_across(draws, n), lattice_across(draws, n), k * length};
   }

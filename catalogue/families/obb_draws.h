@@ -135,7 +135,7 @@ inline std::pair<Obb3d, Obb3d> beams_on_edge(DrawStream& c) {
   static constexpr double halves[] = {0.5e-4, 0.5e-3, 0.5e-5, 0.5e-6};
   const double half = halves[c.below(4)], length = 2 / half * scaled_up(c, 4, 8), more = 1 + half * half;
   const double x = (1 - half * half) / more, y = 2 * half / more, r = one_to(c, 4), s = one_to(c, 4);
-  const double way = small_integer(c, 2), gap = std::ldexp(way, -integer_in(c, 0, 19));
+  const double displacement = small_integer(c, 2), gap = std::ldexp(displacement, -integer_in(c, 0, 19));
   return {{{0, 0, 0}, {{length, 0, 0}, {0, r, r}, {0, -r, r}}},
           {{small_integer(c, 4), 0, 2 * r + 2 * s + gap},
            {{length * x, length * y, 0}, {-s * y, s * x, s}, {s * y, -s * x, s}}}};

@@ -145,11 +145,11 @@ static double steps(double n) {
 void compute(std::vector<Point2d>& points, DrawStream& draws) {
   static constexpr std::array<Vector2d, 4> turns{
       {{3.0 / 5, 4.0 / 5}, {12.0 / 13, 5.0 / 13}, {8.0 / 17, 15.0 / 17}, {0.1, 0.3}}};
-  const std::uint64_t way = draws.below(3);
+  const std::uint64_t choice = draws.below(3);
   const Vector2d turn = turns[draws.below(turns.size())];
   for (Point2d& p : points) {
-    if (way == 0) p = {p.x / 10, p.y / 10};
-    else if (way == 1) p = {steps(p.x), steps(p.y)};
+    if (choice == 0) p = {p.x / 10, p.y / 10};
+    else if (choice == 1) p = {steps(p.x), steps(p.y)};
     else p = {turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y};
   }
 }
@@ -188,7 +188,7 @@ std::tuple<Polygon2d, Point2d> needle_and_point(DrawStream& draws) {
   const Point2d a = lattice_point(draws);
   const Vector2d v = lattice_direction(draws, 40);
   const double width = small_integer(draws, 1);
-  return {turned({{a, along(a, 4, v), {a.x + width, a.y + 1}}}, draws), beside(along(a, up_to(draws, 4), v), draws)};
+  return {turned({{a, along(a, 4, v), {a.x + width, a.y + 1}}}, draws), nudged(along(a, up_to(draws, 4), v), draws)};
 }
 
 Polygon2d nearly_flat_ring(DrawStream& draws) {
@@ -207,7 +207,7 @@ Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws) {
   return ring[i] + up_to(draws, 8) / 8 * (ring.next(i) - ring[i]);
 }
 
-Point2d beside(const Point2d& p, DrawStream& draws) {
+Point2d nudged(const Point2d& p, DrawStream& draws) {
   return {p.x + small_integer(draws, 2), p.y + small_integer(draws, 2)};
 }
 
@@ -221,7 +221,7 @@ std::tuple<Polygon2d, Point2d> beside_least_edge(DrawStream& draws) {
 void untangle(Polygon2d& ring) {
   if (ring.size() < 3) return;
   for (int turns = 0; turns < 60; ++turns) {
-    const auto defect = oracle::ring_defect(oracle::WholeRing(ring));
+    const auto defect = oracle::ring_defect(oracle::IntegerRing(ring));
     if (!defect || defect->first == defect->second) return;
     std::reverse(ring.vertices.begin() + static_cast<std::ptrdiff_t>(defect->first + 1),
                  ring.vertices.begin() + static_cast<std::ptrdiff_t>(defect->second + 1));

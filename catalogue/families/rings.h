@@ -68,11 +68,9 @@ inline Point2d any_vertex(const Polygon2d& ring, DrawStream& draws) { return rin
 Point2d on_line_of_an_edge(const Polygon2d& ring, DrawStream& draws);
 
 /// p, or a point at most 2 away from it in each coordinate.
-Point2d beside(const Point2d& p, DrawStream& draws);
+Point2d nudged(const Point2d& p, DrawStream& draws);
 
-inline Point2d beside_an_edge(const Polygon2d& ring, DrawStream& draws) {
-  return beside(on_an_edge(ring, draws), draws);
-}
+inline Point2d near_edge(const Polygon2d& ring, DrawStream& draws) { return nudged(on_an_edge(ring, draws), draws); }
 
 /// Four units along a direction of up to 2^40, at most one wide, and a point of its long edges or beside it.
 std::tuple<Polygon2d, Point2d> needle_and_point(DrawStream& draws);

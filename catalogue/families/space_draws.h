@@ -107,12 +107,12 @@ class Stretch {
 };
 
 /// A normal whose length is an integer; (0, 1, 0) is the simplest.
-struct WholeNormal {
+struct IntegerNormal {
   Vector3d n;
   double length;
 };
-inline WholeNormal whole_normal(DrawStream& draws) {
-  static constexpr WholeNormal normals[]{
+inline IntegerNormal integer_normal(DrawStream& draws) {
+  static constexpr IntegerNormal normals[]{
       {{0, 1, 0}, 1}, {{1, 2, 2}, 3}, {{3, 4, 0}, 5}, {{2, 3, 6}, 7}, {{1, 4, 8}, 9}};
   return normals[draws.below(5)];
 }

@@ -8,11 +8,11 @@ namespace touchstone::catalogue {
 
 /// t v + rest is 2^51 times an odd integer of 54 digits, and one more or less: 2^-104 of it from a tie. All three
 /// are integers.
-struct BesideTie {
+struct NearTie {
   double t, v, rest;
 };
 
-inline BesideTie beside_tie(DrawStream& draws) {
+inline NearTie near_tie(DrawStream& draws) {
   __extension__ using Wide = __int128;
   const std::uint64_t half = std::uint64_t{1} << 52;
   const auto t = static_cast<std::int64_t>(half + draws.below(half));
@@ -33,17 +33,17 @@ inline WayBesideTie way_beside_tie(DrawStream& draws) {
   const std::uint64_t half = std::uint64_t{1} << 52, least = std::uint64_t{1} << 30;
   const auto odd = static_cast<Wide>(2 * (half + draws.below(half)) + 1);
   const auto speed = static_cast<std::int64_t>(least + draws.below(least));
-  const Wide way = odd * speed + (draws.coin() ? -1 : 1);
-  return {static_cast<double>(static_cast<std::int64_t>(way & 0xffffffff)),
-          static_cast<double>(static_cast<std::int64_t>(way >> 32)) * 0x1p32, static_cast<double>(speed)};
+  const Wide displacement = odd * speed + (draws.coin() ? -1 : 1);
+  return {static_cast<double>(static_cast<std::int64_t>(displacement & 0xffffffff)),
+          static_cast<double>(static_cast<std::int64_t>(displacement >> 32)) * 0x1p32, static_cast<double>(speed)};
 }
 
 /// (2 d q + d + 1) / d is 2 q + 1, an odd integer of 54 digits, and 1 / d more.
-struct QuotientBesideTie {
+struct QuotientNearTie {
   double d, q;
 };
 
-inline QuotientBesideTie quotient_beside_tie(DrawStream& draws) {
+inline QuotientNearTie quotient_near_tie(DrawStream& draws) {
   const std::uint64_t least = std::uint64_t{1} << 52, room = std::uint64_t{1} << 50;
   const double q = static_cast<double>(least + draws.below(least - room));
   return {static_cast<double>(room / 2 + draws.below(room / 2)), q};  // d + 1 + q is below 2^53

@@ -69,8 +69,8 @@ inline Triangle3d in_some_order(Triangle3d t, DrawStream& draws) {
 }
 
 /// The ends of a segment that holds the point, or ends there, or leaves it aside: so many steps to either end.
-inline Segment3d segment_through(DrawStream& draws, const Point3d& x, const Vector3d& way) {
-  return {along(x, small_integer(draws, 2) - 1, way), along(x, small_integer(draws, 2), way)};
+inline Segment3d segment_through(DrawStream& draws, const Point3d& x, const Vector3d& displacement) {
+  return {along(x, small_integer(draws, 2) - 1, displacement), along(x, small_integer(draws, 2), displacement)};
 }
 
 /// A point of one plane through the origin, +-2^-k times one of two vectors of 53 digits: no difference of two such

@@ -11,13 +11,13 @@ namespace touchstone::catalogue {
 
 /// The displacement from one position to another, its length where that is an integer, and whether all is in the plane.
 struct Step {
-  Vector3d way;
+  Vector3d displacement;
   double length;
   bool in_plane;
 };
 
 /// By a Pythagorean triple or, in space, quadruple.
-inline Step whole_step(DrawStream& draws) {
+inline Step integer_step(DrawStream& draws) {
   static constexpr std::array<std::array<double, 4>, 9> steps{{{3, 4, 0, 5},
                                                                {1, 0, 0, 1},
                                                                {5, -12, 0, 13},

@@ -14,10 +14,10 @@ namespace {
 
 using Real = long double;
 using Place = Point3<Real>;
-using Way = Vector3<Real>;
+using Displacement = Vector3<Real>;
 using Indices = std::vector<Index>;
 
-Way way(const Vector3d& v) { return {v.x, v.y, v.z}; }
+Displacement displacement(const Vector3d& v) { return {v.x, v.y, v.z}; }
 Place place(const Point3d& p) { return {p.x, p.y, p.z}; }
 Place place(const Point2d& p) { return {p.x, p.y, 0}; }
 
@@ -28,8 +28,8 @@ std::vector<Place> places(const std::vector<Point>& points) {
   return all;
 }
 
-Real greatest_part(const Way& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-Real length(const Way& v) { return std::sqrt(dot(v, v)); }
+Real greatest_part(const Displacement& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+Real length(const Displacement& v) { return std::sqrt(dot(v, v)); }
 Real size_of(const std::vector<Place>& points) {
   Real size = 0;
   for (const Place& p : points) size = std::max(size, greatest_part(p - Place{0, 0, 0}));
@@ -68,13 +68,13 @@ Excess excess_of_ring(const std::vector<Place>& points, const Indices& ring) {
   if (ring.size() < 3) return std::nullopt;
   const Real size = size_of(points);
   const auto at = [&](std::size_t k) { return points[ring[k % ring.size()]]; };
-  Way normal{0, 0, 0};
+  Displacement normal{0, 0, 0};
   for (std::size_t k = 1; k + 1 < ring.size(); ++k) normal = normal + cross(at(k) - at(0), at(k + 1) - at(0));
   Real most = 0;
   for (const Place& p : points) {
     most = std::max(most, std::fabs(dot(normal, p - at(0))) / size / size / size);
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Way turn = cross(at(k + 1) - at(k), p - at(k));
+      const Displacement turn = cross(at(k + 1) - at(k), p - at(k));
       // A ring without area is collinear, or not a ring.
       const Real wrong_side = length(normal) > 0 ? -dot(normal, turn) / length(normal) : length(turn);
       most = std::max(most, wrong_side / size / size);
@@ -96,7 +96,7 @@ Excess excess_of_faces(const std::vector<Place>& points, const std::vector<Face>
   Real most = 0;
   for (const Face& f : faces) {
     const Place& a = points[f.a];
-    const Way normal = cross(points[f.b] - a, points[f.c] - a);
+    const Displacement normal = cross(points[f.b] - a, points[f.c] - a);
     for (const Place& p : points) most = std::max(most, dot(normal, p - a) / size / size / size);
   }
   return excess(most);
@@ -199,7 +199,8 @@ Excess excess_of_slabs(const std::vector<Point3d>& points, const std::vector<Vec
 Excess excess_of_box(const std::vector<Point3d>& points, const Obb3d& box) {
   const std::vector<Place> all = places(points);
   const Real size = size_of(all);
-  const std::array<Way, 3> axes{way(box.half_axes.u), way(box.half_axes.v), way(box.half_axes.w)};
+  const std::array<Displacement, 3> axes{displacement(box.half_axes.u), displacement(box.half_axes.v),
+                                         displacement(box.half_axes.w)};
   Real most = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Real along = dot(axes[k], axes[(k + 1) % 3]), lengths = length(axes[k]) * length(axes[(k + 1) % 3]);
@@ -207,7 +208,7 @@ Excess excess_of_box(const std::vector<Point3d>& points, const Obb3d& box) {
   }
   std::array<Real, 3> farthest{0, 0, 0};
   for (const Place& p : all) {
-    Way rest = p - place(box.center);  // the rest that the nonzero axes leave
+    Displacement rest = p - place(box.center);  // the rest that the nonzero axes leave
     for (std::size_t k = 0; k < 3; ++k) {
       const Real square = dot(axes[k], axes[k]);
       if (square == 0) continue;

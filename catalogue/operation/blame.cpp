@@ -107,7 +107,7 @@ bool rounding_is_to_blame(const Examination& question, const EncodedValue<double
   if (question.row().excess != nullptr && answer != nullptr && !may_be_rounding(question, *answer, binary32))
     return false;
   if (checks_numbers(question.row())) return question.judge_reference(binary32).verdict == Verdict::rounding;
-  if (products_underflow(question, binary32) || beside_a_touch(question, binary32)) return true;
+  if (products_underflow(question, binary32) || near_touch(question, binary32)) return true;
   Judgement formula;
   const bool textbook_rounds =
       question.inconclusive(binary32) &&

@@ -146,7 +146,7 @@ class NumberJudge {
 
   /// True if a number jumps at a touch, and the question is near one.
   bool jumps() const {
-    return question_.row().metadata->kind == Kind::measure && beside_a_touch(question_, declaration_.binary32);
+    return question_.row().metadata->kind == Kind::measure && near_touch(question_, declaration_.binary32);
   }
 
   const Examination& question_;
@@ -186,7 +186,7 @@ JudgedNumber worst_number(const Examination& question, const EncodedValue<double
   return worst;
 }
 
-bool beside_a_touch(const Examination& question, bool binary32) {
+bool near_touch(const Examination& question, bool binary32) {
   const auto& margin = question.margin();
   if (!margin || sgn(*margin) == 0) return false;
   const mpq_class size = exact_value(greatest(question.question())),

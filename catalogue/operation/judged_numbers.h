@@ -33,6 +33,6 @@ JudgedNumber worst_number(const Examination& question, const EncodedValue<double
 
 /// True if the decision turns on less than a few units in the last place of the question's numbers: any formula that
 /// rounds may take it for a touch.
-bool beside_a_touch(const Examination& question, bool binary32);
+bool near_touch(const Examination& question, bool binary32);
 
 }  // namespace touchstone::catalogue

@@ -39,7 +39,7 @@ struct DecisionCount {
 };
 
 /// The questions of an exhaustive run, if a plain grid of numbers would be too large or mostly invalid.
-struct World {
+struct SmallDomain {
   std::uint64_t (*count)(int size);
   Question (*at)(int size, std::uint64_t index);
 };
@@ -125,7 +125,7 @@ struct RowFunctions {
   Question (*map_centre)();
   std::pair<std::size_t, std::size_t> (*map_axes)();
   void (*draw)(Drawing&, const Question&, const EncodedValue<double>& truth);  ///< the truth in nearest doubles
-  std::optional<World> world;
+  std::optional<SmallDomain> world;
   Laws laws;
 };
 

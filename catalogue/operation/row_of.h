@@ -151,8 +151,8 @@ struct RowOf {
     return static_cast<Word>(Row::decision::oracle(unpacked<Asked>(question)));
   }
   static Word decide_by_integers(const Question& question) {
-    using Whole = rebound_t<Asked, std::int64_t>;
-    return static_cast<Word>(Row::decision::oracle(unpacked<Whole>(question, in_integers)));
+    using IntegerQuestion = rebound_t<Asked, std::int64_t>;
+    return static_cast<Word>(Row::decision::oracle(unpacked<IntegerQuestion>(question, in_integers)));
   }
   static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last, std::size_t list_length);
 
@@ -332,7 +332,7 @@ RowFunctions RowOf<Row>::functions() {
   f.map_axes = given.map_axes;
   if (given.draw) f.draw = draw;
   f.laws = given.laws;
-  if (given.domain_count) f.world = World{domain_count, domain_at};
+  if (given.domain_count) f.world = SmallDomain{domain_count, domain_at};
   return f;
 }
 

@@ -25,7 +25,7 @@ constexpr std::array axes{&Point::x, &Point::y, &Point::z};
 template <class Solid>
 struct Scaled {
   std::vector<Solid> solids;
-  WholeList numbers;
+  IntegerList numbers;
 };
 
 template <class Solid>
@@ -41,8 +41,8 @@ Scaled<Ball> validated(const std::vector<Sphere3<Number>>& spheres) {
   validate("spheres", spheres);
   std::vector<Number> numbers;
   for (const auto& [c, r] : spheres) numbers.insert(numbers.end(), {c.x, c.y, c.z, r});
-  Scaled<Ball> scaled{{}, whole_list(numbers)};
-  const auto& n = scaled.numbers.whole;
+  Scaled<Ball> scaled{{}, integer_list(numbers)};
+  const auto& n = scaled.numbers.integers;
   for (std::size_t i = 0; i < n.size(); i += 4) scaled.solids.push_back({{n[i], n[i + 1], n[i + 2]}, n[i + 3]});
   return scaled;
 }
@@ -52,8 +52,8 @@ Scaled<Box> validated(const std::vector<Aabb3<Number>>& boxes) {
   validate("boxes", boxes);
   std::vector<Number> numbers;
   for (const auto& [p, q] : boxes) numbers.insert(numbers.end(), {p.x, p.y, p.z, q.x, q.y, q.z});
-  Scaled<Box> scaled{{}, whole_list(numbers)};
-  const auto& n = scaled.numbers.whole;
+  Scaled<Box> scaled{{}, integer_list(numbers)};
+  const auto& n = scaled.numbers.integers;
   for (std::size_t i = 0; i < n.size(); i += 6) {
     scaled.solids.push_back({{n[i], n[i + 1], n[i + 2]}, {n[i + 3], n[i + 4], n[i + 5]}});
   }
@@ -82,7 +82,7 @@ Integer spare(const Box& a, const Box& b) {
 constexpr int degree(const Ball*) { return 2; }
 constexpr int degree(const Box*) { return 1; }
 
-std::vector<Rational> actual_point(const WholeList& numbers, const Point3<Rational>& p) {
+std::vector<Rational> actual_point(const IntegerList& numbers, const Point3<Rational>& p) {
   return {numbers.actual(p.x, 1), numbers.actual(p.y, 1), numbers.actual(p.z, 1)};
 }
 
@@ -100,12 +100,12 @@ Point3<Rational> common_point(const Box& a, const Box& b) {
   return {larger(a.min.x, b.min.x), larger(a.min.y, b.min.y), larger(a.min.z, b.min.z)};
 }
 
-Certificate apart(const WholeList& numbers, const IndexPair& pair, const Ball& a, const Ball& b) {
+Certificate apart(const IntegerList& numbers, const IndexPair& pair, const Ball& a, const Ball& b) {
   return {"distance",
           {{"pair", {Rational(pair.i), Rational(pair.j)}},
            {"squared_distance", {numbers.actual(Rational(squared_distance(a, b)), 2)}}}};
 }
-Certificate apart(const WholeList&, const IndexPair& pair, const Box& a, const Box& b) {
+Certificate apart(const IntegerList&, const IndexPair& pair, const Box& a, const Box& b) {
   long axis = 0;
   while (a.max.*axes[static_cast<std::size_t>(axis)] >= b.min.*axes[static_cast<std::size_t>(axis)] &&
          b.max.*axes[static_cast<std::size_t>(axis)] >= a.min.*axes[static_cast<std::size_t>(axis)]) {

@@ -56,7 +56,7 @@ def rest_of_turn(u, turns, bits):
     return (low.numerator << bits) // low.denominator, -((-high.numerator << bits) // high.denominator)
 
 
-def whole_bits(bits):
+def all_bits(bits):
     expect(bits.denominator == 1 and 1 <= bits <= 8192, "certificate: bits is not from 1 to 8192")
     return int(bits)
 
@@ -74,7 +74,7 @@ def cosine_and_sine(u, turns, bits):
 def expect_cosine_and_sine(u, cosine, sine, turns, bits):
     in_range = turns.denominator == 1 and abs(turns.numerator).bit_length() <= 1030
     expect(in_range, "certificate: quarter_turns is out of range")
-    bits = whole_bits(bits)
+    bits = all_bits(bits)
     computed = cosine_and_sine(u, int(turns), bits)
     for claimed, found, name in ((cosine, computed[0], "cosine"), (sine, computed[1], "sine")):
         encloses = claimed[0] * (1 << bits) <= found[0] and found[1] <= claimed[1] * (1 << bits)

@@ -4,7 +4,7 @@
 from fractions import Fraction
 from math import floor
 
-from certify_circle import cosine_and_sine, whole_bits
+from certify_circle import cosine_and_sine, all_bits
 from certify_lines import along, cross, dot, minus
 from certify_reading import WRONG_KIND, exact_value, expect, polygon
 from certify_rings import defect, edge, expect_not_degenerate, expect_simple, side, vertex
@@ -121,7 +121,7 @@ def check_interior_angles(claim):
     angles, n = claim.truth["angles"], len(ring)
     expect(isinstance(angles, list) and len(angles) == n, "truth.angles: one for each vertex")
     expect(len(low) == n and len(high) == n, "certificate: low and high for each vertex")
-    bits = whole_bits(claim.single("bits"))
+    bits = all_bits(claim.single("bits"))
     sign = 1 if winding(ring) == "ccw" else -1
     for i, p in enumerate(ring):
         following, previous = minus(ring[(i + 1) % n], p), minus(ring[i - 1], p)

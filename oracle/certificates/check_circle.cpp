@@ -75,7 +75,7 @@ Between rest_of_turn(const Rational& u, const Integer& turns, long bits) {
 
 }  // namespace
 
-long whole_bits(const Rational& precision) {
+long integer_bits(const Rational& precision) {
   expect(precision.get_den() == 1 && precision >= 1 && precision <= 8192, "certificate: bits is not from 1 to 8192");
   return precision.get_num().get_si();
 }
@@ -106,7 +106,7 @@ void expect_cosine_and_sine(const Rational& u, const Pair& cosine, const Pair& s
                             const Rational& precision) {
   expect(turns.get_den() == 1 && mpz_sizeinbase(turns.get_num_mpz_t(), 2) <= 1030,
          "certificate: quarter_turns is out of range");
-  const long bits = whole_bits(precision);
+  const long bits = integer_bits(precision);
   const CosineAndSine computed = cosine_and_sine(u, turns.get_num(), bits);
   expect_encloses(cosine, computed.cosine, bits, "certificate: cosine is wrong");
   expect_encloses(sine, computed.sine, bits, "certificate: sine is wrong");

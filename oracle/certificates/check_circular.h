@@ -18,6 +18,6 @@ struct CosineAndSine {
 CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, long bits);
 
 /// The bits that a certificate states: 1 to 8192.
-long whole_bits(const Rational& precision);
+long integer_bits(const Rational& precision);
 
 }  // namespace touchstone::certify

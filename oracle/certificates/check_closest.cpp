@@ -48,9 +48,9 @@ void check_aabb_plane(const Claim& claim) {
 using Position = std::vector<Rational>;
 
 Position operator-(const Position& p, const Position& q) {
-  Position way;
-  for (std::size_t k = 0; k < p.size(); ++k) way.push_back(Rational(p[k] - q[k]));
-  return way;
+  Position displacement;
+  for (std::size_t k = 0; k < p.size(); ++k) displacement.push_back(Rational(p[k] - q[k]));
+  return displacement;
 }
 Rational dot(const Position& p, const Position& q) {
   Rational sum;
@@ -79,13 +79,13 @@ Position weighted(const Claim& claim, const char* fact, const Hull& hull) {
   const std::vector<Rational> weights = claim.list(fact);
   expect(weights.size() == hull.size(), "certificate: as many weights as points");
   Position sum(hull[0].size());
-  Rational whole;
+  Rational total;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     expect(sgn(weights[i]) >= 0, "certificate: a weight is negative");
-    whole += weights[i];
+    total += weights[i];
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weights[i] * hull[i][k];
   }
-  expect(whole == 1, "certificate: the weights do not add up to 1");
+  expect(total == 1, "certificate: the weights do not add up to 1");
   return sum;
 }
 

@@ -130,7 +130,7 @@ void check_interior_angles(const Claim& claim) {
   const std::size_t n = ring.size();
   expect(angles.is_array() && angles.size() == n, "truth.angles: one for each vertex");
   expect(low.size() == n && high.size() == n, "certificate: low and high for each vertex");
-  const long bits = whole_bits(claim.single("bits"));
+  const long bits = integer_bits(claim.single("bits"));
   const bool ccw = std::string(winding(ring)) == "ccw";
   for (std::size_t i = 0; i < n; ++i) {
     const Pair next = ring[(i + 1) % n] - ring[i], previous = ring[(i + n - 1) % n] - ring[i];

@@ -9,10 +9,10 @@ namespace {
 /// True if no point of the half-space behind the plane is nearer to c than x, which is one of them: the displacement
 /// from x to c is along the normal (Cauchy's inequality is an equality), and is 0 unless x is on the plane.
 bool is_nearest(const Plane& plane, const Triple& c, const Triple& x) {
-  const Triple way = c - x;
-  const Rational height = plane.at(x), along = dot(plane.normal, way);
+  const Triple displacement = c - x;
+  const Rational height = plane.at(x), along = dot(plane.normal, displacement);
   return sgn(height) <= 0 && sgn(along) >= 0 && sgn(Rational(along * height)) == 0 &&
-         along * along == dot(way, way) * dot(plane.normal, plane.normal);
+         along * along == dot(displacement, displacement) * dot(plane.normal, plane.normal);
 }
 
 void check_sphere_plane(const Claim& claim) {
@@ -25,8 +25,8 @@ void check_sphere_plane(const Claim& claim) {
   expect(disjoint || overlapping || contact == "touching", "truth: contact is wrong");
   expect(kind == (disjoint ? "nearest_point" : overlapping ? "common_interior_point" : "tangent"), wrong_kind);
   claim.facts({"point"});
-  const Triple point = triple(claim, "point"), way = sphere.center - point;
-  const int in_ball = sgn(Rational(dot(way, way) - sphere.radius * sphere.radius));
+  const Triple point = triple(claim, "point"), displacement = sphere.center - point;
+  const int in_ball = sgn(Rational(dot(displacement, displacement) - sphere.radius * sphere.radius));
   if (overlapping) {
     expect(sgn(level.at(point)) < 0 && in_ball < 0, "certificate: the point is not inside both");
     return;

@@ -49,7 +49,7 @@ struct Cut {
     return std::all_of(runs.begin(), runs.end(), [](const auto& edge) { return edge.second == 0; });
   }
   /// True if all corners of the other triangle are to the right of an edge, or on it.
-  bool beside_an_edge(const Triangle& t, const Triangle& other) const {
+  bool near_edge(const Triangle& t, const Triangle& other) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto right = [&](std::size_t v) { return turn(t[k], t[(k + 1) % 3], v) <= 0; };
       if (std::all_of(other.begin(), other.end(), right)) return true;
@@ -92,7 +92,7 @@ void expect_cut(const Mesh& mesh, const std::string& what) {
       for (const std::size_t v : corners) expect(!cut.holds(one, v), no_cut);
       for (std::size_t l = 0; l < k; ++l) {
         const Triangle& other = cut.triangles[l];
-        expect(cut.beside_an_edge(one, other) || cut.beside_an_edge(other, one), no_cut);
+        expect(cut.near_edge(one, other) || cut.near_edge(other, one), no_cut);
       }
     }
   }

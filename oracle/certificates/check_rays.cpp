@@ -10,7 +10,7 @@ namespace {
 
 /// The points from + t way with t >= 0, and t <= 1 if it ends.
 struct Line {
-  Triple from, way;
+  Triple from, displacement;
   bool ends;
 };
 
@@ -23,7 +23,7 @@ Line ray_in_space(const json& value, const std::string& what) {
   only(value, what, {"origin", "direction"});
   const Line line{point_in_space(value["origin"], what + ".origin"),
                   point_in_space(value["direction"], what + ".direction"), false};
-  expect(!(line.way == Triple{0, 0, 0}), what + ".direction: nonzero direction");
+  expect(!(line.displacement == Triple{0, 0, 0}), what + ".direction: nonzero direction");
   return line;
 }
 
@@ -35,7 +35,7 @@ void prove_line_plane(const Claim& claim, const Line& line, const Plane& level) 
   else claim.answers({"relation"});
   claim.expect_kind("heights"), claim.facts({"heights"});
   const auto [first, second] = claim.pair("heights");
-  expect(first == level.at(line.from) && second == level.at(along(line.from, 1, line.way)),
+  expect(first == level.at(line.from) && second == level.at(along(line.from, 1, line.displacement)),
          "certificate: the heights are wrong");
   const Rational climb(second - first);
   if (relation == "inside") {
@@ -48,7 +48,7 @@ void prove_line_plane(const Claim& claim, const Line& line, const Plane& level) 
     const Rational t = exact_value(claim.truth["t"], "truth.t");
     const bool on_line = sgn(t) >= 0 && (!line.ends || t <= 1);
     expect(sgn(climb) != 0 && on_line && sgn(Rational(first + t * climb)) == 0, "truth: t is wrong");
-    expect(exact_triple(claim.truth["point"], "truth.point") == along(line.from, t, line.way),
+    expect(exact_triple(claim.truth["point"], "truth.point") == along(line.from, t, line.displacement),
            "truth: point is not at t");
   }
 }
@@ -72,11 +72,11 @@ void prove_no_common_point(const Claim& claim, const Line& ray, const Corners& c
   const std::vector<Rational> numbers = claim.list("plane");
   expect(numbers.size() == 4, "certificate: a plane has four numbers");
   const Plane plane{{numbers[0], numbers[1], numbers[2]}, Rational(-numbers[3])};
-  const Triple end = along(ray.from, claim.single("until"), ray.way);
+  const Triple end = along(ray.from, claim.single("until"), ray.displacement);
   expect(sgn(plane.at(ray.from)) > 0 && sgn(plane.at(end)) > 0, "certificate: the plane does not separate");
   for (const Triple& corner : corners) {
     expect(sgn(plane.at(corner)) < 0, "certificate: the plane does not separate");
-    expect(sgn(dot(ray.way, end - corner)) > 0, "certificate: a corner is farther ahead");
+    expect(sgn(dot(ray.displacement, end - corner)) > 0, "certificate: a corner is farther ahead");
   }
 }
 
@@ -100,14 +100,14 @@ void check_ray_triangle(const Claim& claim) {
                               after = claim.list("after");
   expect(t.size() == (one ? 1 : 2) && weights.size() == 3 * t.size(), "certificate: one common point, or two");
   expect(sgn(t.front()) >= 0 && (one || t[0] < t[1]), "certificate: the parameters do not rise from 0");
-  const Triple first = along(ray.from, t[0], ray.way);
+  const Triple first = along(ray.from, t[0], ray.displacement);
   for (std::size_t i = 0; i < t.size(); ++i) {
-    expect(weighted(corners, weights, 3 * i) == along(ray.from, t[i], ray.way),
+    expect(weighted(corners, weights, 3 * i) == along(ray.from, t[i], ray.displacement),
            "certificate: the weights give another point");
   }
   // The first point, which is common, is on the plane: if another point is in front, so is the ray from there on.
   if (sgn(t[0]) > 0 || !before.empty()) expect_nothing_before(before, corners, ray.from, first);
-  if (one || !after.empty()) expect_nothing_before(after, corners, along(first, 1, ray.way), first);
+  if (one || !after.empty()) expect_nothing_before(after, corners, along(first, 1, ray.displacement), first);
   expect(exact_value(claim.truth["t"], "truth.t") == t[0], "truth: t is wrong");
   expect(exact_triple(claim.truth["point"], "truth.point") == first, "truth: point is not at t");
   if (!one) return;
@@ -119,7 +119,7 @@ void check_ray_triangle(const Claim& claim) {
 
 /// The same in the plane or in space, coordinate by coordinate.
 struct Course {
-  std::vector<Rational> from, way;
+  std::vector<Rational> from, displacement;
   bool ends;
   std::size_t axes() const { return from.size(); }
 };
@@ -133,11 +133,11 @@ Course course(const Claim& claim) {
   const std::string one = what + (ends ? "[0]" : ".origin"), other = what + (ends ? "[1]" : ".direction");
   Course found{two_or_three(ends ? value[0] : value["origin"], one),
                two_or_three(ends ? value[1] : value["direction"], other), ends};
-  expect(found.way.size() == found.axes(), other + ": as many coordinates as " + one);
+  expect(found.displacement.size() == found.axes(), other + ": as many coordinates as " + one);
   bool moves = false;
   for (std::size_t k = 0; k < found.axes(); ++k) {
-    if (ends) found.way[k] -= found.from[k];
-    moves = moves || sgn(found.way[k]) != 0;
+    if (ends) found.displacement[k] -= found.from[k];
+    moves = moves || sgn(found.displacement[k]) != 0;
   }
   expect(ends || moves, other + ": nonzero direction");
   return found;
@@ -156,7 +156,7 @@ bool says_hit(const Claim& claim) {
 bool is_beyond(const Course& line, const Box& solid, const std::vector<Rational>& normal) {
   Rational start, slope, highest;
   for (std::size_t k = 0; k < line.axes(); ++k) {
-    start += normal[k] * line.from[k], slope += normal[k] * line.way[k];
+    start += normal[k] * line.from[k], slope += normal[k] * line.displacement[k];
     highest += normal[k] * (sgn(normal[k]) > 0 ? solid.max[k] : solid.min[k]);
   }
   return start > highest && (line.ends ? Rational(start + slope) > highest : sgn(slope) >= 0);
@@ -167,8 +167,8 @@ struct InBox {
   bool inside = true, leaves_forwards = false, leaves_backwards = false;
   InBox(const Course& line, const Box& solid, const Rational& t) {
     for (std::size_t k = 0; k < line.axes(); ++k) {
-      const Rational x(line.from[k] + t * line.way[k]);
-      const int v = sgn(line.way[k]);
+      const Rational x(line.from[k] + t * line.displacement[k]);
+      const int v = sgn(line.displacement[k]);
       inside = inside && solid.min[k] <= x && x <= solid.max[k];
       leaves_forwards = leaves_forwards || (v > 0 && x == solid.max[k]) || (v < 0 && x == solid.min[k]);
       leaves_backwards = leaves_backwards || (v < 0 && x == solid.max[k]) || (v > 0 && x == solid.min[k]);
@@ -177,7 +177,7 @@ struct InBox {
 };
 
 bool moves(const Course& line) {
-  for (const Rational& v : line.way)
+  for (const Rational& v : line.displacement)
     if (sgn(v) != 0) return true;
   return false;
 }
@@ -214,7 +214,8 @@ void prove_passage_of_ball(const Claim& claim, const char* name) {
   Quadratic f{Rational(-solid.radius * solid.radius), 0, 0};
   for (std::size_t k = 0; k < line.axes(); ++k) {
     const Rational p(line.from[k] - solid.center[k]);
-    f.constant += p * p, f.linear += 2 * p * line.way[k], f.square += line.way[k] * line.way[k];
+    f.constant += p * p, f.linear += 2 * p * line.displacement[k],
+        f.square += line.displacement[k] * line.displacement[k];
   }
   if (!says_hit(claim)) {
     const std::string kind = claim.kind();

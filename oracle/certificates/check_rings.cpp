@@ -6,7 +6,7 @@
 namespace touchstone::certify {
 namespace {
 
-bool beside(const Ends& a, const Ends& b) { return side(a, b.a) * side(a, b.b) > 0; }
+bool on_same_side(const Ends& a, const Ends& b) { return side(a, b.a) * side(a, b.b) > 0; }
 
 bool beyond(const Ends& a, const Ends& b) {
   return std::max(a.a.x, a.b.x) < std::min(b.a.x, b.b.x) || std::max(a.a.y, a.b.y) < std::min(b.a.y, b.b.y);
@@ -23,7 +23,9 @@ Ends edge(const Ring& ring, std::size_t i) { return {ring[i], ring[(i + 1) % rin
 
 int side(const Ends& line, const Pair& p) { return sgn(cross(line.b - line.a, p - line.a)); }
 
-bool meet(const Ends& a, const Ends& b) { return !(beside(a, b) || beside(b, a) || beyond(a, b) || beyond(b, a)); }
+bool meet(const Ends& a, const Ends& b) {
+  return !(on_same_side(a, b) || on_same_side(b, a) || beyond(a, b) || beyond(b, a));
+}
 
 void expect_not_degenerate(const Ring& ring) {
   bool turns = false;

@@ -20,12 +20,12 @@ long ulp_exponent(const Rational& value) {
 }
 
 /// The nearest integer, ties to even; everything from 2^53 on is infinite alike.
-Integer nearest_whole(const Rational& ulps) {
+Integer nearest_integer(const Rational& ulps) {
   const Rational size(abs(ulps));
-  const Integer whole(size.get_num() / size.get_den());
-  const int to_half = cmp(Rational(size - whole), Rational(1, 2));
-  const Integer up(to_half > 0 || (to_half == 0 && mpz_odd_p(whole.get_mpz_t())) ? 1 : 0);
-  return std::min(Integer(whole + up), Integer(Integer(1) << 53));
+  const Integer integer(size.get_num() / size.get_den());
+  const int to_half = cmp(Rational(size - integer), Rational(1, 2));
+  const Integer up(to_half > 0 || (to_half == 0 && mpz_odd_p(integer.get_mpz_t())) ? 1 : 0);
+  return std::min(Integer(integer + up), Integer(Integer(1) << 53));
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ void expect_rounds_alike(const std::string& name, const Rational& claimed, const
                                      : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-exponent));
   const Rational close(ulp / Rational(Integer(1) << 60));
   expect(claimed - low < close && high - claimed < close, "truth: " + name + " is too far off");
-  const Integer nearest = nearest_whole(claimed / ulp);
-  expect(nearest_whole(low / ulp) == nearest && nearest_whole(high / ulp) == nearest,
+  const Integer nearest = nearest_integer(claimed / ulp);
+  expect(nearest_integer(low / ulp) == nearest && nearest_integer(high / ulp) == nearest,
          "truth: the rounding of " + name + " is not proved");
   expect(low <= claimed && claimed <= high, "truth: " + name + " is not between its bounds");
 }

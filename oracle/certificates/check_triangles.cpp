@@ -7,13 +7,13 @@ namespace touchstone::certify {
 
 Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from) {
   Triple sum{0, 0, 0};
-  Rational whole;
+  Rational total;
   for (std::size_t k = 0; k < 3; ++k) {
     expect(sgn(weights[from + k]) >= 0, "certificate: a weight is negative");
-    whole += weights[from + k];
+    total += weights[from + k];
     sum = along(sum, weights[from + k], corners[k]);
   }
-  expect(whole == 1, "certificate: the weights do not add up to 1");
+  expect(total == 1, "certificate: the weights do not add up to 1");
   return sum;
 }
 
@@ -89,7 +89,7 @@ std::size_t rank(const std::vector<Triple>& displacements) {
   return independent.size();
 }
 
-std::vector<Triple> ways(const std::vector<Triple>& points) {
+std::vector<Triple> edge_displacements(const std::vector<Triple>& points) {
   std::vector<Triple> found;
   for (const Triple& p : points) found.push_back(p - points.front());
   return found;
@@ -109,9 +109,9 @@ std::vector<Triple> in_plane(const Plane& plane, int side, const std::vector<Tri
 /// The intersection lies in each of the planes, so the remaining corners of both contain it, and so do the planes,
 /// lines or points that they span.
 std::size_t most_dimensions(const std::vector<Triple>& a, const std::vector<Triple>& b) {
-  std::vector<Triple> both = ways(a);
-  for (const Triple& way : ways(b)) both.push_back(way);
-  return rank(ways(a)) + rank(ways(b)) - rank(both);
+  std::vector<Triple> both = edge_displacements(a);
+  for (const Triple& displacement : edge_displacements(b)) both.push_back(displacement);
+  return rank(edge_displacements(a)) + rank(edge_displacements(b)) - rank(both);
 }
 
 void check_triangle_triangle(const Claim& claim) {
@@ -138,7 +138,7 @@ void check_triangle_triangle(const Claim& claim) {
     expect(relation == "none", "truth: relation is wrong");
     return;
   }
-  const std::size_t dimension = rank(ways(common));
+  const std::size_t dimension = rank(edge_displacements(common));
   expect(dimension >= most_dimensions(of_a, of_b), "certificate: the planes leave more than the points show");
   expect(relation == (dimension == 0 ? "point" : dimension == 1 ? "segment" : "area"), "truth: relation is wrong");
 }

@@ -21,8 +21,8 @@ ImplicitCircleScale<Number> validated_implicit_circle(const Circle2<Number>& cir
 
 template <class Value, class Number>
 Truth<Location> truth_implicit_circle(const ImplicitCircleScale<Number>& n) {
-  const Vector2<Value> from_center = whole_point<Value>(n, 3) - whole_point<Value>(n, 0);
-  const Value radius = whole<Value>(n, 2), distance = dot(from_center, from_center), square(radius * radius);
+  const Vector2<Value> from_center = integer_point<Value>(n, 3) - integer_point<Value>(n, 0);
+  const Value radius = integer<Value>(n, 2), distance = dot(from_center, from_center), square(radius * radius);
   const Value e(distance - square);
   return {sgn(e) < 0   ? Location::inside
           : sgn(e) > 0 ? Location::outside

@@ -52,8 +52,8 @@ struct Lines {
 
 template <class Value, class Number>
 Lines<Value> intersect(const LineLineScale<Number>& n) {
-  const Line2<Value> a{whole_point<Value>(n, 0), whole_point<Value>(n, 2)};
-  const Line2<Value> b{whole_point<Value>(n, 4), whole_point<Value>(n, 6)};
+  const Line2<Value> a{integer_point<Value>(n, 0), integer_point<Value>(n, 2)};
+  const Line2<Value> b{integer_point<Value>(n, 4), integer_point<Value>(n, 6)};
   return {a, b, cross_product(line_through(a.p, a.q), line_through(b.p, b.q))};
 }
 

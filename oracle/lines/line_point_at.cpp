@@ -21,8 +21,8 @@ struct Travelled {
     if (!lengths.finite() || !time.finite() || still)
       validation::validate_numbers("line", line), validation::validate_numbers("t", t),
           validation::validate("line", line), validation::validate("t", t);
-    const Integer factor = time.whole(0);
-    const auto step = [&](std::size_t i) { return time.actual(rational(Integer(factor * lengths.whole(i))), 1); };
+    const Integer factor = time.integer(0);
+    const auto step = [&](std::size_t i) { return time.actual(rational(Integer(factor * lengths.integer(i))), 1); };
     x = step(2), y = step(3);
   }
 
@@ -38,7 +38,7 @@ Truth<Point2<Rational>> truth_line_point_at(Travelled<Number> s) {
   const auto add = [](const Integer& whole, Rational& step) {  // no common factor comes in
     mpz_addmul(step.get_num_mpz_t(), whole.get_mpz_t(), step.get_den_mpz_t());
   };
-  add(s.lengths.whole(0), s.x), add(s.lengths.whole(1), s.y);
+  add(s.lengths.integer(0), s.x), add(s.lengths.integer(1), s.y);
   Point2<Rational> point = actual_point(s.lengths, {std::move(s.x), std::move(s.y)});
   Rational margin = std::min(rounding_margin(point.x), rounding_margin(point.y));
   return {std::move(point), std::move(margin), std::move(certificate)};

@@ -20,7 +20,7 @@ CommonScale<Number, 6> validated_orientation(const Point2<Number>& p0, const Poi
 /// | x0 y0 1 | x1 y1 1 | x y 1 | by cofactors of the last column, in squares of the unit.
 template <class Value, class Number>
 Truth<Side> truth_orientation(const CommonScale<Number, 6>& n) {
-  const Point2<Value> a = whole_point<Value>(n, 0), b = whole_point<Value>(n, 2), c = whole_point<Value>(n, 4);
+  const Point2<Value> a = integer_point<Value>(n, 0), b = integer_point<Value>(n, 2), c = integer_point<Value>(n, 4);
   const Value e((b.x * c.y - b.y * c.x) - (a.x * c.y - a.y * c.x) + (a.x * b.y - a.y * b.x));
   return {sgn(e) > 0   ? Side::left
           : sgn(e) < 0 ? Side::right
@@ -54,7 +54,7 @@ Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
     using Word = Point2<std::int64_t>;
     return orientation_side<Int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)}, Word{n.word(4), n.word(5)});
   }
-  return orientation_side<Integer>(whole_point(n, 0), whole_point(n, 2), whole_point(n, 4));
+  return orientation_side<Integer>(integer_point(n, 0), integer_point(n, 2), integer_point(n, 4));
 }
 
 }  // namespace touchstone::oracle

@@ -34,8 +34,8 @@ bool certain(const Coordinate& x, const Rational& width) {
 /// center + radius * unit
 template <class Number>
 Coordinate on_axis(const CommonScale<Number, 3>& circle, std::size_t center, const Enclosure& unit) {
-  const Integer radius = circle.whole(2), off(radius * unit.width);
-  Integer whole = circle.whole(center);
+  const Integer radius = circle.integer(2), off(radius * unit.width);
+  Integer whole = circle.integer(center);
   whole <<= static_cast<mp_bitcnt_t>(-unit.exponent);  // |unit| <= 1 has all its bits behind the point
   whole += radius * unit.nearest;
   const auto actual = [&](const Integer& size) { return circle.actual(scaled(size, unit.exponent), 1); };
@@ -85,7 +85,7 @@ Truth<Point2<Rational>> truth_parametric_circle(const Circle2<Number>& circle, c
   const CommonScale<Number, 3> n = validated_parametric_circle(circle, u);
   Truth<Point2<Rational>> result;
   if (validation::zero(u) || validation::zero(circle.radius)) {
-    result.answer = actual_point(n, {rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))});
+    result.answer = actual_point(n, {rational(Integer(n.integer(0) + n.integer(2))), Rational(n.integer(1))});
     result.certificate = [] { return Certificate{"exact", {}}; };
   } else {
     Found found = find(n, u);

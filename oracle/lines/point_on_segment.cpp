@@ -29,7 +29,7 @@ struct Situation {
 
 template <class Value, class Number>
 Situation<Value> examine(const PointOnSegmentScale<Number>& n) {
-  Situation<Value> s{whole_point<Value>(n, 0), whole_segment<Value>(n, 2), {}, {}, {}};
+  Situation<Value> s{integer_point<Value>(n, 0), integer_segment<Value>(n, 2), {}, {}, {}};
   const Vector2<Value> v = s.segment.b - s.segment.a, w = s.point - s.segment.a;
   const Value distance = dot(w, w);
   s.along = dot(w, v), s.length = dot(v, v);

@@ -25,8 +25,8 @@ template <class Value>
 struct RaySegmentSolved {
   template <class Number>
   explicit RaySegmentSolved(const CommonScale<Number, 8>& n)
-      : ray(from_origin(whole_segment<Value>(n, 0))),
-        segment(whole_segment<Value>(n, 4)),
+      : ray(from_origin(integer_segment<Value>(n, 0))),
+        segment(integer_segment<Value>(n, 4)),
         common(ray, Extent::ray, segment) {}
 
   static Segment2<Value> from_origin(const Segment2<Value>& origin_and_direction) {

@@ -22,7 +22,7 @@ template <class Value>
 struct SegmentSegmentSolved {
   template <class Number>
   explicit SegmentSegmentSolved(const CommonScale<Number, 8>& n)
-      : a(whole_segment<Value>(n, 0)), b(whole_segment<Value>(n, 4)), common(a, Extent::segment, b) {}
+      : a(integer_segment<Value>(n, 0)), b(integer_segment<Value>(n, 4)), common(a, Extent::segment, b) {}
 
   Segment2<Value> a, b;
   CommonPoints<Value> common;
@@ -106,7 +106,7 @@ SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b)
     return segment_segment_relation<Int128>(Words{{n.word(0), n.word(1)}, {n.word(2), n.word(3)}},
                                             Words{{n.word(4), n.word(5)}, {n.word(6), n.word(7)}});
   }
-  return segment_segment_relation<Integer>(whole_segment(n, 0), whole_segment(n, 4));
+  return segment_segment_relation<Integer>(integer_segment(n, 0), integer_segment(n, 4));
 }
 
 }  // namespace touchstone::oracle

@@ -9,7 +9,7 @@
 namespace touchstone::oracle {
 namespace {
 
-WholeSolid solid(const ConvexMesh& mesh, const std::vector<Coordinates>& vertices) {
+IntegerSolid solid(const ConvexMesh& mesh, const std::vector<Coordinates>& vertices) {
   std::vector<Point3<Integer>> at;
   for (const Coordinates& p : vertices) at.push_back({p[0], p[1], p[2]});
   return {mesh, std::move(at)};
@@ -28,16 +28,18 @@ Truth<ConvexDistance<Surd>> meeting(const Motion& m, const Meeting& found) {
           }};
 }
 
-Truth<ConvexDistance<Surd>> apart(const Motion& m, const WholeSolid& a, const WholeSolid& b) {
-  const Vector3<Rational> way = shortest_way(a, b);
-  const Point3<Rational> on_a = first_nearest(a, b, way), on_b = on_a + Rational(-1) * way;
+Truth<ConvexDistance<Surd>> apart(const Motion& m, const IntegerSolid& a, const IntegerSolid& b) {
+  const Vector3<Rational> displacement = shortest_displacement(a, b);
+  const Point3<Rational> on_a = first_nearest(a, b, displacement), on_b = on_a + Rational(-1) * displacement;
   const auto in_units = [&m](const Point3<Rational>& p) {
     return in_space({Rational(p.x * m.unit), Rational(p.y * m.unit), Rational(p.z * m.unit)});
   };
-  const Rational square(dot(way, way) * m.unit * m.unit);
-  auto truth = truth_of_distance(
-      ConvexDistance<Surd>{ConvexRelation::apart, in_units(on_a), in_units(on_b), {}, {}}, square,
-      {{"on_a", a.weights(on_a)}, {"on_b", b.weights(on_b)}, {"first", listed(m.unit * multiplier(a, b, on_a, way))}});
+  const Rational square(dot(displacement, displacement) * m.unit * m.unit);
+  auto truth =
+      truth_of_distance(ConvexDistance<Surd>{ConvexRelation::apart, in_units(on_a), in_units(on_b), {}, {}}, square,
+                        {{"on_a", a.weights(on_a)},
+                         {"on_b", b.weights(on_b)},
+                         {"first", listed(m.unit * multiplier(a, b, on_a, displacement))}});
   truth.margin = Rational(distance(m) * m.unit);
   return truth;
 }
@@ -60,12 +62,12 @@ ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistanc
   const auto in_units = [&m](const auto& v) -> std::decay_t<decltype(v)> {
     return {Rational(v.x / m.unit), Rational(v.y / m.unit), Rational(v.z / m.unit)};
   };
-  const Vector3<Rational> way = rational(*truth.on_a) - rational(*truth.on_b);
+  const Vector3<Rational> displacement = rational(*truth.on_a) - rational(*truth.on_b);
   const Point3<Rational> nearest =
-      nearest_to(in_units(exact_in_space(on_a)), solid(first, m.a), solid(second, m.b), in_units(way));
+      nearest_to(in_units(exact_in_space(on_a)), solid(first, m.a), solid(second, m.b), in_units(displacement));
   const Point3<Rational> point{Rational(nearest.x * m.unit), Rational(nearest.y * m.unit),
                                Rational(nearest.z * m.unit)};
-  return {truth.relation, in_space(point), in_space(point + Rational(-1) * way), truth.squared_distance,
+  return {truth.relation, in_space(point), in_space(point + Rational(-1) * displacement), truth.squared_distance,
           truth.distance};
 }
 

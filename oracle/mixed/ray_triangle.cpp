@@ -38,7 +38,7 @@ struct Solved {
         segment{origin, origin + until * direction},
         common(segment, triangle) {}
 
-  Point3<Integer> point(std::size_t i) const { return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)}; }
+  Point3<Integer> point(std::size_t i) const { return {scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)}; }
   Point3<Rational> first_point() const {
     const Point3<Rational> p = point_at(segment, common.first.t);
     return {scale.actual(p.x, 1), scale.actual(p.y, 1), scale.actual(p.z, 1)};
@@ -86,7 +86,7 @@ Truth<RayTriangle<Rational>> truth_of_ray_triangle(const Ray3<Number>& ray, cons
   validation::validate("ray", ray);
   Solved<Number> s(ray, triangle);
   Truth<RayTriangle<Rational>> truth{{Relation::none, {}, {}, {}},
-                                     s.scale.actual(squared_way_to_touch(s.segment, s.triangle), 2)};
+                                     s.scale.actual(squared_distance_to_touch(s.segment, s.triangle), 2)};
   if (s.common.any) {
     const bool one = s.common.first.t == s.common.last.t;
     truth.answer = {one ? Relation::point : Relation::segment, s.on_ray(s.common.first), s.first_point(), {}};

@@ -35,23 +35,23 @@ template <class Segment, class Pair, class Point>
 std::pair<Point3<Rational>, Vector3<Rational>> moved_along(const Segment& a, const Segment& b, const Pair& truth,
                                                            const Point& on_a) {
   const Point3<Rational> from = rational(truth.on_a);
-  const Vector3<Rational> way = rational(truth.on_b) - from;
+  const Vector3<Rational> displacement = rational(truth.on_b) - from;
   return {nearest_to(exact_in_space(on_a), {exact_in_space(a.a), exact_in_space(a.b)},
-                     {exact_in_space(b.a), exact_in_space(b.b)}, from, way),
-          way};
+                     {exact_in_space(b.a), exact_in_space(b.b)}, from, displacement),
+          displacement};
 }
 
 }  // namespace
 
 ClosestPair2<Surd> as_near(const Segment2d& a, const Segment2d& b, const ClosestPair2<Surd>& truth,
                            const Point2d& on_a) {
-  const auto [point, way] = moved_along(a, b, truth, on_a);
-  return {in_plane(point), in_plane(point + way), truth.squared_distance, truth.distance};
+  const auto [point, displacement] = moved_along(a, b, truth, on_a);
+  return {in_plane(point), in_plane(point + displacement), truth.squared_distance, truth.distance};
 }
 ClosestPair3<Surd> as_near(const Segment3d& a, const Segment3d& b, const ClosestPair3<Surd>& truth,
                            const Point3d& on_a) {
-  const auto [point, way] = moved_along(a, b, truth, on_a);
-  return {in_space(point), in_space(point + way), truth.squared_distance, truth.distance};
+  const auto [point, displacement] = moved_along(a, b, truth, on_a);
+  return {in_space(point), in_space(point + displacement), truth.squared_distance, truth.distance};
 }
 
 Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b) {

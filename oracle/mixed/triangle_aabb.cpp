@@ -16,7 +16,7 @@ namespace {
 using TriangleAabbPoint = std::array<Integer, 3>;
 
 /// In units of the scale.
-struct Whole {
+struct IntegerInput {
   std::array<TriangleAabbPoint, 3> triangle;
   TriangleAabbPoint min, max;
 };
@@ -29,7 +29,7 @@ struct Deepest {
 
 /// With the weights v and w of the second and third corner, and s for the depth beyond that of the first corner: v + w
 /// <= 1 and, face by face, s <= height + v rise + w rise, of which the first corner's depth is taken.
-Deepest deepest(const Whole& q) {
+Deepest deepest(const IntegerInput& q) {
   using Program = LinearProgram<Integer>;
   Program program(3, std::vector<Program::Row>(7, Program::Row::at_most));
   std::array<Integer, 6> height;
@@ -53,12 +53,12 @@ Deepest deepest(const Whole& q) {
   return {{Rational(1 - v - w), v, w}, Rational(first + value(2))};
 }
 
-std::vector<Point3<Integer>> corners_of_triangle(const Whole& q) {
+std::vector<Point3<Integer>> corners_of_triangle(const IntegerInput& q) {
   std::vector<Point3<Integer>> all;
   for (const TriangleAabbPoint& p : q.triangle) all.push_back({p[0], p[1], p[2]});
   return all;
 }
-std::vector<Point3<Integer>> corners_of_box(const Whole& q) {
+std::vector<Point3<Integer>> corners_of_box(const IntegerInput& q) {
   std::vector<Point3<Integer>> all;
   for (const TriangleAabbPoint* x : {&q.min, &q.max})
     for (const TriangleAabbPoint* y : {&q.min, &q.max})
@@ -67,7 +67,7 @@ std::vector<Point3<Integer>> corners_of_box(const Whole& q) {
 }
 
 template <class Scale>
-Certificate certificate_triangle_aabb(const Scale& scale, const Whole& q, const Deepest& found) {
+Certificate certificate_triangle_aabb(const Scale& scale, const IntegerInput& q, const Deepest& found) {
   const std::vector<Point3<Integer>> triangle = corners_of_triangle(q), box = corners_of_box(q);
   const auto facts_of = [&scale](const WitnessPlane& plane) -> Certificate {
     const auto& n = plane.normal;
@@ -94,15 +94,16 @@ Truth<Contact> truth_triangle_aabb(const Triangle3<Number>& triangle, const Aabb
   const CommonScale<Number, 15> scale(
       {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, min.x, min.y, min.z, max.x, max.y, max.z});
   const auto point = [&scale](std::size_t i) {
-    return TriangleAabbPoint{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+    return TriangleAabbPoint{scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)};
   };
-  const Whole whole{{point(0), point(3), point(6)}, point(9), point(12)};
-  const Deepest found = deepest(whole);
+  const IntegerInput integers{{point(0), point(3), point(6)}, point(9), point(12)};
+  const Deepest found = deepest(integers);
   const int side = sgn(found.depth);
   return {side > 0   ? Contact::overlapping
           : side < 0 ? Contact::disjoint
                      : Contact::touching,
-          scale.actual(Rational(abs(found.depth)), 1), [=] { return certificate_triangle_aabb(scale, whole, found); }};
+          scale.actual(Rational(abs(found.depth)), 1),
+          [=] { return certificate_triangle_aabb(scale, integers, found); }};
 }
 
 }  // namespace

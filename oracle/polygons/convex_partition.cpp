@@ -9,7 +9,7 @@
 namespace touchstone::oracle {
 namespace {
 
-bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
+bool convex(const IntegerRing& ring, const std::vector<Index>& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     if (ring.turn(piece[i], piece[(i + 1) % piece.size()], piece[(i + 2) % piece.size()]) < 0) return false;
   }
@@ -32,7 +32,7 @@ std::vector<Index> merged(const std::vector<Index>& a, const std::vector<Index>&
 }
 
 /// Merges until no two pieces can be merged. A diagonal that is needed once stays needed, because angles only grow.
-IndexLists partition(const WholeRing& ring) {
+IndexLists partition(const IntegerRing& ring) {
   IndexLists pieces = triangulated(ring);
   for (bool merging = true; merging;) {
     merging = false;
@@ -51,12 +51,12 @@ IndexLists partition(const WholeRing& ring) {
 
 template <class Number>
 Truth<IndexLists> truth_convex_partition(const Polygon2<Number>& polygon) {
-  WholeRing ring = simple_ring(polygon);
+  IntegerRing ring = simple_ring(polygon);
   IndexLists pieces = partition(ring);
   return cut(std::move(ring), std::move(pieces));
 }
 
-std::size_t reflex_vertices(const WholeRing& ring) {
+std::size_t reflex_vertices(const IntegerRing& ring) {
   const int direction = sgn(ring.area());
   std::size_t count = 0;
   for (Index i = 0; i < ring.size(); ++i) count += ring.turn_at(i) * direction < 0;
@@ -74,7 +74,7 @@ Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
 
 std::string convex_partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {
-  if (pieces.size() > 2 * reflex_vertices(WholeRing(*validation::OpenRing(polygon))) + 1)
+  if (pieces.size() > 2 * reflex_vertices(IntegerRing(*validation::OpenRing(polygon))) + 1)
     return "more than 2 r + 1 pieces for r reflex vertices";
   return partition_defect(polygon, pieces);
 }

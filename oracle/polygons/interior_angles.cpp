@@ -37,7 +37,7 @@ AngleBetween enclosed(const Integer& x, const Integer& y) {
 template <class Number>
 std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
   validation::validate("polygon", polygon);
-  const WholeRing r(*validation::OpenRing(polygon));
+  const IntegerRing r(*validation::OpenRing(polygon));
   if (const auto defect = ring_defect(r)) validation::refuse("polygon", *defect, r.size());
   const int winding = sgn(r.area());
   std::vector<AngleBetween> angles;

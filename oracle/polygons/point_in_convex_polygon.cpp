@@ -15,7 +15,7 @@ namespace touchstone::oracle {
 namespace {
 
 /// The ring, with the point as one more vertex after the last.
-struct Whole {
+struct IntegerInput {
   Polygon2<Integer> ring;
   Point2<Integer> point;
   Rational unit;
@@ -23,7 +23,7 @@ struct Whole {
 
 /// Refuses rings that are not convex: accepts a simple polygon of some area without a turn against the sign of its
 /// area.
-void validate_convex(const WholeRing& ring) {
+void validate_convex(const IntegerRing& ring) {
   const auto defect = ring_defect(ring);
   if (defect && defect->first == defect->second) validation::refuse("polygon", *defect, ring.size());
   bool turns = false;
@@ -37,16 +37,16 @@ void validate_convex(const WholeRing& ring) {
 }
 
 template <class Number>
-Whole validated_point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+IntegerInput validated_point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
       validation::validate("polygon", polygon), validation::validate("point", point);
   Polygon2<Number> all = *validation::OpenRing(polygon);
-  validate_convex(WholeRing(all));
+  validate_convex(IntegerRing(all));
   all.vertices.push_back(point);
-  WholeRing whole(all);
-  const Point2<Integer> p = whole.ring.vertices.back();
-  whole.ring.vertices.pop_back();
-  return {std::move(whole.ring), p, std::move(whole.unit)};
+  IntegerRing integers(all);
+  const Point2<Integer> p = integers.ring.vertices.back();
+  integers.ring.vertices.pop_back();
+  return {std::move(integers.ring), p, std::move(integers.unit)};
 }
 
 /// A triangle (0, i, i + 1) of some area, and the point's weights in it times twice that area: the areas of the
@@ -57,14 +57,14 @@ struct Triangle {
   bool holds() const { return sgn(areas[0]) >= 0 && sgn(areas[1]) >= 0 && sgn(areas[2]) >= 0; }
 };
 
-std::vector<Triangle> fan(const Whole& w) {
+std::vector<Triangle> fan(const IntegerInput& w) {
   std::vector<Triangle> made;
   for (std::size_t i = 1; i + 1 < w.ring.size(); ++i) {
     const Point2<Integer>&a = w.ring[0], &b = w.ring[i], &c = w.ring[i + 1];
-    const int side = sgn(WholeRing::area(a, b, c));
+    const int side = sgn(IntegerRing::area(a, b, c));
     if (side == 0) continue;  // flat vertices next to vertex 0
     const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) {
-      return Integer(side * WholeRing::area(q, r, w.point));
+      return Integer(side * IntegerRing::area(q, r, w.point));
     };
     made.push_back({i, {area(b, c), area(c, a), area(a, b)}});
   }
@@ -78,7 +78,7 @@ struct Found {
 
 /// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, except for
 /// the first side of the first triangle and the last of the last.
-Found located(const Whole& w) {
+Found located(const IntegerInput& w) {
   const std::vector<Triangle> triangles = fan(w);
   for (const Triangle& t : triangles) {
     if (!t.holds()) continue;
@@ -91,7 +91,7 @@ Found located(const Whole& w) {
   return {Location::outside, std::nullopt};
 }
 
-Certificate certificate_point_in_convex_polygon(const Whole& w, const std::optional<Triangle>& triangle) {
+Certificate certificate_point_in_convex_polygon(const IntegerInput& w, const std::optional<Triangle>& triangle) {
   if (triangle) {
     const auto& [a, b, c] = triangle->areas;
     const Integer sum = a + b + c;
@@ -100,15 +100,15 @@ Certificate certificate_point_in_convex_polygon(const Whole& w, const std::optio
   }
   for (std::size_t i = 0;; ++i) {
     const Point2<Integer>&a = w.ring[i], &b = w.ring.next(i);
-    const int side = sgn(WholeRing::area(a, b, w.point));
-    const auto apart = [&](const Point2<Integer>& v) { return sgn(WholeRing::area(a, b, v)) * side <= 0; };
+    const int side = sgn(IntegerRing::area(a, b, w.point));
+    const auto apart = [&](const Point2<Integer>& v) { return sgn(IntegerRing::area(a, b, v)) * side <= 0; };
     if (side != 0 && std::all_of(w.ring.vertices.begin(), w.ring.vertices.end(), apart))
       return {"separating_edge", {{"edge", {Rational(i)}}}};
   }
 }
 
 /// The least distance in squared units.
-Rational least_distance(const Whole& w) {
+Rational least_distance(const IntegerInput& w) {
   std::optional<Rational> least;
   for (std::size_t i = 0; i < w.ring.size(); ++i) {
     const auto found = squared_distance<Integer>(w.point, {w.ring[i], w.ring.next(i)}, Extent::segment);
@@ -120,7 +120,7 @@ Rational least_distance(const Whole& w) {
 
 template <class Number>
 Truth<Location> truth_of_point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  Whole w = validated_point_in_convex_polygon(polygon, point);
+  IntegerInput w = validated_point_in_convex_polygon(polygon, point);
   Found found = located(w);
   const Rational margin(found.location == Location::boundary ? Rational(0) : least_distance(w) * w.unit * w.unit);
   return {found.location, margin, [w = std::move(w), triangle = std::move(found.triangle)] {

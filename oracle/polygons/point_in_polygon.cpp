@@ -27,11 +27,11 @@ Around validated_point_in_polygon(const Polygon2<Number>& polygon, const Point2<
       validation::validate("polygon", polygon), validation::validate("point", point);
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
-  WholeRing whole(all);
-  const Point2<Integer> origin = whole.ring.vertices.back();
-  whole.ring.vertices.pop_back();
-  for (Point2<Integer>& p : whole.ring.vertices) p = {Integer(p.x - origin.x), Integer(p.y - origin.y)};
-  return {std::move(whole.ring), std::move(whole.unit)};
+  IntegerRing integers(all);
+  const Point2<Integer> origin = integers.ring.vertices.back();
+  integers.ring.vertices.pop_back();
+  for (Point2<Integer>& p : integers.ring.vertices) p = {Integer(p.x - origin.x), Integer(p.y - origin.y)};
+  return {std::move(integers.ring), std::move(integers.unit)};
 }
 
 /// The first edge that contains the origin.

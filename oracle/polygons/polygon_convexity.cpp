@@ -20,7 +20,7 @@ namespace {
 constexpr PolygonConvexity degenerate{PolygonClass::degenerate, false, Winding::none};
 constexpr PolygonConvexity not_simple{PolygonClass::not_simple, false, Winding::none};
 
-std::optional<std::size_t> repeated_neighbour(const WholeRing& r) {
+std::optional<std::size_t> repeated_neighbour(const IntegerRing& r) {
   for (std::size_t i = 0; i < r.size(); ++i) {
     if (r[i] == r.ring.next(i)) return i;
   }
@@ -28,7 +28,7 @@ std::optional<std::size_t> repeated_neighbour(const WholeRing& r) {
 }
 
 /// Neighbours differ.
-bool on_one_line(const WholeRing& r) {
+bool on_one_line(const IntegerRing& r) {
   for (Index i = 2; i < r.size(); ++i) {
     if (r.turn(0, 1, i) != 0) return false;
   }
@@ -47,7 +47,7 @@ bool may_lie_beside(const Segment2<Integer>& line, int sign, const Boxes::Box& b
 }
 
 /// The first such edge, and the last vertex on each side.
-std::optional<Straddled> straddled(const WholeRing& r) {
+std::optional<Straddled> straddled(const IntegerRing& r) {
   const std::vector<Segment2<Integer>> edges = r.edges();
   const Boxes boxes(edges);
   for (Index i = 0; i < r.size(); ++i) {
@@ -67,7 +67,7 @@ std::optional<Straddled> straddled(const WholeRing& r) {
 }
 
 /// In squared units; the ring is simple.
-Rational room(const WholeRing& r, bool convex, int winding) {
+Rational room(const IntegerRing& r, bool convex, int winding) {
   const std::vector<Segment2<Integer>> edges = r.edges();
   const Boxes boxes(edges);
   std::optional<SquaredLength<Integer>> clearance, greatest_dent;
@@ -99,7 +99,7 @@ std::optional<SquaredLength<Integer>> least_end_distance_beyond(const SquaredLen
 
 /// In squared units, for a ring that is not simple. Two edges that meet in a point have an end within half the length
 /// of either edge from the other: so the longest come first, and those that are too short for more are skipped.
-Rational depth(const WholeRing& r) {
+Rational depth(const IntegerRing& r) {
   const std::vector<Segment2<Integer>> edges = r.edges();
   const Boxes boxes(edges);
   std::vector<Integer> lengths;
@@ -161,7 +161,7 @@ Truth<PolygonConvexity> truth_polygon_convexity(const Polygon2<Number>& given) {
   validation::validate("polygon", given);
   const validation::OpenRing open(given);
   const Polygon2<Number>& polygon = *open;
-  const WholeRing r(polygon);
+  const IntegerRing r(polygon);
   if (const auto i = repeated_neighbour(r))
     return {degenerate, Rational(0), [i = *i] {
               return Certificate{"repeated_neighbour", {{"vertex", {Rational(i)}}}};

@@ -27,7 +27,7 @@ struct Rings {
 
 template <class Number>
 void validate_simple(const char* field, const Polygon2<Number>& ring) {
-  if (const auto defect = ring_defect(WholeRing(ring))) validation::refuse(field, *defect, ring.size());
+  if (const auto defect = ring_defect(IntegerRing(ring))) validation::refuse(field, *defect, ring.size());
 }
 
 template <class Number>
@@ -39,13 +39,13 @@ Rings validated_polygon_polygon(const Polygon2<Number>& given_a, const Polygon2<
   validation::validate("b", given_b), validate_simple("b", b);
   Polygon2<Number> both = a;
   both.vertices.insert(both.vertices.end(), b.vertices.begin(), b.vertices.end());
-  const WholeRing whole(both);
-  const auto edges = [&whole](std::size_t first, std::size_t size) {
+  const IntegerRing integers(both);
+  const auto edges = [&integers](std::size_t first, std::size_t size) {
     std::vector<Edge> made;
-    for (std::size_t i = 0; i < size; ++i) made.push_back({whole[first + i], whole[first + (i + 1) % size]});
+    for (std::size_t i = 0; i < size; ++i) made.push_back({integers[first + i], integers[first + (i + 1) % size]});
     return made;
   };
-  return {edges(0, a.size()), edges(a.size(), b.size()), whole.unit};
+  return {edges(0, a.size()), edges(a.size(), b.size()), integers.unit};
 }
 
 bool within(const Integer& number, const Integer& end, const Integer& other_end) {

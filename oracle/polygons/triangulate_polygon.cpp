@@ -10,7 +10,7 @@ namespace {
 
 template <class Number>
 Truth<IndexLists> truth_triangulate_polygon(const Polygon2<Number>& polygon) {
-  WholeRing ring = simple_ring(polygon);
+  IntegerRing ring = simple_ring(polygon);
   IndexLists triangles = triangulated(ring);
   return cut(std::move(ring), std::move(triangles));
 }

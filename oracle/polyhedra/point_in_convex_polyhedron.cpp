@@ -20,9 +20,9 @@ struct Question {
 template <class Number>
 Question validated(const Mesh<Number>& mesh, const Point3<Number>& point) {
   validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
-  ConvexMesh whole("mesh", mesh);
-  HomogeneousPoint at = whole.whole(point);
-  return {std::move(whole), std::move(at)};
+  ConvexMesh integers("mesh", mesh);
+  HomogeneousPoint at = integers.integer(point);
+  return {std::move(integers), std::move(at)};
 }
 
 Integer determinant(const Vector3<Integer>& u, const Vector3<Integer>& v, const Vector3<Integer>& w) {
@@ -33,7 +33,7 @@ Integer determinant(const Vector3<Integer>& u, const Vector3<Integer>& v, const 
 struct Tetrahedron {
   std::array<Index, 4> corners;
   std::array<Integer, 4> weights;
-  Integer whole;
+  Integer total;
 };
 
 /// By Cramer's rule: the point minus vertex 0 as a sum of multiples of the other three corners minus vertex 0.
@@ -52,7 +52,7 @@ std::optional<Tetrahedron> holding(const Question& q, const Face& face) {
       {0, face.a, face.b, face.c},
       {Integer(0), positive(determinant(p, b, c)), positive(determinant(a, p, c)), positive(determinant(a, b, p))},
       Integer(positive(volume) * w)};
-  found.weights[0] = found.whole - found.weights[1] - found.weights[2] - found.weights[3];
+  found.weights[0] = found.total - found.weights[1] - found.weights[2] - found.weights[3];
   for (const Integer& weight : found.weights) {
     if (sgn(weight) < 0) return std::nullopt;
   }
@@ -68,14 +68,14 @@ std::optional<Tetrahedron> holding(const Question& q) {
 
 Location located(const Question& q, bool held) {
   if (!held) return Location::outside;
-  for (const WholePlane& plane : q.mesh.planes) {
+  for (const IntegerPlane& plane : q.mesh.planes) {
     if (sgn(plane.at(q.point)) == 0) return Location::boundary;
   }
   return Location::inside;
 }
 
 /// The squared distance of the point from a plane, in squared units.
-Rational squared_distance_point_in_convex_polyhedron(const Question& q, const WholePlane& plane) {
+Rational squared_distance_point_in_convex_polyhedron(const Question& q, const IntegerPlane& plane) {
   const Integer height = plane.at(q.point);
   return quotient(Integer(height * height), Integer(dot(plane.normal, plane.normal) * q.point.w * q.point.w));
 }
@@ -83,7 +83,7 @@ Rational squared_distance_point_in_convex_polyhedron(const Question& q, const Wh
 Certificate barycentric(const Tetrahedron& found) {
   std::vector<Rational> corners, weights;
   for (const Index corner : found.corners) corners.emplace_back(corner);
-  for (const Integer& weight : found.weights) weights.push_back(quotient(weight, found.whole));
+  for (const Integer& weight : found.weights) weights.push_back(quotient(weight, found.total));
   return {"barycentric", {{"corners", corners}, {"weights", weights}}};
 }
 
@@ -96,7 +96,7 @@ Truth<Location> truth_of_point_in_convex_polyhedron(const Mesh<Number>& mesh, co
   if (found) truth.certificate = [found = std::move(*found)] { return barycentric(found); };
   if (location == Location::boundary) return truth;
   std::optional<Rational> deciding;
-  for (const WholePlane& plane : q.mesh.planes) {
+  for (const IntegerPlane& plane : q.mesh.planes) {
     if (location == Location::outside && sgn(plane.at(q.point)) <= 0) continue;
     if (!truth.certificate)
       truth.certificate = [face = &plane - q.mesh.planes.data()] {

@@ -19,7 +19,7 @@ Truth<Location> truth_of_point_in_polyhedron(const Mesh<Number>& mesh, const Poi
   validate_closed("mesh", mesh);
   std::vector<Point3<Number>> points = mesh.vertices;
   points.push_back(point);
-  WholeCloud cloud(points);
+  IntegerCloud cloud(points);
   const Point3<Rational> p{Rational(cloud.points.back().x), Rational(cloud.points.back().y),
                            Rational(cloud.points.back().z)};
   cloud.points.pop_back();

@@ -171,7 +171,7 @@ std::optional<std::array<std::array<Rational, 3>, 2>> shared_diagonal(const Surf
 }
 
 /// Returns whether two triangles meet; all faces have areas, and their boxes meet. If not, they may get a normal.
-bool meet_polyhedron_complexity(const std::vector<Face>& list, const WholeCloud& cloud, const Surface& surface,
+bool meet_polyhedron_complexity(const std::vector<Face>& list, const IntegerCloud& cloud, const Surface& surface,
                                 const IndexPair& faces, const IndexPair& pair, Pairs& pairs) {
   const Face &f = list[pair.i], &g = list[pair.j];
   const auto note_meeting = [&](const std::array<Rational, 3>& on_first, const std::array<Rational, 3>& on_second) {
@@ -194,8 +194,8 @@ bool meet_polyhedron_complexity(const std::vector<Face>& list, const WholeCloud&
 }
 
 /// Pairs of faces in the order of their indices, for each the pairs of their triangles, up to the first that meets.
-Pairs paired(const std::vector<Face>& list, const std::vector<Index>& named, const Cuts& cuts, const WholeCloud& cloud,
-             const Surface& surface, PolyhedronComplexityAnswer& found) {
+Pairs paired(const std::vector<Face>& list, const std::vector<Index>& named, const Cuts& cuts,
+             const IntegerCloud& cloud, const Surface& surface, PolyhedronComplexityAnswer& found) {
   const auto near = later_triangles_near(cloud, list);
   Pairs pairs;
   for (Index i = 0; i < cuts.size(); ++i) {
@@ -217,7 +217,7 @@ Pairs paired(const std::vector<Face>& list, const std::vector<Index>& named, con
   return pairs;
 }
 
-void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const WholeCloud& cloud,
+void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const IntegerCloud& cloud,
                         PolyhedronComplexityAnswer& found) {
   for (Index i = 0; i < cuts.size(); ++i)
     for (const Index t : cuts[i])
@@ -225,7 +225,7 @@ void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const W
 }
 
 void look_for_splitting_face(const std::vector<Face>& list, const Cuts& cuts, const Surface& surface,
-                             const WholeCloud& cloud, PolyhedronComplexityAnswer& found) {
+                             const IntegerCloud& cloud, PolyhedronComplexityAnswer& found) {
   for (Index i = 0; i < cuts.size() && !found.splitting_face; ++i) {
     const Face& f = list[cuts[i][0]];
     const SupportingPlane plane = cloud.plane(cloud.normal(f.a, f.b, f.c), f.a);
@@ -237,14 +237,14 @@ void look_for_splitting_face(const std::vector<Face>& list, const Cuts& cuts, co
 }
 
 /// Six times the volume: for each face the doubled area seen from above, times the sum of the heights of its corners.
-VolumeSign sign_of_volume(const std::vector<Face>& list, const WholeCloud& cloud) {
+VolumeSign sign_of_volume(const std::vector<Face>& list, const IntegerCloud& cloud) {
   Integer sum;
   for (const Face& f : list) sum += cloud.normal(f.a, f.b, f.c).z * (cloud[f.a].z + cloud[f.b].z + cloud[f.c].z);
   return sgn(sum) > 0 ? VolumeSign::positive : sgn(sum) < 0 ? VolumeSign::negative : VolumeSign::zero;
 }
 
 /// The solid that some triangles bound, over their own corners.
-Solid solid_of(const std::vector<Face>& triangles, const WholeCloud& cloud) {
+Solid solid_of(const std::vector<Face>& triangles, const IntegerCloud& cloud) {
   std::map<Index, Index> places;
   std::vector<Point3<Integer>> vertices;
   const auto place = [&](Index v) {
@@ -259,7 +259,7 @@ Solid solid_of(const std::vector<Face>& triangles, const WholeCloud& cloud) {
 
 /// For a closed embedded mesh. Returns the directions of the rays, one after the other.
 std::vector<Rational> nest(const std::vector<Face>& list, const Cuts& cuts,
-                           const std::vector<std::set<std::size_t>>& components, const WholeCloud& cloud,
+                           const std::vector<std::set<std::size_t>>& components, const IntegerCloud& cloud,
                            PolyhedronComplexityAnswer& found) {
   std::vector<Rational> directions;
   found.nesting.emplace();
@@ -297,7 +297,7 @@ Truth<PolyhedronComplexityAnswer> truth_of_polyhedron_complexity(const Mesh<Numb
   PolyhedronComplexityAnswer found = counted(surface);
   const auto parts = components(surface);
   found.components = static_cast<Index>(parts.size());
-  const WholeCloud cloud(mesh.vertices);
+  const IntegerCloud cloud(mesh.vertices);
   if (found.closed && found.oriented) found.volume = sign_of_volume(mesh.faces, cloud);
   look_for_flat_face(mesh.faces, cuts, cloud, found);
   Pairs pairs;

@@ -38,7 +38,7 @@ struct Solids {
     std::vector<Point> all;
     for (const Mesh<Number>* mesh : {&a, &b})
       for (const Point3<Number>& p : mesh->vertices) all.push_back(exact(p));
-    const WholeCloud cloud(all);
+    const IntegerCloud cloud(all);
     unit = cloud.unit;
     const auto middle = cloud.points.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
     solids.emplace_back(std::vector<Point3<Integer>>(cloud.points.begin(), middle), a.faces, unit);
@@ -94,11 +94,11 @@ Integer squared_distance_polyhedron_polyhedron(const Box& a, const Box& b) {
 
 /// For two that have no common point.
 Rational squared_distance_polyhedron_polyhedron(const Triangle& a, const Triangle& b) {
-  std::vector<Rational> ways;
+  std::vector<Rational> displacements;
   for (const auto& [t, other] : {std::pair{&a, &b}, {&b, &a}})
     for (const auto& edge : {Segment3<Integer>{t->a, t->b}, {t->b, t->c}, {t->c, t->a}})
-      ways.push_back(squared_way_to_touch(edge, *other));
-  return *std::min_element(ways.begin(), ways.end());
+      displacements.push_back(squared_distance_to_touch(edge, *other));
+  return *std::min_element(displacements.begin(), displacements.end());
 }
 
 std::vector<Box> boxes_of(const std::vector<Triangle>& faces) {

@@ -30,7 +30,7 @@ struct SegmentTriangleSolved {
     }
   }
 
-  Point3<Integer> point(std::size_t i) const { return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)}; }
+  Point3<Integer> point(std::size_t i) const { return {scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)}; }
   Point3<Rational> actual_at(const Rational& t) const {
     const Point3<Rational> p = point_at(segment, t);
     return {scale.actual(p.x, 1), scale.actual(p.y, 1), scale.actual(p.z, 1)};
@@ -76,7 +76,7 @@ Truth<SegmentTriangle<Rational>> truth_of_segment_triangle(const Segment3<Number
   SegmentTriangleSolved<Number> s(segment, triangle);
   const auto& [first, last] = std::tie(s.common.first.t, s.common.last.t);
   Truth<SegmentTriangle<Rational>> truth{{SegmentTriangleRelation::none, {}, {}, {}},
-                                         s.scale.actual(squared_way_to_touch(s.segment, s.triangle), 2)};
+                                         s.scale.actual(squared_distance_to_touch(s.segment, s.triangle), 2)};
   if (s.common.any && first == last) truth.answer = {SegmentTriangleRelation::point, first, s.actual_at(first), {}};
   else if (s.common.any)
     truth.answer = {

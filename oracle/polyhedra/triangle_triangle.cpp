@@ -24,7 +24,7 @@ struct TriangleTriangleSolved {
         b{point(9), point(12), point(15)},
         common(a, b) {}
 
-  Point3<Integer> point(std::size_t i) const { return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)}; }
+  Point3<Integer> point(std::size_t i) const { return {scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)}; }
 
   CommonScale<Number, 18> scale;
   Triangle3<Integer> a, b;
@@ -65,11 +65,11 @@ Truth<TriangleTriangleRelation> truth_of_triangle_triangle(const Triangle3<Numbe
   TriangleTriangleSolved<Number> s = solved(a, b);
   Truth<TriangleTriangleRelation> truth{relation_of(s.common.dimension), Rational(0)};
   if (truth.answer == TriangleTriangleRelation::none || truth.answer == TriangleTriangleRelation::segment) {
-    std::vector<Rational> ways;
+    std::vector<Rational> displacements;
     for (const auto& [t, other] : {std::pair{&s.a, &s.b}, std::pair{&s.b, &s.a}})
       for (const auto& edge : {Segment3<Integer>{t->a, t->b}, {t->b, t->c}, {t->c, t->a}})
-        ways.push_back(squared_way_to_touch(edge, *other));
-    truth.margin = s.scale.actual(*std::min_element(ways.begin(), ways.end()), 2);
+        displacements.push_back(squared_distance_to_touch(edge, *other));
+    truth.margin = s.scale.actual(*std::min_element(displacements.begin(), displacements.end()), 2);
   }
   truth.certificate = [s = std::move(s)] { return certificate_triangle_triangle(s); };
   return truth;

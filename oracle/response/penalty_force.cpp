@@ -25,11 +25,11 @@ Situation examine(const Point3<Number>& point, const Vector3<Number>& velocity, 
       validation::validate("stiffness", stiffness), validation::validate("damping", damping);
   const Vector3<Number>& n = plane.normal;
   const CommonScale<Number, 3> places({point.x, point.y, point.z}), normals({n.x, n.y, n.z});
-  const NormalFrame frame(whole_vector(normals, 0));
+  const NormalFrame frame(integer_vector(normals, 0));
   const Rational unit(normals.actual(Rational(1), 1) * places.actual(Rational(1), 1));
   const Plane<Rational> exactly = exact(plane);
   return {height_over(exactly, exact(point)), dot(exactly.normal, exactly.normal),
-          actual_vector(places, frame.with_product(Rational(-exactly.offset / unit), whole_vector(places, 0))),
+          actual_vector(places, frame.with_product(Rational(-exactly.offset / unit), integer_vector(places, 0))),
           exact_vector(velocity) - after_bounce(velocity, n, Rational(0))};
 }
 

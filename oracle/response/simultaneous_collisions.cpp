@@ -12,7 +12,7 @@ namespace touchstone::oracle {
 namespace {
 
 /// A contact with its normal in a unit of its own.
-struct WholeContact {
+struct IntegerContact {
   Index a, b;
   Vector3<Integer> normal;
   Rational unit;
@@ -41,10 +41,10 @@ class System {
       inverse_masses.push_back(w);
       speeds.insert(speeds.end(), {v.x, v.y, v.z});
     }
-    inverse_masses_ = whole_list(inverse_masses), speeds_ = whole_list(speeds);
+    inverse_masses_ = integer_list(inverse_masses), speeds_ = integer_list(speeds);
     for (const auto& [a, b, n] : contacts) {
-      const WholeList list = whole_list(std::vector<Number>{n.x, n.y, n.z});
-      contacts_.push_back({a, b, {list.whole[0], list.whole[1], list.whole[2]}, list.unit});
+      const IntegerList list = integer_list(std::vector<Number>{n.x, n.y, n.z});
+      contacts_.push_back({a, b, {list.integers[0], list.integers[1], list.integers[2]}, list.unit});
     }
   }
 
@@ -63,13 +63,13 @@ class System {
 
  private:
   Vector3<Integer> velocity(Index body) const {
-    return {speeds_.whole[3 * body], speeds_.whole[3 * body + 1], speeds_.whole[3 * body + 2]};
+    return {speeds_.integers[3 * body], speeds_.integers[3 * body + 1], speeds_.integers[3 * body + 2]};
   }
   /// The separation at one contact due to the impulse of another, or of itself.
-  Integer effect(const WholeContact& c, const WholeContact& d) const {
+  Integer effect(const IntegerContact& c, const IntegerContact& d) const {
     const auto signed_mass = [this](Index body, Index pushed, Index pushed_back) {
-      if (body == pushed) return inverse_masses_.whole[body];
-      return body == pushed_back ? Integer(-inverse_masses_.whole[body]) : Integer(0);
+      if (body == pushed) return inverse_masses_.integers[body];
+      return body == pushed_back ? Integer(-inverse_masses_.integers[body]) : Integer(0);
     };
     const Integer mass = signed_mass(c.a, d.a, d.b) + signed_mass(c.b, d.b, d.a);
     return sgn(mass) == 0 ? Integer(0) : Integer(mass * dot(c.normal, d.normal));
@@ -78,9 +78,9 @@ class System {
   Complementary problem() const {
     Complementary result;
     const Integer one = restitution_.get_den(), one_and_e = one + restitution_.get_num();
-    for (const WholeContact& c : contacts_) {
+    for (const IntegerContact& c : contacts_) {
       std::vector<Integer> row;
-      for (const WholeContact& d : contacts_) row.push_back(effect(c, d));
+      for (const IntegerContact& d : contacts_) row.push_back(effect(c, d));
       result.matrix.push_back(std::move(row));
       const Integer parting = dot(c.normal, velocity(c.a) - velocity(c.b));
       result.constants.push_back(parting * (sgn(parting) < 0 ? one_and_e : one));
@@ -90,12 +90,12 @@ class System {
   std::vector<Vector3<Rational>> velocities(const Complement& found) const {
     const Integer below = found.denominator * restitution_.get_den();
     std::vector<Vector3<Integer>> above;
-    for (Index i = 0; i < inverse_masses_.whole.size(); ++i) above.push_back(below * velocity(i));
+    for (Index i = 0; i < inverse_masses_.integers.size(); ++i) above.push_back(below * velocity(i));
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const WholeContact& c = contacts_[i];
+      const IntegerContact& c = contacts_[i];
       const Vector3<Integer> push = found.numerators[i] * c.normal;
-      above[c.a] = above[c.a] + inverse_masses_.whole[c.a] * push;
-      above[c.b] = above[c.b] - inverse_masses_.whole[c.b] * push;
+      above[c.a] = above[c.a] + inverse_masses_.integers[c.a] * push;
+      above[c.b] = above[c.b] - inverse_masses_.integers[c.b] * push;
     }
     std::vector<Vector3<Rational>> result;
     for (const Vector3<Integer>& v : above)
@@ -124,8 +124,8 @@ class System {
     return result;
   }
 
-  WholeList inverse_masses_, speeds_;
-  std::vector<WholeContact> contacts_;
+  IntegerList inverse_masses_, speeds_;
+  std::vector<IntegerContact> contacts_;
   Rational restitution_;
 };
 

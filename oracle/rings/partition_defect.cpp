@@ -15,7 +15,7 @@ namespace {
 
 std::string named(const char* what, std::size_t i) { return what + (" " + std::to_string(i)); }
 
-std::string indices_defect(const WholeRing& ring, const IndexLists& pieces) {
+std::string indices_defect(const IntegerRing& ring, const IndexLists& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (pieces[i].size() < 3) return named("fewer than three vertices in piece", i);
     for (const Index k : pieces[i]) {
@@ -29,7 +29,7 @@ std::string indices_defect(const WholeRing& ring, const IndexLists& pieces) {
 
 /// True if every vertex is on the left of every edge or on it, and not all are collinear. (Then each edge lies on the
 /// hull's boundary in its direction, and different vertices cannot make two turns.)
-bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
+bool convex(const IntegerRing& ring, const std::vector<Index>& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Index p = piece[i], q = piece[(i + 1) % piece.size()];
     bool beside = false;
@@ -44,7 +44,7 @@ bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
 }
 
 /// True if an edge of a has all of b on its right or on it: for convex pieces, if it separates their interiors.
-bool parted(const WholeRing& ring, const std::vector<Index>& a, const std::vector<Index>& b) {
+bool parted(const IntegerRing& ring, const std::vector<Index>& a, const std::vector<Index>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Index p = a[i], q = a[(i + 1) % a.size()];
     if (std::all_of(b.begin(), b.end(), [&](Index r) { return ring.turn(p, q, r) <= 0; })) return true;
@@ -52,7 +52,7 @@ bool parted(const WholeRing& ring, const std::vector<Index>& a, const std::vecto
   return false;
 }
 
-bool on_segment(const WholeRing& ring, Index a, Index b, Index p) {
+bool on_segment(const IntegerRing& ring, Index a, Index b, Index p) {
   const auto &s = ring[a], &t = ring[b], &r = ring[p];
   return ring.turn(a, b, p) == 0 && std::min(s.x, t.x) <= r.x && r.x <= std::max(s.x, t.x) &&
          std::min(s.y, t.y) <= r.y && r.y <= std::max(s.y, t.y);
@@ -60,7 +60,7 @@ bool on_segment(const WholeRing& ring, Index a, Index b, Index p) {
 
 /// True if the open segment from vertex a to vertex b, not an edge, lies inside the ring, which is simple: it starts
 /// within the angle at a, no edge that does not end in a or b meets it, and no neighbour of a or b lies on it.
-bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
+bool diagonal(const IntegerRing& ring, Index a, Index b, bool counter_clockwise) {
   const Index next = counter_clockwise ? ring.after(a) : ring.before(a),
               last = counter_clockwise ? ring.before(a) : ring.after(a);
   const bool left_of_next = ring.turn(a, next, b) > 0, right_of_last = ring.turn(a, last, b) < 0;
@@ -74,7 +74,7 @@ bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
   return true;
 }
 
-std::string edges_defect(const WholeRing& ring, const IndexLists& pieces, bool counter_clockwise) {
+std::string edges_defect(const IntegerRing& ring, const IndexLists& pieces, bool counter_clockwise) {
   std::set<std::pair<Index, Index>> inside;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t k = 0; k < pieces[i].size(); ++k) {
@@ -91,7 +91,7 @@ std::string edges_defect(const WholeRing& ring, const IndexLists& pieces, bool c
 }  // namespace
 
 std::string partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {
-  const WholeRing ring(*validation::OpenRing(polygon));
+  const IntegerRing ring(*validation::OpenRing(polygon));
   const std::string indices = indices_defect(ring, pieces);
   if (!indices.empty()) return indices;
   Integer area;

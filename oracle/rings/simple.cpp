@@ -11,7 +11,7 @@ namespace {
 
 using Word = std::int64_t;
 
-SegmentRelation relation(const WholeRing& ring, Index i, Index j) {
+SegmentRelation relation(const IntegerRing& ring, Index i, Index j) {
   if (ring.words.empty()) return segment_segment_relation<Integer>(ring.edge(i), ring.edge(j));
   const auto edge = [&](Index k) { return Segment2<Word>{ring.words[k], ring.words[ring.after(k)]}; };
   return segment_segment_relation<Int128>(edge(i), edge(j));
@@ -19,7 +19,7 @@ SegmentRelation relation(const WholeRing& ring, Index i, Index j) {
 
 }  // namespace
 
-std::optional<validation::RingDefect> ring_defect(const WholeRing& ring) {
+std::optional<validation::RingDefect> ring_defect(const IntegerRing& ring) {
   const Index n = ring.size();
   for (Index i = 0; i < n; ++i) {
     if (ring[i] == ring[ring.after(i)]) return validation::RingDefect{i, i};

@@ -10,6 +10,6 @@ namespace touchstone::oracle {
 
 /// The first defect of a ring by definition: every pair of edges whose boxes meet is tested for common points. nullopt:
 /// the ring is simple.
-std::optional<validation::RingDefect> ring_defect(const WholeRing& ring);
+std::optional<validation::RingDefect> ring_defect(const IntegerRing& ring);
 
 }  // namespace touchstone::oracle

@@ -13,19 +13,19 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-WholeRing validated(const Polygon2<Number>& polygon) {
+IntegerRing validated(const Polygon2<Number>& polygon) {
   validation::validate("polygon", polygon);
-  WholeRing ring(*validation::OpenRing(polygon));
+  IntegerRing ring(*validation::OpenRing(polygon));
   if (const auto defect = ring_defect(ring)) validation::refuse("polygon", *defect, ring.size());
   return ring;
 }
 
 }  // namespace
 
-WholeRing simple_ring(const Polygon2d& polygon) { return validated(polygon); }
-WholeRing simple_ring(const Polygon2<Rational>& polygon) { return validated(polygon); }
+IntegerRing simple_ring(const Polygon2d& polygon) { return validated(polygon); }
+IntegerRing simple_ring(const Polygon2<Rational>& polygon) { return validated(polygon); }
 
-std::vector<Index> counter_clockwise(const WholeRing& ring) {
+std::vector<Index> counter_clockwise(const IntegerRing& ring) {
   std::vector<Index> all(ring.size());
   std::iota(all.begin(), all.end(), Index{0});
   if (sgn(ring.area()) < 0) std::reverse(all.begin(), all.end());
@@ -36,7 +36,7 @@ std::vector<Index> counter_clockwise(const WholeRing& ring) {
 /// left. With u and w before and after v: uw if the closed triangle uvw contains no other vertex, otherwise vz to the
 /// contained vertex that is farthest from uw on v's side, because no edge can reach into the part of the triangle
 /// beyond z without ending there.
-IndexLists triangulated(const WholeRing& ring) {
+IndexLists triangulated(const IntegerRing& ring) {
   IndexLists triangles, rings{counter_clockwise(ring)};
   while (!rings.empty()) {
     std::vector<Index> now = std::move(rings.back());
@@ -70,7 +70,7 @@ IndexLists triangulated(const WholeRing& ring) {
   return triangles;
 }
 
-Truth<IndexLists> cut(WholeRing ring, IndexLists pieces) {
+Truth<IndexLists> cut(IntegerRing ring, IndexLists pieces) {
   Integer least = abs(ring.area(ring.before(0), 0, ring.after(0)));
   for (Index i = 1; i < ring.size(); ++i)
     least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));

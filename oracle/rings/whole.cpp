@@ -9,7 +9,7 @@
 
 namespace touchstone::oracle {
 
-WholeRing::WholeRing(const Polygon2d& polygon) {
+IntegerRing::IntegerRing(const Polygon2d& polygon) {
   const int none = 4096;  // no finite double has an exponent like that
   int least = none;
   const auto lower = [&](double number) {
@@ -18,7 +18,7 @@ WholeRing::WholeRing(const Polygon2d& polygon) {
       least = std::min(least, part.exponent + std::countr_zero(static_cast<std::uint64_t>(part.mantissa)));
   };
   for (const Point2d& p : polygon.vertices) lower(p.x), lower(p.y);
-  const auto whole = [&](double number) {
+  const auto integer = [&](double number) {
     const Dyadic part = decode(number);
     Integer result(static_cast<long>(part.mantissa));
     const int up = part.exponent - least;
@@ -29,26 +29,26 @@ WholeRing::WholeRing(const Polygon2d& polygon) {
     }
     return result;
   };
-  for (const Point2d& p : polygon.vertices) ring.vertices.push_back({whole(p.x), whole(p.y)});
+  for (const Point2d& p : polygon.vertices) ring.vertices.push_back({integer(p.x), integer(p.y)});
   unit = scaled(Rational(1), least == none ? 0 : least);
   find_words();
 }
 
-WholeRing::WholeRing(const Polygon2<Rational>& polygon) {
+IntegerRing::IntegerRing(const Polygon2<Rational>& polygon) {
   Integer denominator(1);
   for (const auto& p : polygon.vertices) {
     for (const Rational* number : {&p.x, &p.y})
       mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number->get_den_mpz_t());
   }
-  const auto whole = [&](const Rational& number) {
+  const auto integer = [&](const Rational& number) {
     return Integer(number.get_num() * (denominator / number.get_den()));
   };
-  for (const auto& p : polygon.vertices) ring.vertices.push_back({whole(p.x), whole(p.y)});
+  for (const auto& p : polygon.vertices) ring.vertices.push_back({integer(p.x), integer(p.y)});
   unit = Rational(Integer(1), denominator);
   find_words();
 }
 
-void WholeRing::find_words() {
+void IntegerRing::find_words() {
   const auto fits = [](const Integer& number) { return mpz_sizeinbase(number.get_mpz_t(), 2) <= most_bits_in_words; };
   for (const auto& p : ring.vertices) {
     if (!fits(p.x) || !fits(p.y)) return words.clear();
@@ -56,23 +56,23 @@ void WholeRing::find_words() {
   }
 }
 
-std::vector<Segment2<Integer>> WholeRing::edges() const {
+std::vector<Segment2<Integer>> IntegerRing::edges() const {
   std::vector<Segment2<Integer>> all;
   for (std::size_t i = 0; i < ring.size(); ++i) all.push_back(edge(i));
   return all;
 }
 
-Integer WholeRing::area(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
+Integer IntegerRing::area(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
   return cross(q - p, r - p);
 }
 
-int WholeRing::turn(Index i, Index j, Index k) const {
+int IntegerRing::turn(Index i, Index j, Index k) const {
   if (words.empty()) return sgn(area(i, j, k));
   const auto &p = words[i], &q = words[j], &r = words[k];
   return sgn(Int128{q.x - p.x} * (r.y - p.y) - Int128{q.y - p.y} * (r.x - p.x));
 }
 
-Integer WholeRing::area(const std::vector<Index>& piece) const {
+Integer IntegerRing::area(const std::vector<Index>& piece) const {
   Integer sum;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Point2<Integer>&p = ring[piece[i]], &q = ring[piece[(i + 1) % piece.size()]];
@@ -81,7 +81,7 @@ Integer WholeRing::area(const std::vector<Index>& piece) const {
   return sum;
 }
 
-Integer WholeRing::area() const {
+Integer IntegerRing::area() const {
   std::vector<Index> all(size());
   std::iota(all.begin(), all.end(), Index{0});
   return area(all);

@@ -11,10 +11,10 @@
 namespace touchstone::oracle {
 
 /// A ring in integers times one positive unit. Signs and ratios are those of the ring itself.
-class WholeRing {
+class IntegerRing {
  public:
-  explicit WholeRing(const Polygon2d& polygon);
-  explicit WholeRing(const Polygon2<Rational>& polygon);
+  explicit IntegerRing(const Polygon2d& polygon);
+  explicit IntegerRing(const Polygon2<Rational>& polygon);
 
   Index size() const { return static_cast<Index>(ring.size()); }
   const Point2<Integer>& operator[](std::size_t i) const { return ring[i]; }

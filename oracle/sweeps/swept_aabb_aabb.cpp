@@ -41,7 +41,7 @@ std::array<AxisMotion<Value>, N / 5> validated(const CommonScale<Number, N>& n, 
   if (!n.finite()) validate();
   std::array<AxisMotion<Value>, N / 5> axes;
   for (std::size_t k = 0; k < axes.size(); ++k) {
-    const auto at = [&](std::size_t i) { return whole<Value>(n, 5 * k + i); };
+    const auto at = [&](std::size_t i) { return integer<Value>(n, 5 * k + i); };
     axes[k] = {at(0), at(1), at(2), at(3), at(4)};
     if (axes[k].a_max < axes[k].a_min || axes[k].b_max < axes[k].b_min) validate();
   }
@@ -120,8 +120,8 @@ std::vector<Rational> touching_normal_swept_aabb_aabb(const Axes& axes, const Ra
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const auto& m = axes[k];
     const int direction = sgn(m.velocity);
-    const Rational way(direction > 0 ? Integer(m.b_min - m.a_max) : Integer(m.b_max - m.a_min));
-    if (direction == 0 || way != t * m.velocity) continue;
+    const Rational displacement(direction > 0 ? Integer(m.b_min - m.a_max) : Integer(m.b_max - m.a_min));
+    if (direction == 0 || displacement != t * m.velocity) continue;
     normal[k] = direction;
     return normal;
   }

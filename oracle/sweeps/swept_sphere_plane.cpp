@@ -38,8 +38,8 @@ Parabola parabola_swept_sphere_plane(const Approach& a) {
   Integer common(1);
   for (const Rational* coefficient : {&start, &half, &square})
     mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), coefficient->get_den_mpz_t());
-  const auto whole = [&common](const Rational& c) { return Integer(c.get_num() * (common / c.get_den())); };
-  return {whole(start), whole(half), whole(square)};
+  const auto integer = [&common](const Rational& c) { return Integer(c.get_num() * (common / c.get_den())); };
+  return {integer(start), integer(half), integer(square)};
 }
 
 Rational margin(const Approach& a) {

@@ -31,11 +31,11 @@ Scale<Number> validated_swept_sphere_sphere(const Sphere3<Number>& a, const Sphe
 template <class Number>
 Parabola parabola_swept_sphere_sphere(const Scale<Number>& n) {
   const auto difference = [&n](std::size_t i, std::size_t j) {
-    const auto at = [&](std::size_t axis) { return Integer(n.whole(i + axis) - n.whole(j + axis)); };
+    const auto at = [&](std::size_t axis) { return Integer(n.integer(i + axis) - n.integer(j + axis)); };
     return Vector3<Integer>{at(0), at(1), at(2)};
   };
   const Vector3<Integer> position = difference(0, 4), velocity = difference(8, 11);
-  const Integer radii(n.whole(3) + n.whole(7));
+  const Integer radii(n.integer(3) + n.integer(7));
   return {Integer(dot(position, position) - radii * radii), dot(position, velocity), dot(velocity, velocity)};
 }
 

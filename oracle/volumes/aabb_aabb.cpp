@@ -43,8 +43,8 @@ template <class Value, class Number, std::size_t N>
 std::array<Inequalities<Value>, N / 4> axes_of(const CommonScale<Number, N>& n) {
   std::array<Inequalities<Value>, N / 4> axes;
   for (std::size_t k = 0; k < axes.size(); ++k) {
-    axes[k] = {whole<Value>(n, 4 * k), whole<Value>(n, 4 * k + 1), whole<Value>(n, 4 * k + 2),
-               whole<Value>(n, 4 * k + 3)};
+    axes[k] = {integer<Value>(n, 4 * k), integer<Value>(n, 4 * k + 1), integer<Value>(n, 4 * k + 2),
+               integer<Value>(n, 4 * k + 3)};
   }
   return axes;
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// The points in units.
 struct Counted {
-  WholePoints points;
+  IntegerPoints points;
   Rational unit;
 
   /// n / d units
@@ -38,12 +38,12 @@ struct Counted {
 };
 
 /// Keeps the unit as large as possible: points times a power of two have the same integers.
-void without_common_twos(WholeList& list) {
+void without_common_twos(IntegerList& list) {
   mp_bitcnt_t twos = ~mp_bitcnt_t{0};
-  for (const Integer& n : list.whole)
+  for (const Integer& n : list.integers)
     if (sgn(n) != 0) twos = std::min(twos, mpz_scan1(n.get_mpz_t(), 0));
   if (twos == ~mp_bitcnt_t{0}) return;  // all are 0
-  for (Integer& n : list.whole) n >>= twos;
+  for (Integer& n : list.integers) n >>= twos;
   list.unit *= Rational(Integer(1) << twos);
 }
 
@@ -53,11 +53,11 @@ Counted counted(const std::vector<Point3<Number>>& points) {
   validation::validate("points", points, rule::points);
   std::vector<Number> numbers;
   for (const auto& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
-  WholeList list = whole_list(numbers);
+  IntegerList list = integer_list(numbers);
   without_common_twos(list);
   Counted result{{}, list.unit};
   for (std::size_t i = 0; i < points.size(); ++i)
-    result.points.push_back({list.whole[3 * i], list.whole[3 * i + 1], list.whole[3 * i + 2]});
+    result.points.push_back({list.integers[3 * i], list.integers[3 * i + 1], list.integers[3 * i + 2]});
   return result;
 }
 
@@ -66,14 +66,14 @@ template <class OnAxis>
 Point3<Integer> by_axis(const OnAxis& on_axis) {
   return {on_axis(&Point3<Integer>::x), on_axis(&Point3<Integer>::y), on_axis(&Point3<Integer>::z)};
 }
-std::vector<Integer> along(Coordinate axis, const WholePoints& points) {
+std::vector<Integer> along(Coordinate axis, const IntegerPoints& points) {
   std::vector<Integer> all;
   for (const auto& p : points) all.push_back(p.*axis);
   return all;
 }
 
 /// box, centroid
-WholeBall around_middle(const WholePoints& points, SphereMethod method) {
+IntegerBall around_middle(const IntegerPoints& points, SphereMethod method) {
   if (method == SphereMethod::box) {
     const Point3<Integer> twice = by_axis([&points](Coordinate axis) {
       std::vector<Integer> ascending = along(axis, points);
@@ -92,7 +92,7 @@ WholeBall around_middle(const WholePoints& points, SphereMethod method) {
 
 /// Binary digits of ritter's ball below the unit: the effect of a point near another, compared with a distant one, is
 /// often as small as the square of their ratio.
-unsigned digits_below(const WholePoints& points) {
+unsigned digits_below(const IntegerPoints& points) {
   std::size_t most = 0;
   for (const auto& p : points)
     for (const Integer& x : {p.x, p.y, p.z}) most = std::max(most, mpz_sizeinbase(x.get_mpz_t(), 2));
@@ -109,27 +109,27 @@ Certificate supported(const char* kind, const SmallestBall& ball) {
 template <class Number>
 Truth<Sphere3<Surd>> truth_of_bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method) {
   Counted counted = oracle::counted(points);
-  WholePoints& whole = counted.points;
+  IntegerPoints& integers = counted.points;
   const auto as_surds = [](const Point3<Rational>& p) { return Point3<Surd>{p.x, p.y, p.z}; };
-  const auto sphere = [&](const WholeBall& ball) {
+  const auto sphere = [&](const IntegerBall& ball) {
     return Sphere3<Surd>{as_surds(counted.actual(ball.times, ball.d)),
                          sqrt(Surd(counted.squared(ball.square, ball.d)))};
   };
   if (method == SphereMethod::ritter) {
-    const unsigned below = digits_below(whole);
-    const GrowingBall ball = growing_ball(whole, below);
+    const unsigned below = digits_below(integers);
+    const GrowingBall ball = growing_ball(integers, below);
     const Integer d = Integer(1) << below;
     return {{as_surds(counted.actual(ball.center, d)), Surd(counted.actual(ball.radius, d))},
             std::nullopt,
-            [whole = std::move(whole)] { return supported("lower_bound", smallest_ball(whole)); }};
+            [integers = std::move(integers)] { return supported("lower_bound", smallest_ball(integers)); }};
   }
   if (method == SphereMethod::smallest) {
-    SmallestBall ball = smallest_ball(whole);
+    SmallestBall ball = smallest_ball(integers);
     return {sphere(ball), std::nullopt, [ball = std::move(ball)] { return supported("support", ball); }};
   }
-  WholeBall ball = around_middle(whole, method);
-  return {sphere(ball), std::nullopt, [whole = std::move(whole), ball = std::move(ball)] {
-            return Certificate{"farthest_point", {{"point", {Rational(ball.farthest(whole))}}}};
+  IntegerBall ball = around_middle(integers, method);
+  return {sphere(ball), std::nullopt, [integers = std::move(integers), ball = std::move(ball)] {
+            return Certificate{"farthest_point", {{"point", {Rational(ball.farthest(integers))}}}};
           }};
 }
 
@@ -153,8 +153,8 @@ std::string lost(const std::vector<Point3d>& points, const Sphere3d& ball) {
   Rational greatest = square;
   std::size_t farthest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector3<Rational> way = exact(points[i]) - exact(ball.center);
-    const Rational distance = dot(way, way);
+    const Vector3<Rational> displacement = exact(points[i]) - exact(ball.center);
+    const Rational distance = dot(displacement, displacement);
     if (distance > greatest) greatest = distance, farthest = i;
   }
   if (greatest == square) return "";
@@ -169,7 +169,7 @@ std::string lost(const std::vector<Point3d>& points, const Sphere3d& ball) {
 std::string too_large(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball) {
   const Counted counted = oracle::counted(points);
   const bool grown = method == SphereMethod::ritter;
-  const WholeBall least =
+  const IntegerBall least =
       grown || method == SphereMethod::smallest ? smallest_ball(counted.points) : around_middle(counted.points, method);
   Rational square = counted.squared(least.square, least.d), coordinate = 0;
   if (grown) square *= Rational(9, 4);

@@ -29,7 +29,7 @@ auto nearest_by_axis(const Point& point, const Box& aabb) {
   const auto validate = [&] { validation::validate("point", point), validation::validate("aabb", aabb); };
   if (!n.finite()) validate();
   const auto on_axis = [&](std::size_t k) -> Nearest {
-    const Integer p = n.whole(3 * k), min = n.whole(3 * k + 1), max = n.whole(3 * k + 2);
+    const Integer p = n.integer(3 * k), min = n.integer(3 * k + 1), max = n.integer(3 * k + 2);
     if (min > max) validate();
     const auto found = nearest_in_interval(p, min, max);
     return {n.actual(rational(found.x), 1), n.actual(rational(found.lower), 1), n.actual(rational(found.upper), 1)};

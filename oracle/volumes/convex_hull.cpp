@@ -25,7 +25,7 @@ Integer greatest(const Vector3<Integer>& v) {
 using Rings = std::vector<std::vector<Index>>;
 
 /// The margin in units to the third power.
-std::optional<Integer> margin_of_convex_hull(const WholeCloud& cloud, const Rings& rings) {
+std::optional<Integer> margin_of_convex_hull(const IntegerCloud& cloud, const Rings& rings) {
   if (cloud.size() == 1) return std::nullopt;
   const Integer width = greatest(cloud.between(0, 1));
   if (cloud.size() == 2) return Integer(width * width * width);
@@ -45,7 +45,7 @@ std::optional<Integer> margin_of_convex_hull(const WholeCloud& cloud, const Ring
   return least;
 }
 
-ConvexHull hull_of_convex_hull(const WholeCloud& cloud, const std::vector<Index>& simplex, const Rings& rings) {
+ConvexHull hull_of_convex_hull(const IntegerCloud& cloud, const std::vector<Index>& simplex, const Rings& rings) {
   if (simplex.size() == 1) return {0, simplex[0], {}, {}, {}};
   if (simplex.size() == 2) {
     const std::vector<Index> ends = ends_of(cloud);
@@ -85,7 +85,7 @@ const char* kind_of(const ConvexHull& hull) {
 template <class Number>
 Truth<ConvexHull> truth_convex_hull(const std::vector<Point3<Number>>& points) {
   validate_convex_hull(points);
-  const WholeCloud cloud(points);
+  const IntegerCloud cloud(points);
   const std::vector<Index> simplex = cloud.simplex();
   const Rings rings = simplex.size() < 4 ? Rings() : face_rings(cloud);
   Truth<ConvexHull> found{hull_of_convex_hull(cloud, simplex, rings), std::nullopt};
@@ -102,7 +102,7 @@ std::string outside(Index p) { return "outside is point " + std::to_string(p); }
 
 /// Requires a ring that turns left about the normal of its plane, which contains all points, with every point on the
 /// left of every edge or on it: as in convex_hull_2d.cpp.
-std::string polygon_defect(const WholeCloud& cloud, const std::vector<Index>& ring) {
+std::string polygon_defect(const IntegerCloud& cloud, const std::vector<Index>& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return "fewer than three vertices";
   const Vector3<Integer> normal = cloud.normal(ring[0], ring[1], ring[2]);
@@ -133,7 +133,7 @@ bool is_extreme(const std::vector<Vector3<Integer>>& normals) {
 /// outwards. If every edge is there once in each direction, they have no rim, so they cover all of the boundary, every
 /// part of it as often. Corners that are extreme, and different points, leave no edge of the hull but between two of
 /// them, and it is there once: they cover it once. And what covers the boundary has all extreme points as corners.
-std::string faces_defect(const WholeCloud& cloud, const std::vector<Face>& faces) {
+std::string faces_defect(const IntegerCloud& cloud, const std::vector<Face>& faces) {
   std::set<std::pair<Index, Index>> edges;
   std::map<Index, std::vector<Vector3<Integer>>> normals;
   bool inside = false;
@@ -173,7 +173,7 @@ template Truth<ConvexHull> convex_hull(const std::vector<Point3<Rational>>&);
 std::string convex_hull_defect(const std::vector<Point3d>& points, const ConvexHull& hull) {
   const std::vector<Index> named = named_by_convex_hull(hull);
   if (named.empty()) return "not the fields of its dimension";
-  const WholeCloud cloud(points);
+  const IntegerCloud cloud(points);
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (named[i] >= cloud.size()) return "no such point: " + std::to_string(named[i]);
     for (std::size_t k = 0; k < i; ++k) {

@@ -19,7 +19,7 @@ bool farther(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<In
 }
 
 /// As seen from an extreme point all others lie within less than half a turn: turns from one to another order them.
-std::vector<Index> wrapped(const WholeRing& points) {
+std::vector<Index> wrapped(const IntegerRing& points) {
   Index least = 0;
   for (Index i = 1; i < points.size(); ++i) {
     if (before(points[i], points[least])) least = i;
@@ -57,7 +57,7 @@ Value least_area(const std::vector<Point>& points, const std::vector<Index>& rin
   return *least;
 }
 
-std::optional<Rational> margin_of_convex_hull_2d(const WholeRing& points, const std::vector<Index>& ring) {
+std::optional<Rational> margin_of_convex_hull_2d(const IntegerRing& points, const std::vector<Index>& ring) {
   if (points.size() == 1) return std::nullopt;
   if (ring.size() == 2 && points.size() == 2) {
     const Vector2<Integer> v = points[1] - points[0];
@@ -84,9 +84,9 @@ void validate_convex_hull_2d(const std::vector<Point2<Rational>>& points) {
 template <class Number>
 Truth<ConvexHull2> truth_convex_hull_2d(const std::vector<Point2<Number>>& points) {
   validate_convex_hull_2d(points);
-  const WholeRing whole(Polygon2<Number>{points});
-  std::vector<Index> ring = wrapped(whole);
-  return {hull_of_convex_hull_2d(ring), margin_of_convex_hull_2d(whole, ring), [ring = std::move(ring)] {
+  const IntegerRing integers(Polygon2<Number>{points});
+  std::vector<Index> ring = wrapped(integers);
+  return {hull_of_convex_hull_2d(ring), margin_of_convex_hull_2d(integers, ring), [ring = std::move(ring)] {
             const char* kind = ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon";
             return Certificate{kind, {{"extreme", {ring.begin(), ring.end()}}}};
           }};
@@ -126,24 +126,24 @@ std::string convex_hull_2d_defect(const std::vector<Point2d>& points, const Conv
   for (const Index i : ring) {
     if (i >= points.size()) return "no such point: " + std::to_string(i);
   }
-  const WholeRing whole(Polygon2d{points});
+  const IntegerRing integers(Polygon2d{points});
   for (std::size_t i = 0; i < ring.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (whole[ring[i]] == whole[ring[k]]) return "one point twice: " + std::to_string(ring[i]);
+      if (integers[ring[i]] == integers[ring[k]]) return "one point twice: " + std::to_string(ring[i]);
     }
   }
   if (hull.dimension == 2 && ring.size() < 3) return "fewer than three vertices";
   const std::size_t n = ring.size();
   for (std::size_t k = 0; k < n && n > 2; ++k) {
-    if (whole.turn(ring[k], ring[(k + 1) % n], ring[(k + 2) % n]) <= 0) return "no turn to the left";
+    if (integers.turn(ring[k], ring[(k + 1) % n], ring[(k + 2) % n]) <= 0) return "no turn to the left";
   }
-  for (Index i = 0; i < whole.size(); ++i) {
-    const auto &p = whole[i], &a = whole[ring[0]], &b = whole[ring.back()];
+  for (Index i = 0; i < integers.size(); ++i) {
+    const auto &p = integers[i], &a = integers[ring[0]], &b = integers[ring.back()];
     const std::string outside = "outside is point " + std::to_string(i);
     if (n < 3 && !(between(a.x, p.x, b.x) && between(a.y, p.y, b.y))) return outside;
-    if (n == 2 && whole.turn(ring[0], ring[1], i) != 0) return outside;
+    if (n == 2 && integers.turn(ring[0], ring[1], i) != 0) return outside;
     for (std::size_t k = 0; k < n && n > 2; ++k) {
-      if (whole.turn(ring[k], ring[(k + 1) % n], i) < 0) return outside;
+      if (integers.turn(ring[k], ring[(k + 1) % n], i) < 0) return outside;
     }
   }
   return "";

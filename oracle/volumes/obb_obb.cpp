@@ -13,7 +13,7 @@ template <class Number>
 struct ObbObbPair {
   CommonScale<Number, 24> scale;
   Zonotope differences;
-  Vector3<Integer> way;
+  Vector3<Integer> displacement;
 };
 
 template <class Number>
@@ -26,11 +26,11 @@ ObbObbPair<Number> validated_obb_obb(const Obb3<Number>& a, const Obb3<Number>& 
   CommonScale<Number, 24> scale({u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, x.x, x.y, x.z,  //
                                  y.x, y.y, y.z, z.x, z.y, z.z, c.x, c.y, c.z, d.x, d.y, d.z});
   const auto at = [&scale](std::size_t i) {
-    return Vector3<Integer>{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+    return Vector3<Integer>{scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)};
   };
   Zonotope differences({at(0), at(3), at(6), at(9), at(12), at(15)});
-  Vector3<Integer> way = at(21) - at(18);
-  return {std::move(scale), std::move(differences), std::move(way)};
+  Vector3<Integer> displacement = at(21) - at(18);
+  return {std::move(scale), std::move(differences), std::move(displacement)};
 }
 
 Certificate certificate_obb_obb(const Zonotope::Held& held, const Vector3<Integer>& n) {
@@ -47,8 +47,8 @@ Certificate certificate_obb_obb(const Zonotope::Held& held, const Vector3<Intege
 template <class Number>
 Truth<Contact> truth_of_obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
   const ObbObbPair<Number> pair = validated_obb_obb(a, b);
-  Zonotope::Held held = pair.differences.held(pair.way);
-  Zonotope::Support support = pair.differences.deciding(pair.way);
+  Zonotope::Held held = pair.differences.held(pair.displacement);
+  Zonotope::Support support = pair.differences.deciding(pair.displacement);
   return {held.growth < 1   ? Contact::overlapping
           : held.growth > 1 ? Contact::disjoint
                             : Contact::touching,

@@ -12,22 +12,22 @@
 namespace touchstone::oracle {
 namespace {
 
-using Way = Vector3<Integer>;
+using Displacement = Vector3<Integer>;
 using Matrix = std::array<std::array<Integer, 3>, 3>;
 
 template <class Number>
-WholeCloud validated_obb_of_points(const std::vector<Point3<Number>>& points) {
+IntegerCloud validated_obb_of_points(const std::vector<Point3<Number>>& points) {
   validation::validate("points", points, rule::points);
-  return WholeCloud(points);
+  return IntegerCloud(points);
 }
 
-std::array<Integer, 3> parts(const Way& v) { return {v.x, v.y, v.z}; }
+std::array<Integer, 3> parts(const Displacement& v) { return {v.x, v.y, v.z}; }
 
 /// n^2 times the covariance.
-Matrix covariance(const WholeCloud& cloud) {
+Matrix covariance(const IntegerCloud& cloud) {
   const Integer n = cloud.size();
-  Way sum{0, 0, 0};
-  for (const auto& p : cloud.points) sum = sum + Way{p.x, p.y, p.z};
+  Displacement sum{0, 0, 0};
+  for (const auto& p : cloud.points) sum = sum + Displacement{p.x, p.y, p.z};
   Matrix result;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
@@ -55,7 +55,7 @@ Rational simplest(const Rational& low, const Rational& high) {
 }
 
 /// Approximates the direction of a nonzero vector by small integers; exact if it has small ones.
-Way shortened(const Way& v) {
+Displacement shortened(const Displacement& v) {
   const std::array<Integer, 3> part = parts(v);
   const Integer greatest = std::max({Integer(abs(v.x)), Integer(abs(v.y)), Integer(abs(v.z))});
   const Rational near = scaled(Rational(1), -10);
@@ -67,21 +67,21 @@ Way shortened(const Way& v) {
     share[i] = simplest(size > near ? Rational(size - near) : Rational(0), Rational(size + near));
     mpz_lcm(together.get_mpz_t(), together.get_mpz_t(), share[i].get_den_mpz_t());
   }
-  const auto whole = [&](std::size_t i) {
+  const auto integer = [&](std::size_t i) {
     const Rational number(share[i] * together);
     return sgn(part[i]) < 0 ? Integer(-number.get_num()) : number.get_num();
   };
-  return {whole(0), whole(1), whole(2)};
+  return {integer(0), integer(1), integer(2)};
 }
 
 /// Divides by the common factor.
-Way primitive(const Way& v) {
+Displacement primitive(const Displacement& v) {
   Integer common = gcd(Integer(gcd(v.x, v.y)), v.z);
   return {Integer(v.x / common), Integer(v.y / common), Integer(v.z / common)};
 }
 
 /// The direction that a nonzero symmetric matrix without negative eigenvalues stretches the most.
-Way greatest_stretch(Matrix m) {
+Displacement greatest_stretch(Matrix m) {
   for (int time = 0; time < 12; ++time) {
     m = product(m, m);
     std::size_t bits = 0;
@@ -98,37 +98,37 @@ Way greatest_stretch(Matrix m) {
 }
 
 /// n . n times the part of a vector perpendicular to n.
-Way across(const Way& n, const Way& v) { return dot(n, n) * v - dot(n, v) * n; }
+Displacement across(const Displacement& n, const Displacement& v) { return dot(n, n) * v - dot(n, v) * n; }
 
 /// Some nonzero vector perpendicular to n.
-Way beside(const Way& n) {
+Displacement beside(const Displacement& n) {
   const Integer x = abs(n.x), y = abs(n.y), z = abs(n.z);
-  if (x <= y && x <= z) return cross(n, Way{1, 0, 0});
-  return y <= z ? cross(n, Way{0, 1, 0}) : cross(n, Way{0, 0, 1});
+  if (x <= y && x <= z) return cross(n, Displacement{1, 0, 0});
+  return y <= z ? cross(n, Displacement{0, 1, 0}) : cross(n, Displacement{0, 0, 1});
 }
 
 /// The same for n, near v if that is possible.
-Way beside(const Way& n, const Way& v) {
-  const Way found = across(n, v);
+Displacement beside(const Displacement& n, const Displacement& v) {
+  const Displacement found = across(n, v);
   return zero(found) ? beside(n) : found;
 }
 
 /// Perpendicular axes, none of them 0.
-std::array<Way, 3> axes_of(const WholeCloud& cloud) {
-  const auto with = [](const Way& one, const Way& other) -> std::array<Way, 3> {
-    const Way a = primitive(one), b = primitive(other);
+std::array<Displacement, 3> axes_of(const IntegerCloud& cloud) {
+  const auto with = [](const Displacement& one, const Displacement& other) -> std::array<Displacement, 3> {
+    const Displacement a = primitive(one), b = primitive(other);
     return {a, b, primitive(cross(a, b))};
   };
   const std::vector<Index> span = cloud.simplex();
-  if (span.size() == 1) return {Way{1, 0, 0}, Way{0, 1, 0}, Way{0, 0, 1}};
+  if (span.size() == 1) return {Displacement{1, 0, 0}, Displacement{0, 1, 0}, Displacement{0, 0, 1}};
   if (span.size() == 2) {
-    const Way along = cloud.between(span[0], span[1]);
+    const Displacement along = cloud.between(span[0], span[1]);
     return with(along, beside(along));
   }
   const Matrix spread = covariance(cloud);
-  const Way first = greatest_stretch(spread);
+  const Displacement first = greatest_stretch(spread);
   if (span.size() == 3) {
-    const Way normal = primitive(cloud.normal(span[0], span[1], span[2])), along = beside(normal, first);
+    const Displacement normal = primitive(cloud.normal(span[0], span[1], span[2])), along = beside(normal, first);
     return with(along, cross(normal, along));
   }
   Matrix project;
@@ -143,7 +143,7 @@ std::array<Way, 3> axes_of(const WholeCloud& cloud) {
 struct Ends {
   std::size_t least = 0, most = 0;  ///< indices of points
   Integer low, high;
-  Ends(const WholeCloud& cloud, const Way& axis) : low(cloud.along(axis, 0)), high(low) {
+  Ends(const IntegerCloud& cloud, const Displacement& axis) : low(cloud.along(axis, 0)), high(low) {
     for (Index i = 1; i < cloud.size(); ++i) {
       const Integer at = cloud.along(axis, i);
       if (at < low) low = at, least = i;
@@ -152,8 +152,8 @@ struct Ends {
   }
 };
 
-Truth<Obb3<Rational>> box_around(const WholeCloud& cloud) {
-  const std::array<Way, 3> axes = axes_of(cloud);
+Truth<Obb3<Rational>> box_around(const IntegerCloud& cloud) {
+  const std::array<Displacement, 3> axes = axes_of(cloud);
   Point3<Rational> center{0, 0, 0};
   std::array<Vector3<Rational>, 3> half_axes;
   std::vector<std::size_t> least, most;

@@ -22,14 +22,14 @@ template <class Number>
 std::vector<Depth> depths(const Kdop3<Number>& kdop, const Point3<Number>& point) {
   validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),
       validation::validate("kdop", kdop), validation::validate("point", point);
-  const WholeList p = whole_list(std::vector<Number>{point.x, point.y, point.z, Number(1)});
-  const Integer &x = p.whole[0], &y = p.whole[1], &z = p.whole[2], &w = p.whole[3];
+  const IntegerList p = integer_list(std::vector<Number>{point.x, point.y, point.z, Number(1)});
+  const Integer &x = p.integers[0], &y = p.integers[1], &z = p.integers[2], &w = p.integers[3];
   std::vector<Depth> found;
   for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
     const auto& [nx, ny, nz] = kdop.normals[i];
-    const WholeList s = whole_list(std::vector<Number>{nx, ny, nz, kdop.slabs[i].min, kdop.slabs[i].max});
-    const Integer &a = s.whole[0], &b = s.whole[1], &c = s.whole[2];
-    const Integer height(a * x + b * y + c * z), over(height - s.whole[3] * w), under(s.whole[4] * w - height);
+    const IntegerList s = integer_list(std::vector<Number>{nx, ny, nz, kdop.slabs[i].min, kdop.slabs[i].max});
+    const Integer &a = s.integers[0], &b = s.integers[1], &c = s.integers[2];
+    const Integer height(a * x + b * y + c * z), over(height - s.integers[3] * w), under(s.integers[4] * w - height);
     const Integer depth = std::min(over, under), square(a * a + b * b + c * c);
     Rational squared(Integer(depth * abs(depth)), square);
     squared.canonicalize();

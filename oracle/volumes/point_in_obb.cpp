@@ -14,7 +14,7 @@ template <class Number>
 struct Question {
   CommonScale<Number, 15> scale;
   Zonotope solid;
-  Vector3<Integer> way;
+  Vector3<Integer> displacement;
 };
 
 template <class Number>
@@ -26,18 +26,18 @@ Question<Number> validated_point_in_obb(const Obb3<Number>& obb, const Point3<Nu
   CommonScale<Number, 15> scale(
       {u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, c.x, c.y, c.z, point.x, point.y, point.z});
   const auto at = [&scale](std::size_t i) {
-    return Vector3<Integer>{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+    return Vector3<Integer>{scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)};
   };
   Zonotope solid({at(0), at(3), at(6)});
-  Vector3<Integer> way = at(12) - at(9);
-  return {std::move(scale), std::move(solid), std::move(way)};
+  Vector3<Integer> displacement = at(12) - at(9);
+  return {std::move(scale), std::move(solid), std::move(displacement)};
 }
 
 template <class Number>
 Truth<Location> truth_of_point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
   const Question<Number> q = validated_point_in_obb(obb, point);
-  Zonotope::Held held = q.solid.held(q.way);
-  Zonotope::Support support = q.solid.deciding(q.way);
+  Zonotope::Held held = q.solid.held(q.displacement);
+  Zonotope::Support support = q.solid.deciding(q.displacement);
   return {held.growth < 1   ? Location::inside
           : held.growth > 1 ? Location::outside
                             : Location::boundary,

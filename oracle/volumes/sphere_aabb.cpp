@@ -48,9 +48,10 @@ struct BallAndBox {
 
 template <class Value, class Number, std::size_t N>
 BallAndBox<Value, N / 3> solids_of(const CommonScale<Number, N>& n) {
-  BallAndBox<Value, N / 3> solids{whole<Value>(n, 0), {}};
+  BallAndBox<Value, N / 3> solids{integer<Value>(n, 0), {}};
   for (std::size_t k = 0; k < N / 3; ++k) {
-    const Value c = whole<Value>(n, 3 * k + 1), min = whole<Value>(n, 3 * k + 2), max = whole<Value>(n, 3 * k + 3);
+    const Value c = integer<Value>(n, 3 * k + 1), min = integer<Value>(n, 3 * k + 2),
+                max = integer<Value>(n, 3 * k + 3);
     solids.axes[k] = {c, min, max, nearest_in_interval(c, min, max).x};
   }
   return solids;
@@ -78,15 +79,16 @@ template <class Solids>
 std::vector<Rational> common_interior_point(const Solids& solids) {
   const Rational depth = rational(solids.depth());
   Rational growth = 0;
-  std::vector<Rational> way;
+  std::vector<Rational> displacement;
   for (const auto& axis : solids.axes) {
     const Rational x = rational(axis.x), w((rational(axis.min) + rational(axis.max)) / 2 - x);
     growth += w * (2 * (x - rational(axis.c)) + w);
-    way.push_back(w);
+    displacement.push_back(w);
   }
   const Rational t(depth / (depth + growth));
-  for (std::size_t k = 0; k < way.size(); ++k) way[k] = rational(solids.axes[k].x) + t * way[k];
-  return way;
+  for (std::size_t k = 0; k < displacement.size(); ++k)
+    displacement[k] = rational(solids.axes[k].x) + t * displacement[k];
+  return displacement;
 }
 
 template <class Scale, class Solids>

@@ -41,10 +41,10 @@ struct SphereSpherePair {
 template <class Value, class Number, std::size_t N>
 SphereSpherePair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
   constexpr std::size_t axes = N / 2 - 1;
-  SphereSpherePair<Value, axes> pair{{}, {}, whole<Value>(n, axes), whole<Value>(n, 2 * axes + 1)};
+  SphereSpherePair<Value, axes> pair{{}, {}, integer<Value>(n, axes), integer<Value>(n, 2 * axes + 1)};
   for (std::size_t k = 0; k < axes; ++k) {
-    pair.from[k] = whole<Value>(n, k);
-    pair.between[k] = whole<Value>(n, axes + 1 + k) - pair.from[k];
+    pair.from[k] = integer<Value>(n, k);
+    pair.between[k] = integer<Value>(n, axes + 1 + k) - pair.from[k];
   }
   return pair;
 }

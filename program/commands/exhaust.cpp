@@ -169,7 +169,7 @@ int decisions(const Operation& operation, const ExhaustCommand& command, const S
               [&] { return take(), json_of(sum); });
   take();
   if (!finished) return interrupted;
-  require_whole_grid(sum);
+  require_full_grid(sum);
   const std::string line = one_line(json_of(sum)) + "\n";
   if (!is_standard_output(command.json_file)) out << line;
   write_file("--json", command.json_file, line);

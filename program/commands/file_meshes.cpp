@@ -73,13 +73,13 @@ void FileMeshes::add_to(Json& line) const {
       meshes_.size() == 1 ? places_in_file(meshes_[0].file, meshes_[0].prepared, line.at("truth")) : Json();
   if (!places.empty()) line["places"] = places;
   for (const Mesh& mesh : meshes_) {
-    Json told = Json::object();
-    if (!mesh.prepared.done.empty()) told["done"] = mesh.prepared.done;
-    if (places.contains("open_edge") && !hints_of(mesh).empty()) told["hints"] = hints_of(mesh);
-    if (told.empty()) continue;
+    Json details = Json::object();
+    if (!mesh.prepared.done.empty()) details["done"] = mesh.prepared.done;
+    if (places.contains("open_edge") && !hints_of(mesh).empty()) details["hints"] = hints_of(mesh);
+    if (details.empty()) continue;
     Json& member = line["meshes"][mesh.field];
     member["file"] = mesh.file.name;
-    member.update(told);
+    member.update(details);
   }
 }
 
@@ -94,13 +94,13 @@ std::string FileMeshes::file_of(const std::string& field) const {
 
 std::optional<InvalidInput> FileMeshes::in_file(const InvalidInput& refused) const {
   for (const Mesh& mesh : meshes_) {
-    auto told = audit::in_file(mesh.file, mesh.prepared, mesh.field, refused);
-    if (!told) continue;
-    std::string rule = told->rule();
+    auto details = audit::in_file(mesh.file, mesh.prepared, mesh.field, refused);
+    if (!details) continue;
+    std::string rule = details->rule();
     if (refused.rule().starts_with("closed:")) {
       for (const std::string& hint : hints_of(mesh)) rule += "; " + hint;
     }
-    return InvalidInput(told->field(), rule);
+    return InvalidInput(details->field(), rule);
   }
   return std::nullopt;
 }

@@ -74,7 +74,7 @@ int merge_command(const MergeCommand& command, std::ostream& out, std::ostream& 
     if (grid.size > 0 || grid.shards > 1) missing = missing_shards(grid.shards, grid.done);
     found = merged.tally->has_findings();
   } else {
-    require_whole_grid(*merged.counted);
+    require_full_grid(*merged.counted);
     json = one_line(json_of(*merged.counted)) + "\n";
     readable << (merged.counted->kind == "soak" ? table_of(*merged.counted) : json);
     missing = missing_shards(merged.counted->shards, merged.counted->done);

@@ -29,13 +29,13 @@ Finding finding_of(const Smallest& smallest) {
 
 std::string picture(const Smallest& smallest) {
   const Finding finding = finding_of(smallest);
-  report::WayOfOperation way{{smallest.judgement.verdict, "", ""}, {}, "", {}};
-  way.counted.cases[static_cast<std::size_t>(finding.range)] = 1;
-  way.counted.example = finding;
+  report::OperationOutcome outcome{{smallest.judgement.verdict, "", ""}, {}, "", {}};
+  outcome.counted.cases[static_cast<std::size_t>(finding.range)] = 1;
+  outcome.counted.example = finding;
   const std::string title = smallest.operation.name() + ", reduced";
   return report::page(title, "<header><p class=\"kicker\">touchstone reduce</p><h1>" + smallest.operation.name() +
                                  "</h1></header><main>" +
-                                 report::finding_card(smallest.operation, way, *smallest.declaration,
+                                 report::finding_card(smallest.operation, outcome, *smallest.declaration,
                                                       report::speaker_of(*smallest.declaration), smallest.again) +
                                  "</main>");
 }
@@ -75,14 +75,14 @@ std::vector<std::string> mesh_names(const Json& input) {
 std::string bug_report(const Smallest& smallest) {
   const Operation& operation = smallest.operation;
   const std::string input = one_line(operation.print(smallest.question));
-  const std::string who = smallest.declaration == nullptr ? "" : smallest.declaration->engine;
-  std::string text = "# " + operation.name() + (who.empty() ? "" : ": " + who + " is wrong") + "\n\n";
+  const std::string engine_name = smallest.declaration == nullptr ? "" : smallest.declaration->engine;
+  std::string text = "# " + operation.name() + (engine_name.empty() ? "" : ": " + engine_name + " is wrong") + "\n\n";
   text += std::string(operation.metadata().question) + "\n\n";
   if (smallest.examination != nullptr)
     text += "The truth, in exact arithmetic:\n\n" + block("json", one_line(smallest.examination->truth())) + "\n";
-  if (!who.empty()) {
-    text +=
-        who + " answers (" + cause_of(smallest.judgement) + "):\n\n" + block("json", one_line(smallest.answer)) + "\n";
+  if (!engine_name.empty()) {
+    text += engine_name + " answers (" + cause_of(smallest.judgement) + "):\n\n" +
+            block("json", one_line(smallest.answer)) + "\n";
     if (smallest.examination != nullptr)
       text += report::why(finding_of(smallest), &operation, report::speaker_of(*smallest.declaration),
                           smallest.declaration->binary32) +
@@ -99,7 +99,7 @@ std::string bug_report(const Smallest& smallest) {
     text += claim.size() <= longest_claim ? ".\n\n" + block("json", claim) : ": claim.json.\n";
   }
   text += std::string("\n## Versions\n\n- touchstone ") + version_number + ", " + compiler_name + "\n";
-  return text + (who.empty() ? "" : "- " + who + "\n");
+  return text + (engine_name.empty() ? "" : "- " + engine_name + "\n");
 }
 
 void write_reduced_files(const Smallest& smallest, const std::string& directory) {

@@ -51,15 +51,14 @@ class Soaked {
 
  private:
   /// "" if there is none.
-  std::string difference(const Question& question, std::size_t environment, bool as_a_whole,
-                         std::string& outcome) const {
+  std::string difference(const Question& question, std::size_t environment, bool in_batch, std::string& outcome) const {
     const RowFunctions& row = operation_.row();
     try {
       if (row.decide_by_oracle != nullptr) {
         const Word truth = row.decide_by_oracle(question);
         outcome = row.decision->words[truth];
         if (row.decide(question, environment) != truth) return "another decision";
-        if (!as_a_whole) return "";
+        if (!in_batch) return "";
       }
       const std::unique_ptr<Examination> examination = operation_.examine(question);
       if (outcome.empty()) outcome = examination->outcome();

@@ -25,7 +25,7 @@ namespace {
 class EngineResult {
  public:
   EngineResult(const VectorsCheckCommand& command, Engine& engine, std::ostream& out)
-      : engine_(engine), out_(out), most_told_(command.verbose ? UINT64_MAX : usually_told) {
+      : engine_(engine), out_(out), most_shown_(command.verbose ? UINT64_MAX : usually_shown) {
     tally_.declaration = engine.declaration();
     tally_.repeat = repeat_of(command.program, command.engine, command.timeout);
   }
@@ -41,9 +41,9 @@ class EngineResult {
       }
       const Asked asked{*vector.operation, vector.question, vector.truth, vector.number, tally_.limits, vector.id};
       count(cell, asked, vector.reply.judgement, vector.reply.answer);
-      if (is_finding(vector.reply.judgement.verdict) && ++found <= most_told_) tell(file, vector);
+      if (is_finding(vector.reply.judgement.verdict) && ++found <= most_shown_) tell(file, vector);
     }
-    if (found > most_told_) out_ << file << ": " << found - most_told_ << " more findings, which --verbose shows\n";
+    if (found > most_shown_) out_ << file << ": " << found - most_shown_ << " more findings, which --verbose shows\n";
   }
 
   void not_declared(const std::string& operation) { tally_.undeclared.push_back(operation); }
@@ -94,10 +94,10 @@ class EngineResult {
     out_ << file << ": line " << vector.number << ": " << name_of(vector.reply.judgement.verdict) << '\n' << lines;
   }
 
-  static constexpr std::uint64_t usually_told = 10;
+  static constexpr std::uint64_t usually_shown = 10;
   Engine& engine_;
   std::ostream& out_;
-  std::uint64_t most_told_;
+  std::uint64_t most_shown_;
   Tally tally_;
   std::map<std::string, std::map<std::string, Cell>> cells_;  ///< by operation and family
 };

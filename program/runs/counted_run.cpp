@@ -126,7 +126,7 @@ void require_shares(const CountedRun& run) {
   }
 }
 
-void require_whole_grid(const CountedRun& run) {
+void require_full_grid(const CountedRun& run) {
   if (run.shards > 1) return;
   for (const Counts& counts : run.operations) {
     if (counts.of_grid.empty()) continue;

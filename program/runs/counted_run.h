@@ -50,7 +50,7 @@ CountedRun read_counted_run(const Json& json);
 void require_shares(const CountedRun& run);
 
 /// Throws InvalidInput if everything was asked and, with symmetries, does not represent the full grid.
-void require_whole_grid(const CountedRun& run);
+void require_full_grid(const CountedRun& run);
 
 /// One row per operation, and any error with the command that asks it again.
 std::string table_of(const CountedRun& run);

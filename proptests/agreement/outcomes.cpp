@@ -37,7 +37,7 @@ std::set<std::string> possible_outcomes(const Operation& operation) {
 }
 
 /// The stages of the answer or, where robust tells the stage of the decision alone, of the decision.
-const catalogue::StageFunctions& told_stages(const catalogue::RowFunctions& row) {
+const catalogue::StageFunctions& reported_stages(const catalogue::RowFunctions& row) {
   return row.stages.decided_by != nullptr ? row.stages : row.decision_stages;
 }
 
@@ -72,7 +72,7 @@ struct Reached {
 Reached reached_by(const Operation& operation, std::size_t family, const std::string& kept) {
   const bool till_reached = scaled(100) < 100;
   Reached reached;
-  const auto decided_by = told_stages(operation.row()).decided_by;
+  const auto decided_by = reported_stages(operation.row()).decided_by;
   const bool cheap = operation.metadata().cost == 1;
   const bool is_very_dear = operation.metadata().cost >= static_cast<int>(very_dear);
   const std::uint64_t cases = cheap          ? drawn
@@ -139,7 +139,7 @@ EACH_OPERATION("every outcome and stage is reached, and every family asks what i
   if (operation.metadata().is_implementation()) return;  // families and oracle are those of the operation
   const std::set<std::string> possible = possible_outcomes(operation);
   std::set<std::string> missing = possible, missing_stages;
-  for (const auto& one : told_stages(operation.row()).each) missing_stages.insert(name_of(one.stage));
+  for (const auto& one : reported_stages(operation.row()).each) missing_stages.insert(name_of(one.stage));
   // What the families reached when somebody last looked: a change of a family that loses an outcome, a stage or a
   // refusal shows here. Written anew, to be looked at, with TOUCHSTONE_WRITE_GOLDEN=1.
   const std::string file = "proptests/agreement/reached/" + operation.name() + ".jsonl";

@@ -12,8 +12,8 @@ namespace touchstone::reference {
 /// The fraction of a total that a number is.
 struct ByQuotient {
   template <class Real>
-  static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& whole) {
-    return {Real(x / whole), Real(y / whole)};
+  static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& total) {
+    return {Real(x / total), Real(y / total)};
   }
 };
 

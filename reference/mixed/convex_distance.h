@@ -14,7 +14,7 @@ namespace touchstone::reference {
 template <class Real>
 struct SupportPair {
   Point3<Real> on_a, on_b;
-  Vector3<Real> way;
+  Vector3<Real> displacement;
 };
 
 /// At most four support pairs with weights of sum 1, and the point of the difference that these give.
@@ -29,8 +29,8 @@ struct DistanceSimplex {
     for (std::size_t k = 1; k < pairs.size(); ++k) sum = sum + weights[k] * (part(pairs[k]) - part(pairs[0]));
     return sum;
   }
-  Vector3<Real> way() const {
-    return weighted(pairs[0].way, [](const auto& pair) -> const Vector3<Real>& { return pair.way; });
+  Vector3<Real> displacement() const {
+    return weighted(pairs[0].displacement, [](const auto& pair) -> const Vector3<Real>& { return pair.displacement; });
   }
   Point3<Real> on_a() const {
     return weighted(pairs[0].on_a, [](const auto& pair) -> const Point3<Real>& { return pair.on_a; });
@@ -43,8 +43,8 @@ struct DistanceSimplex {
 /// The weights with which the foot of the origin's perpendicular on the plane, line or point of the pairs is their sum.
 template <class Real>
 std::vector<Real> weights_of_foot(const std::vector<SupportPair<Real>>& pairs) {
-  const Vector3<Real>& w = pairs[0].way;
-  const auto edge = [&](std::size_t k) { return pairs[k].way - w; };
+  const Vector3<Real>& w = pairs[0].displacement;
+  const auto edge = [&](std::size_t k) { return pairs[k].displacement - w; };
   const auto solved = [](const Real& whole, const std::vector<Real>& parts) {
     std::vector<Real> weights{Real(1)};
     for (const Real& part : parts) weights.push_back(Real(-part / whole)), weights[0] = weights[0] - weights.back();
@@ -70,8 +70,10 @@ DistanceSimplex<Real> nearest_face(const std::vector<SupportPair<Real>>& pairs) 
     face.weights = weights_of_foot(face.pairs);
     const auto positive = [](const Real& weight) { return weight > Real(0); };
     if (!std::all_of(face.weights.begin(), face.weights.end(), positive)) continue;
-    const Vector3<Real> way = face.way(), least = nearest.pairs.empty() ? way : nearest.way();
-    if (nearest.pairs.empty() || face.pairs.size() == 4 || dot(way, way) < dot(least, least)) nearest = std::move(face);
+    const Vector3<Real> displacement = face.displacement(),
+                        least = nearest.pairs.empty() ? displacement : nearest.displacement();
+    if (nearest.pairs.empty() || face.pairs.size() == 4 || dot(displacement, displacement) < dot(least, least))
+      nearest = std::move(face);
   }
   return nearest;
 }
@@ -94,14 +96,14 @@ template <class Real>
 DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) {
   DistanceSimplex<Real> nearest = nearest_face<Real>({{a.vertices[0], b.vertices[0], a.vertices[0] - b.vertices[0]}});
   while (nearest.pairs.size() < 4) {
-    const Vector3<Real> way = nearest.way();
-    const SupportPair<Real> next = support_pair(a, b, way);
-    if (!(dot(way, next.way) < dot(way, way))) break;
+    const Vector3<Real> displacement = nearest.displacement();
+    const SupportPair<Real> next = support_pair(a, b, displacement);
+    if (!(dot(displacement, next.displacement) < dot(displacement, displacement))) break;
     std::vector<SupportPair<Real>> pairs = nearest.pairs;
     pairs.push_back(next);
     DistanceSimplex<Real> shorter = nearest_face(pairs);
-    const Vector3<Real> found = shorter.way();
-    if (shorter.pairs.size() < 4 && !(dot(found, found) < dot(way, way))) break;
+    const Vector3<Real> found = shorter.displacement();
+    if (shorter.pairs.size() < 4 && !(dot(found, found) < dot(displacement, displacement))) break;
     nearest = std::move(shorter);
   }
   return nearest;

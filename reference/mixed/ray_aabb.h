@@ -13,17 +13,17 @@ struct SlabTimes {
   std::optional<Real> last;
   bool between = true;
 
-  void cut(const Real& from, const Real& way, const Real& min, const Real& max) {
-    if (way == Real(0)) {
+  void cut(const Real& from, const Real& displacement, const Real& min, const Real& max) {
+    if (displacement == Real(0)) {
       between = between && min <= from && from <= max;
       return;
     }
-    narrow(way, Real(Real(min - from) / way), Real(Real(max - from) / way));
+    narrow(displacement, Real(Real(min - from) / displacement), Real(Real(max - from) / displacement));
   }
 
   /// Narrows by the times at which it is at either side.
-  void narrow(const Real& way, const Real& to_min, const Real& to_max) {
-    const bool forwards = Real(0) < way;
+  void narrow(const Real& displacement, const Real& to_min, const Real& to_max) {
+    const bool forwards = Real(0) < displacement;
     const Real &entry = forwards ? to_min : to_max, &exit = forwards ? to_max : to_min;
     if (first < entry) first = entry;
     if (!last || exit < *last) last = exit;

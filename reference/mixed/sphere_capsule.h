@@ -31,8 +31,10 @@ namespace touchstone::reference {
 /// overflows. No number is returned.
 template <class Real>
 Contact sphere_capsule(const Sphere3<Real>& sphere, const Capsule3<Real>& capsule) {
-  const Vector3<Real> way = nearest_between<Real>(sphere.center, capsule.segment.a, capsule.segment.b) - sphere.center;
-  const Real distance = dot(way, way), sum = Real(sphere.radius + capsule.radius), reach = Real(sum * sum);
+  const Vector3<Real> displacement =
+      nearest_between<Real>(sphere.center, capsule.segment.a, capsule.segment.b) - sphere.center;
+  const Real distance = dot(displacement, displacement), sum = Real(sphere.radius + capsule.radius),
+             reach = Real(sum * sum);
   return distance > reach ? Contact::disjoint : distance < reach ? Contact::overlapping : Contact::touching;
 }
 

@@ -29,8 +29,8 @@ namespace touchstone::reference {
 /// is promised for other regions. No number is returned.
 template <class Real>
 Contact sphere_triangle(const Sphere3<Real>& sphere, const Triangle3<Real>& triangle) {
-  const Vector3<Real> way = nearest_of_triangle<Real>(sphere.center, triangle) - sphere.center;
-  const Real distance = dot(way, way), squared_radius = Real(sphere.radius * sphere.radius);
+  const Vector3<Real> displacement = nearest_of_triangle<Real>(sphere.center, triangle) - sphere.center;
+  const Real distance = dot(displacement, displacement), squared_radius = Real(sphere.radius * sphere.radius);
   return distance > squared_radius   ? Contact::disjoint
          : distance < squared_radius ? Contact::overlapping
                                      : Contact::touching;

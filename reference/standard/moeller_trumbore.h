@@ -17,9 +17,9 @@ struct OnTriangle {
   Real determinant, u, v, t;
 
   OnTriangle(const Point3<Real>& origin, const Vector3<Real>& direction, const Triangle3<Real>& triangle) {
-    const Vector3<Real> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, way = origin - triangle.a;
-    const Vector3<Real> across = cross(direction, ac), turned = cross(way, ab);
-    determinant = dot(ab, across), u = dot(way, across), v = dot(direction, turned), t = dot(ac, turned);
+    const Vector3<Real> ab = triangle.b - triangle.a, ac = triangle.c - triangle.a, displacement = origin - triangle.a;
+    const Vector3<Real> across = cross(direction, ac), turned = cross(displacement, ab);
+    determinant = dot(ab, across), u = dot(displacement, across), v = dot(direction, turned), t = dot(ac, turned);
   }
 };
 
@@ -71,11 +71,11 @@ RayTriangle<Real> ray_triangle(const Ray3<Real>& ray, const Triangle3<Real>& tri
 
 template <class Form, class Real>
 SegmentTriangle<Real> segment_triangle(const Segment3<Real>& segment, const Triangle3<Real>& triangle) {
-  const Vector3<Real> way = segment.b - segment.a;
-  const auto hit = Form::hit(OnTriangle<Real>(segment.a, way, triangle));
+  const Vector3<Real> displacement = segment.b - segment.a;
+  const auto hit = Form::hit(OnTriangle<Real>(segment.a, displacement, triangle));
   if (!hit || hit->t < Real(0) || hit->t > Real(1))
     return {SegmentTriangleRelation::none, std::nullopt, std::nullopt, std::nullopt};
-  return {SegmentTriangleRelation::point, hit->t, segment.a + hit->t * way, std::nullopt};
+  return {SegmentTriangleRelation::point, hit->t, segment.a + hit->t * displacement, std::nullopt};
 }
 
 }  // namespace touchstone::reference::standard

@@ -35,11 +35,11 @@ Real size_of(const Real& x) {
 template <class Real>
 Contact obb_obb(const Obb3<Real>& first, const Obb3<Real>& second) {
   const UnitAxes<Real> a(first.half_axes), b(second.half_axes);
-  const Vector3<Real> way = second.center - first.center;
+  const Vector3<Real> displacement = second.center - first.center;
   std::array<Real, 3> t;
   std::array<std::array<Real, 3>, 3> cosine, size;
   for (std::size_t i = 0; i < 3; ++i) {
-    t[i] = dot(way, a.axes[i]);
+    t[i] = dot(displacement, a.axes[i]);
     for (std::size_t j = 0; j < 3; ++j) cosine[i][j] = dot(a.axes[i], b.axes[j]), size[i][j] = size_of(cosine[i][j]);
   }
   bool touching = false;
@@ -73,10 +73,10 @@ Contact obb_obb(const Obb3<Real>& first, const Obb3<Real>& second) {
 template <class Real>
 Location point_in_obb(const Obb3<Real>& obb, const Point3<Real>& point) {
   const UnitAxes<Real> box(obb.half_axes);
-  const Vector3<Real> way = point - obb.center;
+  const Vector3<Real> displacement = point - obb.center;
   bool on = false;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Real distance = size_of<Real>(dot(way, box.axes[i]));
+    const Real distance = size_of<Real>(dot(displacement, box.axes[i]));
     if (distance > box.lengths[i]) return Location::outside;
     if (distance == box.lengths[i]) on = true;
   }

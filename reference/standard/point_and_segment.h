@@ -49,9 +49,9 @@ Contact contact_within(const Real& squared_distance, const Real& reach) {
 
 template <class Real>
 Contact sphere_capsule_by_nearest_point(const Sphere3<Real>& sphere, const Capsule3<Real>& capsule) {
-  const Vector3<Real> way =
+  const Vector3<Real> displacement =
       nearest_between_ends<Real>(sphere.center, capsule.segment.a, capsule.segment.b) - sphere.center;
-  return contact_within<Real>(dot(way, way), Real(sphere.radius + capsule.radius));
+  return contact_within<Real>(dot(displacement, displacement), Real(sphere.radius + capsule.radius));
 }
 
 /// Pythagoras subtracts the square of the part along the segment from that of the full displacement; no nearest point

@@ -42,8 +42,8 @@ struct ByFaceOrEdges {
 /// reciprocal.
 struct ByRegions {
   template <class Real>
-  static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& whole) {
-    const Real reciprocal = Real(Real(1) / whole);
+  static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& total) {
+    const Real reciprocal = Real(Real(1) / total);
     return {Real(x * reciprocal), Real(y * reciprocal)};
   }
   template <class Real>
@@ -62,8 +62,8 @@ ClosestPoint3<Real> closest_point_on_triangle(const Point3<Real>& point, const T
 
 template <class Form, class Real>
 Contact sphere_triangle(const Sphere3<Real>& sphere, const Triangle3<Real>& triangle) {
-  const Vector3<Real> way = Form::nearest(sphere.center, triangle) - sphere.center;
-  return contact_within<Real>(dot(way, way), sphere.radius);
+  const Vector3<Real> displacement = Form::nearest(sphere.center, triangle) - sphere.center;
+  return contact_within<Real>(dot(displacement, displacement), sphere.radius);
 }
 
 }  // namespace touchstone::reference::standard

@@ -11,20 +11,23 @@ namespace touchstone::reference::standard {
 /// with.
 struct ByReciprocalDirection {
   template <class Real>
-  static void cut(SlabTimes<Real>& times, const Real& from, const Real& way, const Real& min, const Real& max) {
-    if (way == Real(0)) return times.cut(from, way, min, max);
-    const Real reciprocal = Real(Real(1) / way);
-    times.narrow(way, Real(Real(min - from) * reciprocal), Real(Real(max - from) * reciprocal));
+  static void cut(SlabTimes<Real>& times, const Real& from, const Real& displacement, const Real& min,
+                  const Real& max) {
+    if (displacement == Real(0)) return times.cut(from, displacement, min, max);
+    const Real reciprocal = Real(Real(1) / displacement);
+    times.narrow(displacement, Real(Real(min - from) * reciprocal), Real(Real(max - from) * reciprocal));
   }
 };
 
 /// From the box's center, half its size before and behind.
 struct ByHalfExtents {
   template <class Real>
-  static void cut(SlabTimes<Real>& times, const Real& from, const Real& way, const Real& min, const Real& max) {
-    if (way == Real(0)) return times.cut(from, way, min, max);
+  static void cut(SlabTimes<Real>& times, const Real& from, const Real& displacement, const Real& min,
+                  const Real& max) {
+    if (displacement == Real(0)) return times.cut(from, displacement, min, max);
     const Real two(2), to_center = Real(Real(Real(min + max) / two) - from), half = Real(Real(max - min) / two);
-    times.narrow(way, Real(Real(to_center - half) / way), Real(Real(to_center + half) / way));
+    times.narrow(displacement, Real(Real(to_center - half) / displacement),
+                 Real(Real(to_center + half) / displacement));
   }
 };
 

@@ -79,8 +79,8 @@ struct SquaredBall {
 template <class Real>
 SquaredBall<Real> ball_through(const std::vector<Point3<Real>>& from) {
   const auto around = [&from](const Vector3<Real>& n, const Real& d) {
-    const Vector3<Real> way{Real(n.x / d), Real(n.y / d), Real(n.z / d)};
-    return SquaredBall<Real>{from[0] + way, dot(way, way)};
+    const Vector3<Real> displacement{Real(n.x / d), Real(n.y / d), Real(n.z / d)};
+    return SquaredBall<Real>{from[0] + displacement, dot(displacement, displacement)};
   };
   if (from.empty()) return {{Real(0), Real(0), Real(0)}, Real(-1)};
   if (from.size() == 1) return {from[0], Real(0)};

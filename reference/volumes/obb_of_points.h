@@ -21,9 +21,9 @@ Matrix3<Real> covariance(const std::vector<Point3<Real>>& points) {
   for (Real& each : mean) each = Real(each / n);
   Matrix3<Real> sum{};
   for (const Point3<Real>& p : points) {
-    const std::array<Real, 3> way{Real(p.x - mean[0]), Real(p.y - mean[1]), Real(p.z - mean[2])};
+    const std::array<Real, 3> displacement{Real(p.x - mean[0]), Real(p.y - mean[1]), Real(p.z - mean[2])};
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) sum[i][j] = Real(sum[i][j] + way[i] * way[j]);
+      for (int j = 0; j < 3; ++j) sum[i][j] = Real(sum[i][j] + displacement[i] * displacement[j]);
   }
   for (auto& row : sum)
     for (Real& each : row) each = Real(each / n);

@@ -9,8 +9,8 @@ namespace touchstone::reference {
 /// The extent of a displacement along a half axis, minus that of the half axis itself; in units of the half axis'
 /// length.
 template <class Real>
-Real beyond_half_axis(const Vector3<Real>& way, const Vector3<Real>& half_axis) {
-  const Real along = dot(way, half_axis), reach = dot(half_axis, half_axis);
+Real beyond_half_axis(const Vector3<Real>& displacement, const Vector3<Real>& half_axis) {
+  const Real along = dot(displacement, half_axis), reach = dot(half_axis, half_axis);
   return along < Real(0) ? Real(Real(0) - along - reach) : Real(along - reach);
 }
 
@@ -39,9 +39,10 @@ Real beyond_half_axis(const Vector3<Real>& way, const Vector3<Real>& half_axis) 
 /// returned.
 template <class Real>
 Location point_in_obb(const Obb3<Real>& obb, const Point3<Real>& point) {
-  const Vector3<Real> way = point - obb.center;
+  const Vector3<Real> displacement = point - obb.center;
   const auto& [u, v, w] = obb.half_axes;
-  const Real beyond[] = {beyond_half_axis(way, u), beyond_half_axis(way, v), beyond_half_axis(way, w)};
+  const Real beyond[] = {beyond_half_axis(displacement, u), beyond_half_axis(displacement, v),
+                         beyond_half_axis(displacement, w)};
   bool on = false;
   for (const Real& by : beyond) {
     if (by > Real(0)) return Location::outside;

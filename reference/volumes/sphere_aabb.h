@@ -10,8 +10,8 @@ namespace touchstone::reference {
 /// The squared distance of the center from the nearest point of the box against the square of the radius.
 template <class Real, class Ball, class Box>
 Contact contact_of_nearest_point(const Ball& sphere, const Box& aabb) {
-  const auto way = closest_point_on_aabb(sphere.center, aabb) - sphere.center;
-  const Real distance = dot(way, way), squared_radius = Real(sphere.radius * sphere.radius);
+  const auto displacement = closest_point_on_aabb(sphere.center, aabb) - sphere.center;
+  const Real distance = dot(displacement, displacement), squared_radius = Real(sphere.radius * sphere.radius);
   return distance > squared_radius   ? Contact::disjoint
          : distance < squared_radius ? Contact::overlapping
                                      : Contact::touching;

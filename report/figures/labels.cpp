@@ -24,13 +24,15 @@ struct Box {
 /// Directions from its place in which a text may stand, the best first.
 constexpr Pixel directions[] = {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}};
 
-Box box_beside(const Pixel& place, const Pixel& way, double width, double far) {
-  const bool corner = way.x != 0 && way.y != 0;
+Box box_next_to(const Pixel& place, const Pixel& displacement, double width, double far) {
+  const bool corner = displacement.x != 0 && displacement.y != 0;
   const double reach = (corner ? clearance * 0.7 : clearance) + far;
-  const double left = way.x > 0 ? place.x + reach : way.x < 0 ? place.x - reach - width : place.x - width / 2;
-  const double top = way.y > 0   ? place.y + reach
-                     : way.y < 0 ? place.y - reach - line_height
-                                 : place.y - line_height / 2;
+  const double left = displacement.x > 0   ? place.x + reach
+                      : displacement.x < 0 ? place.x - reach - width
+                                           : place.x - width / 2;
+  const double top = displacement.y > 0   ? place.y + reach
+                     : displacement.y < 0 ? place.y - reach - line_height
+                                          : place.y - line_height / 2;
   return {left, top, left + width, top + line_height};
 }
 
@@ -72,8 +74,8 @@ std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixe
     double least = std::numeric_limits<double>::infinity(), preference = 0;
     for (const Pixel& place : wish.places) {
       for (const double far : farther) {
-        for (const Pixel& way : directions) {
-          const Box box = box_beside(place, way, width, far);
+        for (const Pixel& displacement : directions) {
+          const Box box = box_next_to(place, displacement, width, far);
           const double price = cost(box, texts, drawn, frame) + (preference += 0.1) + 2 * far;
           if (price < least) least = price, best = box;
         }

@@ -128,15 +128,15 @@ class Search {
       return mpq_class(-height / squared(normal)) * normal;
     };
     for (const SpaceVertex& p : vertices_of(*solid.figure)) {
-      const SpaceVector way = to_foot(p);
-      solid.ball ? round(p + way, way, radius_of(*solid.figure), normal) : offer(p, way);
+      const SpaceVector displacement = to_foot(p);
+      solid.ball ? round(p + displacement, displacement, radius_of(*solid.figure), normal) : offer(p, displacement);
     }
   }
   void two_balls(const SpaceFigure& a, const SpaceFigure& b) {
     const SpaceVertex centre = vertices_of(a)[0];
-    const SpaceVector way = vertices_of(b)[0] - centre;
+    const SpaceVector displacement = vertices_of(b)[0] - centre;
     const mpq_class radii = radius_of(a) + radius_of(b);
-    round(centre + mpq_class(radius_of(a) / radii) * way, way, radii, way);
+    round(centre + mpq_class(radius_of(a) / radii) * displacement, displacement, radii, displacement);
   }
   void from_ball(const SpaceFigure& ball, const Solid& solid) {
     const SpaceVertex centre = vertices_of(ball)[0];
@@ -146,15 +146,17 @@ class Search {
   }
 
   /// |way| - radius to first order in itself: used only if it is small compared with the radius.
-  void round(const SpaceVertex& place, const SpaceVector& way, const mpq_class& radius, const SpaceVector& along) {
-    const mpq_class gap = (squared(way) - radius * radius) / (2 * radius), steps = gap * scale_.steps_per_unit[0];
+  void round(const SpaceVertex& place, const SpaceVector& displacement, const mpq_class& radius,
+             const SpaceVector& along) {
+    const mpq_class gap = (squared(displacement) - radius * radius) / (2 * radius),
+                    steps = gap * scale_.steps_per_unit[0];
     consider(place, along, mpq_class(gap * gap), mpq_class(steps * steps));
   }
-  void offer(const SpaceVertex& place, const SpaceVector& way) {
+  void offer(const SpaceVertex& place, const SpaceVector& displacement) {
     const auto& per_unit = scale_.steps_per_unit;
-    const SpaceVector steps{mpq_class(way.x * per_unit[0]), mpq_class(way.y * per_unit[1]),
-                            mpq_class(way.z * per_unit[2])};
-    consider(place, way, squared(way), squared(steps));
+    const SpaceVector steps{mpq_class(displacement.x * per_unit[0]), mpq_class(displacement.y * per_unit[1]),
+                            mpq_class(displacement.z * per_unit[2])};
+    consider(place, displacement, squared(displacement), squared(steps));
   }
   void consider(const SpaceVertex& place, const SpaceVector& along, const mpq_class& gap, const mpq_class& steps) {
     // Without a direction along the gap, such as for a point in a ball's center, no lens shows it.

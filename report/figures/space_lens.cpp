@@ -71,10 +71,10 @@ class Lens {
 
 /// The surface near the lens of a much larger ball.
 Ring tangent_patch(const Lens& lens, const SpaceVertex& centre, const SpaceVertex& near, const mpq_class& radius) {
-  const SpaceVector way = near - centre;
-  const mpq_class square = dot(way, way), length = length_of(way);
-  const SpaceVertex place = near + mpq_class((radius * radius - square) / ((radius + length) * length)) * way;
-  return lens.patch(way, place);
+  const SpaceVector displacement = near - centre;
+  const mpq_class square = dot(displacement, displacement), length = length_of(displacement);
+  const SpaceVertex place = near + mpq_class((radius * radius - square) / ((radius + length) * length)) * displacement;
+  return lens.patch(displacement, place);
 }
 
 struct Cut {
@@ -150,9 +150,9 @@ Json turn_to(const SpaceVector& along) {
   double depth = -sin_pitch / cos_pitch * y;
   if (depth * depth > level) sin_pitch = 0, cos_pitch = 1, depth = 0;
   if (level > 1e-12) {
-    const double rest = std::sqrt(std::max(0.0, level - depth * depth)), way = x < 0 ? -1 : 1;
-    sin_yaw = (depth * x - way * z * rest) / level;
-    cos_yaw = (depth * z + way * x * rest) / level;
+    const double rest = std::sqrt(std::max(0.0, level - depth * depth)), displacement = x < 0 ? -1 : 1;
+    sin_yaw = (depth * x - displacement * z * rest) / level;
+    cos_yaw = (depth * z + displacement * x * rest) / level;
   }
   return {{"cosYaw", rounded(cos_yaw)},
           {"sinYaw", rounded(sin_yaw)},

@@ -27,11 +27,13 @@ std::array<SpacePoint, 2> normal_of(const SpaceFigure& plane, const SpaceScale& 
   // Subnormal coordinates have few digits, but as many as there are.
   const std::vector<double>& n = plane.numbers;
   const double size = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
-  const std::array<double, 3> way{n[0] / size, n[1] / size, n[2] / size};
-  const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+  const std::array<double, 3> displacement{n[0] / size, n[1] / size, n[2] / size};
+  const double length = std::sqrt(displacement[0] * displacement[0] + displacement[1] * displacement[1] +
+                                  displacement[2] * displacement[2]);
   const SpacePoint foot = scale.at(scale.foot(plane));
   SpacePoint tip = foot;
-  for (std::size_t i = 0; i < 3; ++i) tip[i] += static_cast<int>(std::floor(way[i] / length * normal_length + 0.5));
+  for (std::size_t i = 0; i < 3; ++i)
+    tip[i] += static_cast<int>(std::floor(displacement[i] / length * normal_length + 0.5));
   return {foot, tip};
 }
 

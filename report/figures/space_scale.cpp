@@ -33,7 +33,7 @@ struct ExactBox {
   }
 };
 
-int nearest_whole(const mpq_class& value) {
+int nearest_integer(const mpq_class& value) {
   const mpq_class half_up = value + mpq_class(1, 2);
   mpz_class result;
   mpz_fdiv_q(result.get_mpz_t(), half_up.get_num_mpz_t(), half_up.get_den_mpz_t());
@@ -106,12 +106,12 @@ SpaceScale SpaceScale::of(const std::vector<SpaceFigure>& figures) {
 
 SpacePoint SpaceScale::at(const ExactPlace& place) const {
   SpacePoint steps;
-  for (std::size_t i = 0; i < 3; ++i) steps[i] = nearest_whole(mpq_class((place[i] - middle[i]) * steps_per_unit[i]));
+  for (std::size_t i = 0; i < 3; ++i) steps[i] = nearest_integer(mpq_class((place[i] - middle[i]) * steps_per_unit[i]));
   return steps;
 }
 
 int SpaceScale::radius_in_steps(const SpaceFigure& sphere) const {
-  return nearest_whole(mpq_class(radius_of(sphere) * steps_per_unit[0]));
+  return nearest_integer(mpq_class(radius_of(sphere) * steps_per_unit[0]));
 }
 
 std::optional<SpacePoint> SpaceScale::steps(const std::array<double, 3>& displacement) const {
@@ -119,9 +119,9 @@ std::optional<SpacePoint> SpaceScale::steps(const std::array<double, 3>& displac
   SpacePoint result;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!std::isfinite(displacement[i])) return std::nullopt;
-    const mpq_class way = exact_value(displacement[i]) * steps_per_unit[i];
-    if (abs(way) > far) return std::nullopt;
-    result[i] = nearest_whole(way);
+    const mpq_class steps_along = exact_value(displacement[i]) * steps_per_unit[i];
+    if (abs(steps_along) > far) return std::nullopt;
+    result[i] = nearest_integer(steps_along);
   }
   return result;
 }

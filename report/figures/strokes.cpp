@@ -122,9 +122,9 @@ void circle(Strokes& strokes, const Figure& figure, const Viewport& view, const 
     strokes.lines += fmt::format("<circle class=\"{} stroke\" stroke-width=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
                                  style.name, pixels(style.thickness), pixels(c.x), pixels(c.y), pixels(r));
     constexpr double diagonal = 0.70710678118654752;
-    for (const Pixel way :
+    for (const Pixel displacement :
          {Pixel{diagonal, -diagonal}, {-diagonal, -diagonal}, {diagonal, diagonal}, {-diagonal, diagonal}}) {
-      places.push_back({c.x + r * way.x, c.y + r * way.y});
+      places.push_back({c.x + r * displacement.x, c.y + r * displacement.y});
     }
     constexpr int steps = 72;
     for (int i = 0; i < steps; ++i) {

@@ -57,10 +57,10 @@ std::string failure(const DeckSection& section, const Tally& tally) {
     for (const OperationTally& counted : tally.operations) {
       if (counted.operation != name) continue;
       asked += counted.total().answered();
-      for (const WayOfOperation& way : ways_of(counted)) {
-        if (!is_finding(way.way.verdict)) continue;
+      for (const OperationOutcome& outcome : outcomes_of(counted)) {
+        if (!is_finding(outcome.outcome.verdict)) continue;
         return "<details class=\"breaks\" open><summary>The case that breaks it: " + breakable(name) + "</summary>" +
-               finding_card(*find_operation(name), way, tally.declaration, Speaker::reference, tally.repeat) +
+               finding_card(*find_operation(name), outcome, tally.declaration, Speaker::reference, tally.repeat) +
                "</details>";
       }
     }

@@ -32,8 +32,8 @@ void make_directory(const std::string& directory) {
 /// The questions around which an engine's map may be centred: its findings, except answers that may have taken long.
 std::vector<Question> found_in(const OperationTally& tally) {
   std::vector<Question> questions;
-  for (const WayOfOperation& shown : ways_of(tally)) {
-    const Verdict verdict = shown.way.verdict;
+  for (const OperationOutcome& shown : outcomes_of(tally)) {
+    const Verdict verdict = shown.outcome.verdict;
     if (is_finding(verdict) && verdict != Verdict::invalid) questions.push_back(shown.counted.example->question);
   }
   return questions;

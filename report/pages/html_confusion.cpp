@@ -31,7 +31,7 @@ std::vector<std::string> in_order(const Operation& operation, const std::vector<
 
 }  // namespace
 
-std::string confusion_matrix(const Operation& operation, const Cell& total, const std::string& who) {
+std::string confusion_matrix(const Operation& operation, const Cell& total, const std::string& speaker_name) {
   const auto counts = total.confusion();
   std::vector<std::string> truths, answers;
   for (const auto& [pair, n] : counts) truths.push_back(pair.first), answers.push_back(pair.second);
@@ -41,8 +41,9 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
   if (truths.size() > most_words || answers.size() > most_words) return "";
   // A plain yes or no is not an enumerator of the truth: the verdicts tell which pairs are right.
   std::set<std::pair<std::string, std::string>> right_pairs;
-  for (const auto& [way, count] : total.ways) {
-    if (way.verdict == Verdict::agree || way.verdict == Verdict::inexact) right_pairs.emplace(way.truth, way.answer);
+  for (const auto& [outcome, count] : total.outcomes) {
+    if (outcome.verdict == Verdict::agree || outcome.verdict == Verdict::inexact)
+      right_pairs.emplace(outcome.truth, outcome.answer);
   }
   const auto refused = total.count(Verdict::convention) + total.count(Verdict::tolerance);
   std::string text =
@@ -69,7 +70,7 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
     text += fmt::format("<td data-label=\"all\">{}</td></tr>", grouped(all));
   }
   return text + "</tbody></table><p class=\"small quiet\">Each number counts the cases of one truth to which " +
-         escaped(who) + " gave one answer. Where it is shaded, the decision is right." +
+         escaped(speaker_name) + " gave one answer. Where it is shaded, the decision is right." +
          (refused > 0 ? " Other pairs may be allowed by the convention or the tolerance that the engine declares."
                       : "") +
          "</p></div>";

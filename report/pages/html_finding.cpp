@@ -87,7 +87,8 @@ Drawing answered_alone(Drawing drawing) {
 }
 
 std::string figures(const Operation& operation, const Finding& finding, const Drawing& drawing, const Json& truth,
-                    const std::string& who, const std::string& margin, const std::optional<mpq_class>& least_gap) {
+                    const std::string& speaker_name, const std::string& margin,
+                    const std::optional<mpq_class>& least_gap) {
   std::string notes;
   for (const std::string& note : drawing.notes) {
     if (is_said(note, truth)) continue;
@@ -99,7 +100,7 @@ std::string figures(const Operation& operation, const Finding& finding, const Dr
       in_space && least_gap && !margin.empty() && !has_space_lens(space_figure(drawing, title, least_gap));
   const std::string right = "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, truth)) + "." +
                             (unseen ? " The figure cannot show the margin, " + escaped(margin) + "." : ""),
-                    wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
+                    wrong = "<b class=\"who-said\">" + escaped(speaker_name) + ":</b> " +
                             escaped(sentence(operation, plain(finding.answer))) + ".";
   Drawing both = drawing;
   draw_answered(both, operation, plain(finding.answer), finding.question);
@@ -111,10 +112,10 @@ std::string figures(const Operation& operation, const Finding& finding, const Dr
          drawn(answered_alone(both), title + ", and what was answered", wrong, least_gap) + "</div>";
 }
 
-std::string said_row(const Operation& operation, const std::string& who, const Json& answer, const Judgement* judgement,
-                     Speaker speaker, const char* style = "") {
-  std::string text = "<tr class=\"" + std::string(style) + "\"><th scope=\"row\">" + escaped(who) + "</th><td>" +
-                     escaped(answer.is_null() ? "no answer" : sentence(operation, answer)) + "</td><td>";
+std::string said_row(const Operation& operation, const std::string& speaker_name, const Json& answer,
+                     const Judgement* judgement, Speaker speaker, const char* style = "") {
+  std::string text = "<tr class=\"" + std::string(style) + "\"><th scope=\"row\">" + escaped(speaker_name) +
+                     "</th><td>" + escaped(answer.is_null() ? "no answer" : sentence(operation, answer)) + "</td><td>";
   if (judgement) {
     text += badge(judgement->verdict, speaker);
     if (judgement->number || (judgement->ulps > 0 && std::isfinite(judgement->ulps)))
@@ -131,10 +132,10 @@ struct Said {
 Said what_was_said(const Operation& operation, const Examination& question, const Finding& finding,
                    const Declaration& declaration, Speaker speaker, bool exact_in_float) {
   Said said{"<table class=\"said\"><tbody>", ""};
-  const auto add = [&](const std::string& who, const Json& answer, const Judgement* judgement, Speaker of,
+  const auto add = [&](const std::string& speaker_name, const Json& answer, const Judgement* judgement, Speaker of,
                        const char* style = "") {
-    said.table += said_row(operation, who, plain(answer), judgement, of, style);
-    said.json += "<dt>" + escaped(who) + "</dt><dd>" + code(one_line(readable(answer))) + "</dd>";
+    said.table += said_row(operation, speaker_name, plain(answer), judgement, of, style);
+    said.json += "<dt>" + escaped(speaker_name) + "</dt><dd>" + code(one_line(readable(answer))) + "</dd>";
   };
   add("truth, exact", question.truth(), nullptr, speaker, "truth");
   if (speaker == Speaker::foreign) add(declaration.engine, finding.answer, &finding.judgement, speaker);
@@ -201,7 +202,7 @@ std::string right_case(const Operation& operation) {
          "<details class=\"exactly\"><summary>The input as JSON</summary>" + code(input) + "</details></section>";
 }
 
-std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
+std::string finding_card(const Operation& operation, const OperationOutcome& shown, const Declaration& declaration,
                          Speaker speaker, const Repeat& repeat) {
   const Finding& finding = *shown.counted.example;
   const Verdict verdict = finding.judgement.verdict;
@@ -210,8 +211,9 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
   std::string how_often =
       counted(cases, "case") + (ordinary == cases ? ", all" : ", " + grouped(ordinary)) + " of ordinary size";
   if (out_of_range > 0) how_often += "; " + grouped(out_of_range) + " by over- or underflow";
-  std::string words =
-      shown.way.answer == shown.way.truth || shown.way.answer.empty() ? "" : phrase(operation, shown.way) + " ";
+  std::string words = shown.outcome.answer == shown.outcome.truth || shown.outcome.answer.empty()
+                          ? ""
+                          : phrase(operation, shown.outcome) + " ";
   std::string text =
       fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
                   badge(verdict, speaker), escaped(words), escaped(how_often),

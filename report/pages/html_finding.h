@@ -11,7 +11,7 @@ namespace touchstone::report {
 
 /// An outcome as a card with its example: the truth and the answer in words, drawn next to one another if they can be
 /// drawn, each implementation's answer and its explanation, the numbers, the command, the certificate.
-std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
+std::string finding_card(const Operation& operation, const OperationOutcome& shown, const Declaration& declaration,
                          Speaker speaker, const Repeat& repeat);
 
 /// A drawing of a question of ordinary magnitude on which the textbook formula is right, for comparison with the

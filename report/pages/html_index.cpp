@@ -25,7 +25,7 @@ std::string limit_in_words(double limit) {
   return std::frexp(limit, &exponent) == 0.5 ? fmt::format("2^{}", exponent - 1) : fmt::format("{}", limit);
 }
 
-std::string who_in_words(const Tally& tally) {
+std::string speaker_in_words(const Tally& tally) {
   const std::string type = tally.declaration.binary32 ? " in float" : " in double";
   return speaker_of(tally.declaration) == Speaker::reference ? "The textbook formulas" + type
                                                              : tally.declaration.engine + type;
@@ -36,8 +36,8 @@ std::string headline(const Tally& tally, const Cell& sum) {
   const std::string questions =
       tally.grid.size > 0 ? counted(sum.answered(), "configuration")
                           : counted(sum.answered(), tally.repeat.recorded ? "recorded call" : "hard question");
-  if (sum.answered() == 0) return who_in_words(tally) + ": nothing answered";
-  return who_in_words(tally) + ": " + (sum.wrong() == 0 ? "none" : share(sum.wrong(), sum.answered())) + " of " +
+  if (sum.answered() == 0) return speaker_in_words(tally) + ": nothing answered";
+  return speaker_in_words(tally) + ": " + (sum.wrong() == 0 ? "none" : share(sum.wrong(), sum.answered())) + " of " +
          questions + " wrong";
 }
 

@@ -87,15 +87,15 @@ std::string summary(const Tally& tally, std::size_t operation) {
 
 std::string cards(const OperationTally& tally, const Operation& known, const Tally& whole, Speaker speaker) {
   std::string text, others;
-  const std::vector<WayOfOperation> ways = ways_of(tally);
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    if (i < most_ways) {
-      text += finding_card(known, ways[i], whole.declaration, speaker, whole.repeat);
+  const std::vector<OperationOutcome> outcomes = outcomes_of(tally);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    if (i < most_outcomes) {
+      text += finding_card(known, outcomes[i], whole.declaration, speaker, whole.repeat);
       continue;
     }
-    const Way& way = ways[i].way;
-    others += "<li>" + badge(way.verdict, speaker) + " " +
-              escaped(phrase(known, way) + ": " + counted(both(ways[i].counted.cases), "case")) + "</li>";
+    const JudgedOutcome& outcome = outcomes[i].outcome;
+    others += "<li>" + badge(outcome.verdict, speaker) + " " +
+              escaped(phrase(known, outcome) + ": " + counted(both(outcomes[i].counted.cases), "case")) + "</li>";
   }
   if (!others.empty()) text += "<details><summary>Less frequent ways</summary><ul>" + others + "</ul></details>";
   return text;

@@ -66,7 +66,7 @@ std::string legend(const std::vector<Drawn>& all) {
 }
 
 /// A score for a picture: its bodies, if there are neither too few nor too many to distinguish, and the ones met.
-std::size_t told_by(const std::vector<Drawn>& all) {
+std::size_t detail_of(const std::vector<Drawn>& all) {
   const auto bodies = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_body));
   const auto met =
       static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [](const Drawn& f) { return f.answer; }));
@@ -86,7 +86,7 @@ std::string search_caption(const Drawing& drawing) {
 std::string search_section(const Operation& operation) {
   constexpr std::uint64_t asked = 16;  // per family; families that are moved by an ulp look the same
   struct Best {
-    std::size_t told = 0;
+    std::size_t detail = 0;
     Drawing drawing;
     std::string input;
   };
@@ -105,14 +105,14 @@ std::string search_section(const Operation& operation) {
       const std::vector<Drawn> all = drawn_of(drawing);
       const std::string query = query_of(all);
       Best& of_sort = best[query.substr(0, query.find(' '))];
-      const std::size_t told = told_by(all);
-      if (told > of_sort.told) of_sort = {told, drawing, one_line(operation.print(question))};
+      const std::size_t detail = detail_of(all);
+      if (detail > of_sort.detail) of_sort = {detail, drawing, one_line(operation.print(question))};
     } catch (const InvalidInput&) {
     }
   }
   std::string text;
   for (const auto& [sort, of_sort] : best) {
-    if (of_sort.told == 0) continue;
+    if (of_sort.detail == 0) continue;
     const std::string title = operation.name() + ": the input " + of_sort.input;
     const Drawing& drawing = of_sort.drawing;
     text += "<figure>" +

@@ -75,7 +75,7 @@ std::string named(const std::string& head, const std::vector<ScreenRow>& rows) {
 /// few degenerate features, then those that fit on a line, then the most frequent among the operation's answers.
 struct Telling {
   const OperationTally* operation;
-  WayOfOperation shown;
+  OperationOutcome shown;
   double frequency;
 
   bool fits() const {
@@ -84,7 +84,7 @@ struct Telling {
   }
   auto rank() const {
     const Finding& example = *shown.counted.example;
-    const Verdict verdict = shown.way.verdict;
+    const Verdict verdict = shown.outcome.verdict;
     const int cause = verdict == Verdict::algorithm ? 0 : verdict == Verdict::rounding ? 1 : 2;
     return std::tuple(example.range, cause, example.features, !fits(), -frequency);
   }
@@ -96,9 +96,9 @@ std::vector<Telling> telling(const Tally& tally) {
   for (const OperationTally& operation : tally.operations) {
     const std::size_t before = others.size();
     const auto cases = static_cast<double>(std::max<std::uint64_t>(1, operation.total().answered()));
-    for (WayOfOperation& shown : ways_of(operation)) {
+    for (OperationOutcome& shown : outcomes_of(operation)) {
       const double frequency = static_cast<double>(both(shown.counted.cases)) / cases;
-      if (is_finding(shown.way.verdict)) others.push_back({&operation, std::move(shown), frequency});
+      if (is_finding(shown.outcome.verdict)) others.push_back({&operation, std::move(shown), frequency});
     }
     if (others.size() == before) continue;
     const auto first = std::min_element(others.begin() + static_cast<std::ptrdiff_t>(before), others.end(), by_rank);
@@ -120,11 +120,13 @@ std::string cut(const std::string& value, std::size_t width) {
 }
 
 /// `hinted`: the hints on its operation have been printed.
-std::string in_words(const Telling& one, const Tally& tally, const std::string& who, std::size_t width, bool hinted) {
+std::string in_words(const Telling& one, const Tally& tally, const std::string& speaker_name, std::size_t width,
+                     bool hinted) {
   const Finding& finding = *one.shown.counted.example;
   const Operation* operation = find_operation(one.operation->operation);
-  const std::string head = fmt::format("{}, {}: {}{}:", one.operation->operation, name_of(one.shown.way.verdict),
-                                       answer_in_words(one.shown.way), counted(both(one.shown.counted.cases), "case"));
+  const std::string head =
+      fmt::format("{}, {}: {}{}:", one.operation->operation, name_of(one.shown.outcome.verdict),
+                  answer_in_words(one.shown.outcome), counted(both(one.shown.counted.cases), "case"));
   const std::size_t left = line_width - std::min(head.size(), line_width);
   const std::string families = families_in_words(one.shown, left > 0 ? left - 1 : 0);
   std::string text = "\n" + head + (families.size() < left ? " " : "\n  ") + families + "\n";
@@ -132,10 +134,10 @@ std::string in_words(const Telling& one, const Tally& tally, const std::string& 
   text += cut(one_line(operation->print(finding.question)), width);
   const std::string truth = one_line(readable(finding.examination(*operation).truth(), 24, 6)),
                     answer = finding.answer.is_null() ? no_answer : one_line(readable(finding.answer, 24, 6)),
-                    both_answers = "truth " + truth + ", " + who + " " + answer;
+                    both_answers = "truth " + truth + ", " + speaker_name + " " + answer;
   // If the two do not fit on one line, each has its own, so that the answer is not truncated.
   if (both_answers.size() <= room_of_value) text += "  " + both_answers + "\n";
-  else text += cut("truth " + truth, width) + cut(who + " " + answer, width);
+  else text += cut("truth " + truth, width) + cut(speaker_name + " " + answer, width);
   const std::string reason =
       wrapped(why(finding, operation, speaker_of(tally.declaration), tally.declaration.binary32), 2);
   text += "  " + reason.substr(0, reason.find('\n', reason.find('\n') + 1)) + "\n";
@@ -158,11 +160,11 @@ std::string screen(const Tally& tally, const std::string& more, std::size_t widt
     (row.right() ? right : row.total.answered() == 0 ? unanswered : wrong).push_back(row);
     if (!row.right()) name_width = std::max(name_width, row.operation->operation.size());
   }
-  const std::string who = speaker_of(tally.declaration) == Speaker::reference ? "formula" : "engine";
+  const std::string speaker_name = speaker_of(tally.declaration) == Speaker::reference ? "formula" : "engine";
   std::string findings;
   std::set<const OperationTally*> hinted;
   for (const Telling& one : telling(tally))
-    findings += in_words(one, tally, who, width, !hinted.insert(one.operation).second);
+    findings += in_words(one, tally, speaker_name, width, !hinted.insert(one.operation).second);
   const std::string tail = named("right in all answers: ", right) + named("never answered: ", unanswered) +
                            robust_line(tally) + findings + "\n" + wrapped(closing_sentence(tally), 0) + more;
   std::string text = heading(tally);

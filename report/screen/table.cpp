@@ -121,13 +121,13 @@ std::string counts(const Tally& tally, Detail detail) {
   return laid_out(rows) + "\n" + notes;
 }
 
-std::string one_finding(const OperationTally& tally, const WayOfOperation& shown, Speaker speaker, bool binary32,
+std::string one_finding(const OperationTally& tally, const OperationOutcome& shown, Speaker speaker, bool binary32,
                         const std::string& name, const Repeat& repeat) {
   const Finding& finding = *shown.counted.example;
   const Operation* operation = find_operation(tally.operation);
   const std::uint64_t cases = both(shown.counted.cases), ordinary = shown.counted.cases[0];
-  std::string text = fmt::format("\n{}, {}: {}{}{}; example: {}\n", tally.operation, name_of(shown.way.verdict),
-                                 answer_in_words(shown.way), counted(cases, "case"),
+  std::string text = fmt::format("\n{}, {}: {}{}{}; example: {}\n", tally.operation, name_of(shown.outcome.verdict),
+                                 answer_in_words(shown.outcome), counted(cases, "case"),
                                  ordinary < cases ? ", " + grouped(ordinary) + " of ordinary size" : "",
                                  place_in_words(shown.family, finding, repeat));
   if (!operation) return text;
@@ -155,12 +155,12 @@ std::string findings(const std::vector<OperationTally>& tallies, const Declarati
                      const std::string& name, const Repeat& repeat) {
   std::string text;
   for (const OperationTally& tally : tallies) {
-    const std::vector<WayOfOperation> ways = ways_of(tally);
-    for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i)
-      text += one_finding(tally, ways[i], speaker, declaration.binary32, name, repeat);
-    if (ways.size() > most_ways)
+    const std::vector<OperationOutcome> outcomes = outcomes_of(tally);
+    for (std::size_t i = 0; i < std::min(outcomes.size(), most_outcomes); ++i)
+      text += one_finding(tally, outcomes[i], speaker, declaration.binary32, name, repeat);
+    if (outcomes.size() > most_outcomes)
       text += fmt::format("\n{}: {} in the file of --json\n", tally.operation,
-                          counted(ways.size() - most_ways, "less frequent way"));
+                          counted(outcomes.size() - most_outcomes, "less frequent way"));
     for (const std::string& hint : hints(tally, declaration))
       text += "\n" + tally.operation + ": " + wrapped(hint, tally.operation.size() + 2) + "\n";
   }

@@ -24,8 +24,8 @@ constexpr double degree = 3.14159265358979323846 / 180, six_digits = 0x1p-20, do
 Findings findings_of(const OperationTally& tally) {
   Findings found;
   for (const auto& [family, cell] : tally.families)
-    for (const auto& [way, counted] : cell.ways)
-      if (is_finding(way.verdict) && way.verdict != Verdict::rounding && counted.example &&
+    for (const auto& [outcome, counted] : cell.outcomes)
+      if (is_finding(outcome.verdict) && outcome.verdict != Verdict::rounding && counted.example &&
           counted.example->range == Range::ordinary)
         found.push_back(&*counted.example);
   return found;

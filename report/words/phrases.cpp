@@ -175,10 +175,11 @@ std::string phrase(const Operation& operation, const Json& answer) {
   return text;
 }
 
-std::string phrase(const Operation& operation, const Way& way) {
-  const std::string answer = phrase(operation, way.answer);
+std::string phrase(const Operation& operation, const JudgedOutcome& outcome) {
+  const std::string answer = phrase(operation, outcome.answer);
   const auto quoted = [](const std::string& words) { return "\u201c" + words + "\u201d"; };
-  return way.truth == "value" ? answer : quoted(answer) + " where the truth is " + quoted(phrase(operation, way.truth));
+  return outcome.truth == "value" ? answer
+                                  : quoted(answer) + " where the truth is " + quoted(phrase(operation, outcome.truth));
 }
 
 }  // namespace touchstone::report

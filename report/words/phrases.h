@@ -19,6 +19,6 @@ std::string phrase(const Operation& operation, const std::string& word);
 std::string phrase(const Operation& operation, const Json& answer);
 
 /// The answer and the truth: “on it” where the truth is “left of the line”.
-std::string phrase(const Operation& operation, const Way& way);
+std::string phrase(const Operation& operation, const JudgedOutcome& outcome);
 
 }  // namespace touchstone::report

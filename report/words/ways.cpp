@@ -15,35 +15,35 @@ int rank(Verdict verdict) { return !is_finding(verdict) ? 2 : verdict == Verdict
 
 }  // namespace
 
-std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
-  std::map<Way, WayOfOperation> by_way;
+std::vector<OperationOutcome> outcomes_of(const OperationTally& tally) {
+  std::map<JudgedOutcome, OperationOutcome> by_outcome;
   for (const auto& [family, cell] : tally.families) {
-    for (const auto& [way, counted] : cell.ways) {
+    for (const auto& [outcome, counted] : cell.outcomes) {
       if (!counted.example) continue;
-      WayOfOperation& sum = by_way[way];
+      OperationOutcome& sum = by_outcome[outcome];
       if (!sum.counted.example || shown_before(*counted.example, *sum.counted.example)) sum.family = family;
-      sum.way = way;
+      sum.outcome = outcome;
       sum.counted.merge(counted);
       sum.families.push_back({family, both(counted.cases), cell.cases()});
     }
   }
-  std::vector<WayOfOperation> ways;
-  for (auto& [way, sum] : by_way) {
+  std::vector<OperationOutcome> outcomes;
+  for (auto& [outcome, sum] : by_outcome) {
     std::stable_sort(sum.families.begin(), sum.families.end(),
                      [](const auto& a, const auto& b) { return a.cases > b.cases; });
     if (sum.families.size() > most_families) sum.families.resize(most_families);
-    ways.push_back(std::move(sum));
+    outcomes.push_back(std::move(sum));
   }
-  std::stable_sort(ways.begin(), ways.end(), [](const WayOfOperation& a, const WayOfOperation& b) {
-    const int rank_a = rank(a.way.verdict), rank_b = rank(b.way.verdict);
+  std::stable_sort(outcomes.begin(), outcomes.end(), [](const OperationOutcome& a, const OperationOutcome& b) {
+    const int rank_a = rank(a.outcome.verdict), rank_b = rank(b.outcome.verdict);
     return rank_a != rank_b ? rank_a < rank_b : a.counted.cases > b.counted.cases;
   });
-  return ways;
+  return outcomes;
 }
 
-std::string families_in_words(const WayOfOperation& way, std::size_t room) {
+std::string families_in_words(const OperationOutcome& outcome, std::size_t room) {
   std::string text;
-  for (const auto& [name, cases, of] : way.families) {
+  for (const auto& [name, cases, of] : outcome.families) {
     const std::string one = (text.empty() ? "" : ", ") + name + " " + grouped(cases) + " of " + grouped(of);
     if (!text.empty() && text.size() + one.size() > room) break;
     text += one;
@@ -51,9 +51,9 @@ std::string families_in_words(const WayOfOperation& way, std::size_t room) {
   return text;
 }
 
-std::string answer_in_words(const Way& way) {
-  if (way.truth == way.answer) return "";
-  return way.answer + (way.truth == "value" ? ", " : " where the truth is " + way.truth + ", ");
+std::string answer_in_words(const JudgedOutcome& outcome) {
+  if (outcome.truth == outcome.answer) return "";
+  return outcome.answer + (outcome.truth == "value" ? ", " : " where the truth is " + outcome.truth + ", ");
 }
 
 std::string wrapped(const std::string& prose, std::size_t indent) {

@@ -146,7 +146,7 @@ class CubeMap {
 std::vector<std::size_t> far_points(const std::vector<Point3d>& points, const Frame& frame, int k, Grain& grain) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<double> most(static_cast<std::size_t>(6 * k * k), -1);
-  std::vector<std::size_t> who(most.size(), none);
+  std::vector<std::size_t> farthest(most.size(), none);
   Directions found;
   grain = Grain::narrow;
   for (std::size_t i = 0; i < points.size(); i += Directions::most) {
@@ -154,11 +154,11 @@ std::vector<std::size_t> far_points(const std::vector<Point3d>& points, const Fr
     grain = std::max(grain, directions_of(points.data() + i, count, frame, k, found));
     for (std::size_t j = 0; j < count; ++j) {
       const auto cell = static_cast<std::size_t>(found.cell[j]);
-      if (found.squared[j] > most[cell]) most[cell] = found.squared[j], who[cell] = i + j;
+      if (found.squared[j] > most[cell]) most[cell] = found.squared[j], farthest[cell] = i + j;
     }
   }
-  std::erase(who, none);
-  return who;
+  std::erase(farthest, none);
+  return farthest;
 }
 
 struct Outside {

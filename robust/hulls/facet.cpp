@@ -11,8 +11,8 @@ namespace {
 
 /// On the wide lattice |q| < 2, so that differences are integers below 2^40.
 std::array<std::int64_t, 3> difference(const FramePoint& p, const FramePoint& q) {
-  const auto whole = [](double x) { return static_cast<std::int64_t>(x * 0x1p38); };
-  return {whole(q.x - p.x), whole(q.y - p.y), whole(q.z - p.z)};
+  const auto integer = [](double x) { return static_cast<std::int64_t>(x * 0x1p38); };
+  return {integer(q.x - p.x), integer(q.y - p.y), integer(q.z - p.z)};
 }
 
 Point3d position(const FramePoint& p) { return {p.x, p.y, p.z}; }

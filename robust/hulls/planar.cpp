@@ -25,7 +25,7 @@ std::vector<Place> chain(std::vector<Place> places, Stage& latest) {
   const auto equal = [](const Place& p, const Place& q) { return p.at == q.at; };
   places.erase(std::unique(places.begin(), places.end(), equal), places.end());
   std::vector<Place> ring;
-  for (int way = 0; way < 2 && places.size() > 1; ++way) {
+  for (int pass = 0; pass < 2 && places.size() > 1; ++pass) {
     const std::size_t start = ring.size();
     for (const Place& p : places) {
       while (ring.size() >= start + 2 &&

@@ -25,7 +25,7 @@ Perhaps<Contact> stages::capsule_capsule::filter(const Capsule3d& a, const Capsu
 Contact stages::capsule_capsule::exact(const Capsule3d& a, const Capsule3d& b) {
   using namespace kernel;
   const auto [at, exponent] =
-      whole_points(a.segment.a, a.segment.b, b.segment.a, b.segment.b, Point3d{a.radius, b.radius, 0});
+      integer_points(a.segment.a, a.segment.b, b.segment.a, b.segment.b, Point3d{a.radius, b.radius, 0});
   const QuotientPair nearest = nearest_pair({at[0], at[1]}, {at[2], at[3]});
   const auto& [r, s, zero] = at[4];
   return contact(squared_distance(nearest.on_a, nearest.on_b), r + s, sgn(r) != 0 && sgn(s) != 0);

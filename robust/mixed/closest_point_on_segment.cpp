@@ -30,7 +30,7 @@ ClosestPoint2<double> stages::closest_point_on_segment::exact(const Point2d& poi
   return kernel::in_plane(exact(kernel::in_space(point), kernel::in_space(segment)));
 }
 ClosestPoint3<double> stages::closest_point_on_segment::exact(const Point3d& point, const Segment3d& segment) {
-  const auto [at, exponent] = kernel::whole_points(point, segment.a, segment.b);
+  const auto [at, exponent] = kernel::integer_points(point, segment.a, segment.b);
   return kernel::closest_point(at[0], kernel::nearest_on_segment(at[0], {at[1], at[2]}), exponent);
 }
 

@@ -23,7 +23,7 @@ Perhaps<ClosestPoint3<double>> stages::closest_point_on_triangle::enclosed(const
 
 ClosestPoint3<double> stages::closest_point_on_triangle::exact(const Point3d& point, const Triangle3d& triangle) {
   const auto& [a, b, c] = triangle;
-  const auto [at, exponent] = kernel::whole_points(point, a, b, c);
+  const auto [at, exponent] = kernel::integer_points(point, a, b, c);
   return kernel::closest_point(at[0], kernel::nearest_on_triangle(at[0], {at[1], at[2], at[3]}), exponent);
 }
 

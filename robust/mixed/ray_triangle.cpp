@@ -26,12 +26,12 @@ struct Question {
 
   Question(const Ray3d& ray, const Triangle3d& t) {
     const auto& [o, v] = ray;
-    const auto whole = kernel::integers_of(o.x, o.y, o.z, v.x, v.y, v.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z,
-                                           t.c.x, t.c.y, t.c.z);
-    const auto& n = whole.at;
+    const auto integers = kernel::integers_of(o.x, o.y, o.z, v.x, v.y, v.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z,
+                                              t.c.x, t.c.y, t.c.z);
+    const auto& n = integers.at;
     const auto point = [&n](std::size_t i) { return Point3<mpz_class>{n[i], n[i + 1], n[i + 2]}; };
     origin = point(0), direction = {n[3], n[4], n[5]}, triangle = {point(6), point(9), point(12)};
-    exponent = whole.exponent;
+    exponent = integers.exponent;
     part = kernel::clipped({origin, origin + direction}, triangle, 1, Clipped::ray());
   }
 
@@ -55,8 +55,8 @@ struct Question {
   /// The first common point, rounded.
   Point3d first() const {
     const mpz_class &n = part.first.numerator, &d = part.first.denominator;
-    const auto coordinate = [&](const mpz_class& from, const mpz_class& way) {
-      return kernel::round_quotient(mpz_class(d * from + n * way), d, exponent);
+    const auto coordinate = [&](const mpz_class& from, const mpz_class& displacement) {
+      return kernel::round_quotient(mpz_class(d * from + n * displacement), d, exponent);
     };
     return {coordinate(origin.x, direction.x), coordinate(origin.y, direction.y), coordinate(origin.z, direction.z)};
   }

@@ -28,7 +28,7 @@ ClosestPair2<double> stages::segment_segment_distance::exact(const Segment2d& a,
   return kernel::in_plane(exact(kernel::in_space(a), kernel::in_space(b)));
 }
 ClosestPair3<double> stages::segment_segment_distance::exact(const Segment3d& a, const Segment3d& b) {
-  const auto [at, exponent] = kernel::whole_points(a.a, a.b, b.a, b.b);
+  const auto [at, exponent] = kernel::integer_points(a.a, a.b, b.a, b.b);
   return kernel::closest_pair(kernel::nearest_pair({at[0], at[1]}, {at[2], at[3]}), exponent);
 }
 

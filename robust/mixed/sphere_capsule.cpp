@@ -33,7 +33,7 @@ Perhaps<Contact> stages::sphere_capsule::filter(const Sphere3d& sphere, const Ca
 Contact stages::sphere_capsule::exact(const Sphere3d& sphere, const Capsule3d& capsule) {
   using namespace kernel;
   const auto& [a, b] = capsule.segment;
-  const auto [at, exponent] = whole_points(sphere.center, a, b, Point3d{sphere.radius, capsule.radius, 0});
+  const auto [at, exponent] = integer_points(sphere.center, a, b, Point3d{sphere.radius, capsule.radius, 0});
   const QuotientPoint nearest = nearest_on_segment(at[0], {at[1], at[2]});
   const auto& [r, s, zero] = at[3];
   return contact(squared_distance(nearest, {at[0], 1}), r + s, sgn(r) != 0 && sgn(s) != 0);

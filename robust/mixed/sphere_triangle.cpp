@@ -28,7 +28,7 @@ Perhaps<Contact> stages::sphere_triangle::filter(const Sphere3d& sphere, const T
 Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d& triangle) {
   using namespace kernel;
   const auto& [a, b, c] = triangle;
-  const auto [at, exponent] = whole_points(sphere.center, a, b, c, Point3d{sphere.radius, 0, 0});
+  const auto [at, exponent] = integer_points(sphere.center, a, b, c, Point3d{sphere.radius, 0, 0});
   const QuotientPoint nearest = nearest_on_triangle(at[0], {at[1], at[2], at[3]});
   return contact(squared_distance(nearest, {at[0], 1}), at[4].x, true);
 }

@@ -201,7 +201,7 @@ Location edge_by_edge(const Part& part, const Point2d& p) {
                   [&](const Point2d& a, const Point2d& b) { return 1 - static_cast<int>(orientation(a, b, p)); });
 }
 
-Part whole(const Polygon2d& polygon) {
+Part integer(const Polygon2d& polygon) {
   const Point2d* begin = polygon.vertices.data();
   const Point2d* end = begin + polygon.size() - validation::closed(polygon.vertices);
   return {end - 1, begin, end, true};
@@ -219,7 +219,7 @@ void validate(const Polygon2d& polygon, const Point2d& point) {
 Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
   constexpr std::ptrdiff_t edges_of_a_part = 16;
   if (validation::fewer_than_three(polygon.vertices)) validate(polygon, point);
-  const Part ring = whole(polygon);
+  const Part ring = integer(polygon);
   Stage latest = Stage::lattice;
   const bool one_part = ring.last - ring.first <= edges_of_a_part;
   if (one_part) {
@@ -253,15 +253,15 @@ Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
 
 Perhaps<Location> stages::point_in_polygon::filter(const Polygon2d& polygon, const Point2d& point) {
   if (validation::fewer_than_three(polygon.vertices)) return std::nullopt;
-  return by_filter(whole(polygon), point);
+  return by_filter(integer(polygon), point);
 }
 
 Perhaps<Location> stages::point_in_polygon::lattice(const Polygon2d& polygon, const Point2d& point) {
-  return by_lattice(whole(polygon), point);
+  return by_lattice(integer(polygon), point);
 }
 
 Location stages::point_in_polygon::exact(const Polygon2d& polygon, const Point2d& point) {
-  return by_integers(whole(polygon), point);
+  return by_integers(integer(polygon), point);
 }
 
 Decided<Location> stages::point_in_polygon::ask(const Polygon2d& polygon, const Point2d& point) {

@@ -26,9 +26,9 @@ using Coordinate = double Point3d::*;
 using Turns = std::array<int, 3>;
 Turns turns_of(const std::array<const Point3d*, 3>& corners, const Point3d& p, Coordinate u, Coordinate v,
                Stage& latest) {
-  const auto seen = [u, v](const Point3d& q) { return Point2d{q.*u, q.*v}; };
+  const auto projected = [u, v](const Point3d& q) { return Point2d{q.*u, q.*v}; };
   const auto turn = [&](const Point3d& a, const Point3d& b) {
-    return 1 - static_cast<int>(stages::orientation::ask(seen(a), seen(b), seen(p)).noting(latest));
+    return 1 - static_cast<int>(stages::orientation::ask(projected(a), projected(b), projected(p)).noting(latest));
   };
   return {turn(*corners[0], *corners[1]), turn(*corners[1], *corners[2]), turn(*corners[2], *corners[0])};
 }

@@ -23,11 +23,11 @@ struct Question {
 };
 
 Question as_integers(const Segment3d& s, const Triangle3d& t) {
-  const auto whole = kernel::integers_of(s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y,
-                                         t.b.z, t.c.x, t.c.y, t.c.z);
-  const auto& n = whole.at;
+  const auto integers = kernel::integers_of(s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y,
+                                            t.b.z, t.c.x, t.c.y, t.c.z);
+  const auto& n = integers.at;
   const auto point = [&n](std::size_t i) { return Point3<mpz_class>{n[i], n[i + 1], n[i + 2]}; };
-  return {{point(0), point(3)}, {point(6), point(9), point(12)}, whole.exponent};
+  return {{point(0), point(3)}, {point(6), point(9), point(12)}, integers.exponent};
 }
 
 Relation relation_of(const Segment3<mpz_class>& segment, const Clipped& part) {

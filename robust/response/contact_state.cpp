@@ -88,9 +88,9 @@ Perhaps<ContactState> stages::contact_state::lattice(const MovingBodyd& a, const
   const auto v = reduced(*velocities);
   const auto w = reduced(*turns);
   const auto p = reduced(*places);
-  const Vector3<std::int64_t> whole = straight_part(v.at);
+  const Vector3<std::int64_t> integers = straight_part(v.at);
   const int finer = v.exponent - (w.exponent + p.exponent);  // how much finer the unit of rotation is
-  const auto straight = shifted(Vector3<Int128>{whole.x, whole.y, whole.z}, std::max(finer, 0)),
+  const auto straight = shifted(Vector3<Int128>{integers.x, integers.y, integers.z}, std::max(finer, 0)),
              turning = shifted(turning_part(w.at, p.at), std::max(-finer, 0));
   if (!straight || !turning) return std::nullopt;
   const Vector3<Int128> apart = *straight + *turning;

@@ -42,11 +42,11 @@ Perhaps<Vector3d> stages::damped_reflection::enclosed(const Vector3d& v, const V
 
 Vector3d stages::damped_reflection::exact(const Vector3d& v, const Vector3d& n, double k) {
   const kernel::Integers<3> velocity = kernel::integers_of(v);
-  const Vector3<mpz_class> whole = kernel::whole_vector(velocity),
-                           normal = kernel::whole_vector(kernel::integers_of(n));
+  const Vector3<mpz_class> integer_velocity = kernel::integer_vector(velocity),
+                           normal = kernel::integer_vector(kernel::integers_of(n));
   const auto [one, factor] = kernel::integers_of(1.0, k).at;
-  const mpz_class back = -(one + factor) * dot(whole, normal), below = one * dot(normal, normal);
-  return kernel::pushed(whole, back, below, normal, velocity.exponent);
+  const mpz_class back = -(one + factor) * dot(integer_velocity, normal), below = one * dot(normal, normal);
+  return kernel::pushed(integer_velocity, back, below, normal, velocity.exponent);
 }
 
 Decided<Vector3d> stages::damped_reflection::ask(const Vector3d& v, const Vector3d& n, double k) {

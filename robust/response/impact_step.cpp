@@ -31,10 +31,11 @@ void validate_impact_step(const std::vector<StepBodyd>& bodies, const std::vecto
 }
 
 Rational rational(double value) {
-  const kernel::Dyadic whole = kernel::dyadic(value);
+  const kernel::Dyadic dyadic_value = kernel::dyadic(value);
   Rational result;
-  if (whole.exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), Rational(whole.n).get_mpq_t(), whole.exponent);
-  else mpq_div_2exp(result.get_mpq_t(), Rational(whole.n).get_mpq_t(), -whole.exponent);
+  if (dyadic_value.exponent >= 0)
+    mpq_mul_2exp(result.get_mpq_t(), Rational(dyadic_value.n).get_mpq_t(), dyadic_value.exponent);
+  else mpq_div_2exp(result.get_mpq_t(), Rational(dyadic_value.n).get_mpq_t(), -dyadic_value.exponent);
   return result;
 }
 Vector3<Rational> rational(const Vector3d& v) { return {rational(v.x), rational(v.y), rational(v.z)}; }
@@ -42,10 +43,10 @@ Vector3<Rational> rational(const Vector3d& v) { return {rational(v.x), rational(
 /// A body that is at `from + t way` at time t of its flight, which began at `clock`.
 struct Flight {
   Rational inverse_mass, radius, clock;
-  Vector3<Rational> from, way, velocity;
+  Vector3<Rational> from, displacement, velocity;
   bool moves() const { return sgn(inverse_mass) != 0; }
-  Vector3<Rational> at(const Rational& t) const { return from + t * way; }
-  Vector3<OneRoot> at(const OneRoot& t) const { return kernel::with_root(from) + t * kernel::with_root(way); }
+  Vector3<Rational> at(const Rational& t) const { return from + t * displacement; }
+  Vector3<OneRoot> at(const OneRoot& t) const { return kernel::with_root(from) + t * kernel::with_root(displacement); }
 };
 struct Wall {
   Vector3<Rational> normal;
@@ -155,7 +156,7 @@ class ImpactStep {
   Number height(const BodyPair& pair, const Number& t) const {
     const auto& [normal, offset] = walls_[pair.other - flights_.size()];
     const Flight& f = flights_[pair.body];
-    return Number(dot(normal, f.from) + offset) + t * Number(dot(normal, f.way));
+    return Number(dot(normal, f.from) + offset) + t * Number(dot(normal, f.displacement));
   }
   /// True if a body meets a wall, from its height over it times the length of the normal.
   template <class Number>
@@ -174,7 +175,7 @@ class ImpactStep {
     if (sign(OneRoot(start) - limit) > 0) return;
     if (is_wall(pair.other)) {
       const Vector3<Rational>& normal = walls_[pair.other - flights_.size()].normal;
-      const Rational slope = dot(normal, flights_[pair.body].way), from = height(pair, start);
+      const Rational slope = dot(normal, flights_[pair.body].displacement), from = height(pair, start);
       if (sgn(slope) >= 0) return;
       if (at_wall(pair, from)) {
         least = OneRoot(start);
@@ -184,17 +185,17 @@ class ImpactStep {
       return;
     }
     const Flight &a = flights_[pair.body], &b = flights_[pair.other];
-    const Vector3<Rational> apart = a.at(start) - b.at(start), way = a.way - b.way;
-    const Rational slope = dot(apart, way), from = gap(pair, apart);
+    const Vector3<Rational> apart = a.at(start) - b.at(start), displacement = a.displacement - b.displacement;
+    const Rational slope = dot(apart, displacement), from = gap(pair, apart);
     if (sgn(slope) >= 0) return;
     if (sgn(from) <= 0) {
       least = OneRoot(start);
       return;
     }
-    const Rational square = dot(way, way), discriminant = slope * slope - square * from;
+    const Rational square = dot(displacement, displacement), discriminant = slope * slope - square * from;
     if (sgn(discriminant) <= 0) return;
     const Vector3<OneRoot> apart_there = a.at(limit) - b.at(limit);
-    const bool parts_there = sign(dot(apart_there, kernel::with_root(way))) > 0;
+    const bool parts_there = sign(dot(apart_there, kernel::with_root(displacement))) > 0;
     if (!parts_there && sign(gap(pair, apart_there)) > 0) return;
     least = kernel::with_root(start - slope / square, -1 / square, discriminant);
   }
@@ -309,8 +310,8 @@ class ImpactStep {
     for (const auto& [body, v] : after) {
       Flight& flight = flights_[body];
       const Vector3<Rational> at = of_53_digits(flight.at(t));
-      flight.clock = clock, flight.velocity = of_53_digits(v), flight.way = timestep_ * flight.velocity;
-      flight.from = at - clock * flight.way;
+      flight.clock = clock, flight.velocity = of_53_digits(v), flight.displacement = timestep_ * flight.velocity;
+      flight.from = at - clock * flight.displacement;
     }
   }
 

@@ -37,10 +37,10 @@ Perhaps<double> stages::kinetic_energy::enclosed(const std::vector<Bodyd>& bodie
 }
 
 double stages::kinetic_energy::exact(const std::vector<Bodyd>& bodies) {
-  const kernel::WholeBodies whole = kernel::whole_bodies(bodies);
+  const kernel::IntegerBodies integers = kernel::integer_bodies(bodies);
   mpz_class doubled;
-  for (const auto& [mass, velocity] : whole.at) doubled += mass * dot(velocity, velocity);
-  return kernel::round_scaled(doubled, whole.mass_exponent + 2L * whole.velocity_exponent - 1);
+  for (const auto& [mass, velocity] : integers.at) doubled += mass * dot(velocity, velocity);
+  return kernel::round_scaled(doubled, integers.mass_exponent + 2L * integers.velocity_exponent - 1);
 }
 
 namespace {

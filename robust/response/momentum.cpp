@@ -31,10 +31,10 @@ Perhaps<Vector3d> stages::momentum::enclosed(const std::vector<Bodyd>& bodies) {
 }
 
 Vector3d stages::momentum::exact(const std::vector<Bodyd>& bodies) {
-  const kernel::WholeBodies whole = kernel::whole_bodies(bodies);
+  const kernel::IntegerBodies integers = kernel::integer_bodies(bodies);
   Vector3<mpz_class> sum{};
-  for (const auto& [mass, velocity] : whole.at) sum = sum + mass * velocity;
-  const long exponent = static_cast<long>(whole.mass_exponent) + whole.velocity_exponent;
+  for (const auto& [mass, velocity] : integers.at) sum = sum + mass * velocity;
+  const long exponent = static_cast<long>(integers.mass_exponent) + integers.velocity_exponent;
   const auto rounded = [exponent](const mpz_class& n) { return kernel::round_scaled(n, exponent); };
   return {rounded(sum.x), rounded(sum.y), rounded(sum.z)};
 }

@@ -33,10 +33,10 @@ Perhaps<Vector3d> stages::reflect_plane::enclosed(const Vector3d& v, const Vecto
 
 Vector3d stages::reflect_plane::exact(const Vector3d& v, const Vector3d& n) {
   const kernel::Integers<3> velocity = kernel::integers_of(v);
-  const Vector3<mpz_class> whole = kernel::whole_vector(velocity),
-                           normal = kernel::whole_vector(kernel::integers_of(n));
-  const mpz_class twice_back = -2 * dot(whole, normal);
-  return kernel::pushed(whole, twice_back, dot(normal, normal), normal, velocity.exponent);
+  const Vector3<mpz_class> integer_velocity = kernel::integer_vector(velocity),
+                           normal = kernel::integer_vector(kernel::integers_of(n));
+  const mpz_class twice_back = -2 * dot(integer_velocity, normal);
+  return kernel::pushed(integer_velocity, twice_back, dot(normal, normal), normal, velocity.exponent);
 }
 
 Decided<Vector3d> stages::reflect_plane::ask(const Vector3d& v, const Vector3d& n) {

@@ -33,11 +33,11 @@ class Unit {
   }
   void add(const Vector3<Dyadic>& v) { add(v.x), add(v.y), add(v.z); }
   int exponent() const { return least_ == INT_MAX ? 0 : least_; }
-  mpz_class whole(const Dyadic& a) const {
+  mpz_class integer(const Dyadic& a) const {
     if (sign(a) == 0) return 0;
     return a.n << static_cast<unsigned long>(a.exponent - least_);
   }
-  Vector3<mpz_class> whole(const Vector3<Dyadic>& v) const { return {whole(v.x), whole(v.y), whole(v.z)}; }
+  Vector3<mpz_class> integer(const Vector3<Dyadic>& v) const { return {integer(v.x), integer(v.y), integer(v.z)}; }
 
  private:
   int least_ = INT_MAX;
@@ -128,8 +128,8 @@ class SimulationStep {
     for (const StepBodyd& body : bodies_) inverse_mass.add(kernel::dyadic(body.inverse_mass));
     for (const Velocity& v : velocities_) speed.add(v.above);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      result.inverse_masses.push_back(inverse_mass.whole(kernel::dyadic(bodies_[i].inverse_mass)));
-      result.velocities.push_back(speed.whole(velocities_[i].above));
+      result.inverse_masses.push_back(inverse_mass.integer(kernel::dyadic(bodies_[i].inverse_mass)));
+      result.velocities.push_back(speed.integer(velocities_[i].above));
     }
     result.inverse_masses.emplace_back(0), result.velocities.push_back({0, 0, 0});
     result.velocity_exponent = speed.exponent();
@@ -141,7 +141,7 @@ class SimulationStep {
       length.add(normals_[k]);
       const auto& [i, j] = places_[k];
       const Index other = std::min(j, static_cast<Index>(bodies_.size()));
-      Vector3<mpz_class> normal = length.whole(normals_[k]);
+      Vector3<mpz_class> normal = length.integer(normals_[k]);
       mpz_class wanted = dot(normal, result.velocities[other] - result.velocities[i]) * bounce;
       result.contacts.push_back({i, other, std::move(normal), std::move(wanted)});
     }
@@ -162,7 +162,7 @@ class SimulationStep {
   void push(const kernel::ContactSystem& system, const kernel::Impulses& found) {
     std::map<Index, Vector3<mpz_class>> pushes;
     for (std::size_t k = 0; k < found.contacts.size(); ++k) {
-      const kernel::WholeContact& c = system.contacts[found.contacts[k]];
+      const kernel::IntegerContact& c = system.contacts[found.contacts[k]];
       const Vector3<mpz_class> along = found.numerators[k] * c.normal;
       pushes[c.a] = pushes[c.a] + along;
       pushes[c.b] = pushes[c.b] - along;
@@ -187,10 +187,10 @@ class SimulationStep {
     const auto nearest = [](const Dyadic& a) { return kernel::round_scaled(a.n, a.exponent); };
     if (!turns_first() || !movable(body)) return {nearest(x), nearest(y), nearest(z)};
     const Velocity& v = velocities_[body];
-    const Vector3<Dyadic> way = timestep_ * mean(body, v);
+    const Vector3<Dyadic> displacement = timestep_ * mean(body, v);
     const auto moved = [&v](const Dyadic& from, const Dyadic& by) { return quotient(v.below * from + by, v.below); };
     const Point3<Dyadic>& from = centers_[body];
-    return {moved(from.x, way.x), moved(from.y, way.y), moved(from.z, way.z)};
+    return {moved(from.x, displacement.x), moved(from.y, displacement.y), moved(from.z, displacement.z)};
   }
 
   const std::vector<StepBodyd>& bodies_;

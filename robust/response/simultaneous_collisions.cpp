@@ -28,7 +28,7 @@ double kept(double x) { return validation::zero(x) ? 0 : x; }
 void move(const kernel::ContactSystem& system, const kernel::Impulses& found, std::vector<Vector3d>& velocities) {
   std::map<Index, Vector3<mpz_class>> pushes;
   for (std::size_t k = 0; k < found.contacts.size(); ++k) {
-    const kernel::WholeContact& c = system.contacts[found.contacts[k]];
+    const kernel::IntegerContact& c = system.contacts[found.contacts[k]];
     const Vector3<mpz_class> push = found.numerators[k] * c.normal;
     pushes[c.a] = pushes[c.a] + push;
     pushes[c.b] = pushes[c.b] - push;

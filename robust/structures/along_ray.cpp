@@ -16,8 +16,8 @@ using kernel::Dyadic;
 
 /// For a = p / q and b = r / s: the sign of p s - r q, times that of q s.
 int compare_exactly(const Moment& a, const Moment& b) {
-  const auto way = [](const Moment& m) { return Dyadic(kernel::dyadic(m.bound) - kernel::dyadic(m.origin)); };
-  const Dyadic over = way(a) * kernel::dyadic(b.direction) - way(b) * kernel::dyadic(a.direction);
+  const auto displacement = [](const Moment& m) { return Dyadic(kernel::dyadic(m.bound) - kernel::dyadic(m.origin)); };
+  const Dyadic over = displacement(a) * kernel::dyadic(b.direction) - displacement(b) * kernel::dyadic(a.direction);
   return (a.direction < 0) == (b.direction < 0) ? sgn(over.n) : -sgn(over.n);
 }
 

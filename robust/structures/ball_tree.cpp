@@ -41,9 +41,10 @@ Sphere3d around(const Sphere3d& a, const Sphere3d& b) {
   };
   if (reach(a.center, b) <= a.radius) return a;
   if (reach(b.center, a) <= b.radius) return b;
-  const double way = distance_above(a.center, b.center), past = 0.5 * (b.radius - a.radius);
+  const double displacement = distance_above(a.center, b.center), past = 0.5 * (b.radius - a.radius);
   // Halfway between the far ends; anywhere between the centers if that cannot be computed.
-  const double share = way > 0 && way < 0x1p1000 ? std::clamp(0.5 + past / way, 0.0, 1.0) : 0.5;
+  const double share =
+      displacement > 0 && displacement < 0x1p1000 ? std::clamp(0.5 + past / displacement, 0.0, 1.0) : 0.5;
   const auto between = [share](double p, double q) {
     return std::clamp((1 - share) * p + share * q, std::min(p, q), std::max(p, q));
   };

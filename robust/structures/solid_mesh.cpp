@@ -22,10 +22,11 @@ struct EdgeOfMesh {
 }  // namespace
 
 VolumeSign sign_of_volume(const Meshd& mesh) {
-  const auto whole = kernel::integers_of(Polygon3d{mesh.vertices}).at;
+  const auto integers = kernel::integers_of(Polygon3d{mesh.vertices}).at;
   mpz_class sum;
-  const Point3<mpz_class>& origin = whole[mesh.faces[0].a];
-  for (const Face& f : mesh.faces) sum += dot(whole[f.a] - origin, cross(whole[f.b] - origin, whole[f.c] - origin));
+  const Point3<mpz_class>& origin = integers[mesh.faces[0].a];
+  for (const Face& f : mesh.faces)
+    sum += dot(integers[f.a] - origin, cross(integers[f.b] - origin, integers[f.c] - origin));
   return sgn(sum) > 0 ? VolumeSign::positive : sgn(sum) < 0 ? VolumeSign::negative : VolumeSign::zero;
 }
 

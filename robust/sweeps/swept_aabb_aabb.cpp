@@ -93,8 +93,9 @@ Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Box& a, co
     const double to = forwards ? m.b_min : m.b_max, from = forwards ? m.a_max : m.a_min;
     if (!times.may_be_latest((to - from) / m.velocity)) continue;
     if (!in_window(Two(to, from), Two(m.velocity))) return std::nullopt;
-    const Pair<double> way = difference(to, from);
-    const auto t = rounded(Enclosed<double>{way.high, way.low, 0} / Divisor(Enclosed<double>{m.velocity, 0, 0}));
+    const Pair<double> displacement = difference(to, from);
+    const auto t =
+        rounded(Enclosed<double>{displacement.high, displacement.low, 0} / Divisor(Enclosed<double>{m.velocity, 0, 0}));
     if (!t) return std::nullopt;
     latest = greater(latest, *t);
   }

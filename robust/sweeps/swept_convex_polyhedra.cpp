@@ -105,11 +105,11 @@ class Projections {
       if (near - 4 * error > 0 || far + 4 * error < 0) return {endless, endless, -endless, -endless};
       return {};
     }
-    const auto low = [=](double way) {
-      return moved(way - error > 0 ? (way - error) / fast : (way - error) / slow, -1);
+    const auto low = [=](double displacement) {
+      return moved(displacement - error > 0 ? (displacement - error) / fast : (displacement - error) / slow, -1);
     };
-    const auto high = [=](double way) {
-      return moved(way + error > 0 ? (way + error) / slow : (way + error) / fast, 1);
+    const auto high = [=](double displacement) {
+      return moved(displacement + error > 0 ? (displacement + error) / slow : (displacement + error) / fast, 1);
     };
     return {low(near), high(near), low(far), high(far)};
   }
@@ -123,9 +123,9 @@ class Projections {
 };
 
 /// The same, exactly, for single axes.
-class WholeProjections {
+class IntegerProjections {
  public:
-  WholeProjections(const std::vector<Point3d>& points, std::size_t count_of_a, const Vector3d& velocity)
+  IntegerProjections(const std::vector<Point3d>& points, std::size_t count_of_a, const Vector3d& velocity)
       : count_of_a_(count_of_a) {
     Polygon3d all{points};
     all.vertices.push_back({velocity.x, velocity.y, velocity.z});
@@ -195,10 +195,10 @@ Decided<FirstContact<double>> first_contact(const Meshd& a, const Meshd& b, cons
   if (all.entry_low > all.exit_high) return {{HitRelation::never, std::nullopt}, Stage::filter};
   const bool hits = all.entry_high <= all.exit_low;
   if (hits && all.entry_high <= 0) return {{HitRelation::hit, 0.0}, Stage::filter};
-  WholeProjections whole(points, a.vertices.size(), velocity);
+  IntegerProjections in_integers(points, a.vertices.size(), velocity);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (known[i].entry_high >= all.entry_low || (!hits && known[i].exit_low <= all.exit_high)) whole.cut(axes[i]);
-  return {whole.contact(), Stage::exact};
+    if (known[i].entry_high >= all.entry_low || (!hits && known[i].exit_low <= all.exit_high)) in_integers.cut(axes[i]);
+  return {in_integers.contact(), Stage::exact};
 }
 
 }  // namespace

@@ -16,13 +16,14 @@ double coordinate(const Point3d& p, std::size_t k) { return k == 0 ? p.x : k == 
 
 /// The coordinates onto which the span of a simplex, of one to three points, projects one to one: k and the one after
 /// it.
-std::size_t seen_along(const std::vector<Point3d>& simplex) {
+std::size_t projected_along(const std::vector<Point3d>& simplex) {
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto seen = [&](std::size_t i) {
+    const auto projected = [&](std::size_t i) {
       return Point2d{coordinate(simplex[i], k), coordinate(simplex[i], (k + 1) % 3)};
     };
-    if (simplex.size() == 2 && !(seen(0) == seen(1))) return k;
-    if (simplex.size() == 3 && stages::orientation::ask(seen(0), seen(1), seen(2)).answer != Side::on) return k;
+    if (simplex.size() == 2 && !(projected(0) == projected(1))) return k;
+    if (simplex.size() == 3 && stages::orientation::ask(projected(0), projected(1), projected(2)).answer != Side::on)
+      return k;
   }
   return 2;
 }
@@ -39,11 +40,11 @@ Decided<ConvexHull> stages::convex_hull::ask(const std::vector<Point3d>& points)
   if (solid.simplex.empty()) return {{3, {}, {}, {}, solid.faces}, latest};
   std::vector<Point3d> simplex;
   for (const hulls::FramePoint& p : solid.simplex) simplex.push_back(points[static_cast<std::size_t>(p.place)]);
-  const std::size_t k = seen_along(simplex);
-  std::vector<Point2d> seen;
-  seen.reserve(points.size());
-  for (const Point3d& p : points) seen.push_back({coordinate(p, k), coordinate(p, (k + 1) % 3)});
-  const std::vector<Index> ring = planar_hull(seen, latest);
+  const std::size_t k = projected_along(simplex);
+  std::vector<Point2d> projected;
+  projected.reserve(points.size());
+  for (const Point3d& p : points) projected.push_back({coordinate(p, k), coordinate(p, (k + 1) % 3)});
+  const std::vector<Index> ring = planar_hull(projected, latest);
   if (ring.size() == 1) return {{0, ring[0], {}, {}, {}}, latest};
   if (ring.size() == 2) return {{1, {}, IndexPair{ring[0], ring[1]}, {}, {}}, latest};
   return {{2, {}, {}, ring, {}}, latest};

@@ -72,12 +72,12 @@ template <class Integer>
 Contact contact(const std::array<Integer, 24>& n) {
   const auto at = [&n](std::size_t i) { return kernel::vector_at(n, i); };
   const std::array<Vector3<Integer>, 6> edges{at(3), at(6), at(9), at(15), at(18), at(21)};
-  const Vector3<Integer> way = at(12) - at(0);
+  const Vector3<Integer> displacement = at(12) - at(0);
   bool touching = false;
   for (const Spanned& each : axes) {
     const auto axis = kernel::axis_across(edges[each.v], edges[each.w]);
     if (kernel::sign_of(axis.x) == 0 && kernel::sign_of(axis.y) == 0 && kernel::sign_of(axis.z) == 0) continue;
-    kernel::Third<Integer> gap = kernel::along_axis(axis, way);
+    kernel::Third<Integer> gap = kernel::along_axis(axis, displacement);
     for (const std::size_t other : each.others) gap = gap + -kernel::along_axis(axis, edges[other]);
     const int apart = kernel::sign_of(gap);
     if (apart > 0) return Contact::disjoint;

@@ -30,11 +30,11 @@ struct Interval {
   Interval(double low, double high) {
     const auto sum = kernel::exact_sum(std::array{kernel::term(low), kernel::term(high)});
     center = kernel::round_scaled(sum.n, sum.exponent - 1);
-    const auto way = [](double from, double to) {
+    const auto displacement = [](double from, double to) {
       const auto difference = kernel::exact_sum(std::array{kernel::term(to), -kernel::term(from)});
       return kernel::round_up(difference.n, difference.exponent);
     };
-    const double above = way(center, high), below = way(low, center);
+    const double above = displacement(center, high), below = displacement(low, center);
     reach = std::max({above, below, std::numeric_limits<double>::denorm_min()});
   }
 };
@@ -120,9 +120,10 @@ std::optional<Obb3d> turned_box(const Points& points) {
   std::array<double, 3> reach{};
   double spread = 0;
   for (const Point3d& p : all) {
-    const Vector3d way = p - center;
-    for (std::size_t k = 0; k < 3; ++k) reach[k] = std::max(reach[k], __builtin_fabs(dot(axes[k], way)));
-    spread = std::max({spread, __builtin_fabs(way.x), __builtin_fabs(way.y), __builtin_fabs(way.z)});
+    const Vector3d displacement = p - center;
+    for (std::size_t k = 0; k < 3; ++k) reach[k] = std::max(reach[k], __builtin_fabs(dot(axes[k], displacement)));
+    spread = std::max(
+        {spread, __builtin_fabs(displacement.x), __builtin_fabs(displacement.y), __builtin_fabs(displacement.z)});
   }
   if (spread == 0 || std::ilogb(spread) - std::max(up, 0) < -900) return std::nullopt;
   const auto unscaled = [up](const auto& v) {  // + 0: of both zeros the positive one

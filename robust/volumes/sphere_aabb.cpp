@@ -16,8 +16,8 @@ Contact contact(const std::array<Integer, N>& n) {
   bool interiors = n[0] != zero;
   for (std::size_t k = 1; k < N; k += 3) {
     const Integer &c = n[k], &min = n[k + 1], &max = n[k + 2];
-    const Product way(c < min ? Integer(min - c) : c > max ? Integer(c - max) : zero);
-    beyond += way * way;
+    const Product displacement(c < min ? Integer(min - c) : c > max ? Integer(c - max) : zero);
+    beyond += displacement * displacement;
     interiors = interiors && min < max;
   }
   const Product radius(n[0]), squared_radius(radius * radius);

@@ -29,7 +29,7 @@ void Gas::each_near(std::size_t cube, const Visit& visit) const {
           if (other != cube) visit(other);
 }
 
-Gas::Gas(Whole side, Whole room, std::vector<Cube> cubes) : side_(side), room_(room), cubes_(std::move(cubes)) {
+Gas::Gas(Int64 side, Int64 room, std::vector<Cube> cubes) : side_(side), room_(room), cubes_(std::move(cubes)) {
   begin();
 }
 
@@ -43,7 +43,7 @@ void Gas::begin() {
   events_ = {};
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      const Whole line = cubes_[i].line[axis];
+      const Int64 line = cubes_[i].line[axis];
       if (line < 0 || line > room_) throw GasError("a cube is not in the room");
       places_[i].cell[axis] = static_cast<int>(line / width_);
     }
@@ -55,7 +55,7 @@ void Gas::begin() {
 
 void Gas::require_meeting(std::size_t cube) const {
   for (int axis = 0; axis < 3; ++axis) {
-    const Whole line = cubes_[cube].line[axis], v = cubes_[cube].velocity[axis];
+    const Int64 line = cubes_[cube].line[axis], v = cubes_[cube].velocity[axis];
     if ((line == 0 && v > 0) || (line == room_ && v < 0)) throw GasError("a cube touches a wall and leaves it");
   }
   each_near(cube, [&](std::size_t other) {
@@ -88,11 +88,11 @@ void Gas::expect_alone(std::size_t cube) {
   int axis = -1;
   Kind kind = Kind::wall;
   for (int a = 0; a < 3; ++a) {
-    const Whole v = cubes_[cube].velocity[a], line = cubes_[cube].line[a];
+    const Int64 v = cubes_[cube].velocity[a], line = cubes_[cube].line[a];
     if (v == 0) continue;
-    const Whole border = width_ * (places_[cube].cell[a] + (v > 0 ? 1 : 0));
+    const Int64 border = width_ * (places_[cube].cell[a] + (v > 0 ? 1 : 0));
     const bool leaves = border <= 0 || border > room_;
-    const Whole target = !leaves ? border : v > 0 ? room_ : 0;
+    const Int64 target = !leaves ? border : v > 0 ? room_ : 0;
     const Instant at = v > 0 ? Instant{target - line, v} : Instant{line - target, -v};
     if (axis < 0 || at < first) first = at, axis = a, kind = leaves ? Kind::wall : Kind::crossing;
   }
@@ -104,8 +104,8 @@ void Gas::expect_pair(std::size_t a, std::size_t b) {
   Instant enter{-1, 1}, leave{1, 1};
   bool moves = false;
   for (int axis = 0; axis < 3; ++axis) {
-    Whole apart = cubes_[b].line[axis] - cubes_[a].line[axis];
-    Whole speed = cubes_[b].velocity[axis] - cubes_[a].velocity[axis];
+    Int64 apart = cubes_[b].line[axis] - cubes_[a].line[axis];
+    Int64 speed = cubes_[b].velocity[axis] - cubes_[a].velocity[axis];
     if (speed == 0) {
       if (apart <= -side_ || apart >= side_) return;
       continue;
@@ -137,7 +137,7 @@ void Gas::cross(const Event& event) {
   });
 }
 
-void Gas::run(Whole until) {
+void Gas::run(Int64 until) {
   const Instant end{until, 1};
   std::vector<std::size_t> seeds;
   while (!events_.empty() && !(end < events_.top().at)) {
@@ -154,7 +154,7 @@ void Gas::run(Whole until) {
   }
 }
 
-void Gas::reverse(Whole at) {
+void Gas::reverse(Int64 at) {
   for (Cube& cube : cubes_) {
     for (int axis = 0; axis < 3; ++axis) {
       cube.line[axis] += cube.velocity[axis] * at;
@@ -168,7 +168,7 @@ void Gas::reverse(Whole at) {
 Wide Gas::doubled_energy() const {
   Wide sum = 0;
   for (const Cube& cube : cubes_)
-    for (const Whole v : cube.velocity) sum += Wide(v) * v;
+    for (const Int64 v : cube.velocity) sum += Wide(v) * v;
   return sum;
 }
 
@@ -184,7 +184,7 @@ std::uint64_t Gas::hash() const {
   for (const Cube& cube : cubes_) {
     std::uint64_t hash = 0;
     for (const auto& three : {cube.line, cube.velocity})
-      for (const Whole x : three) hash = mixed(hash ^ static_cast<std::uint64_t>(x));
+      for (const Int64 x : three) hash = mixed(hash ^ static_cast<std::uint64_t>(x));
     sum += hash;
   }
   return sum;

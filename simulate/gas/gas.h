@@ -12,18 +12,18 @@
 /// and if run backwards the gas returns to its initial bits.
 namespace touchstone::simulate::gas {
 
-using Whole = std::int64_t;
+using Int64 = std::int64_t;
 __extension__ using Wide = __int128;
 
 /// On each axis the low corner of the cube is at line + velocity t.
 struct Cube {
-  std::array<Whole, 3> line{}, velocity{};
+  std::array<Int64, 3> line{}, velocity{};
   friend bool operator==(const Cube&, const Cube&) = default;
 };
 
 /// p / q with q > 0.
 struct Instant {
-  Whole p = 0, q = 1;
+  Int64 p = 0, q = 1;
   friend bool operator<(const Instant& a, const Instant& b) { return Wide(a.p) * b.q < Wide(b.p) * a.q; }
   friend bool operator==(const Instant& a, const Instant& b) { return Wide(a.p) * b.q == Wide(b.p) * a.q; }
 };
@@ -32,7 +32,7 @@ struct Instant {
 struct Hit {
   Instant at;
   std::vector<std::size_t> cubes;                  ///< ascending
-  std::vector<std::array<Whole, 3>> velocities{};  ///< of each of them, afterwards
+  std::vector<std::array<Int64, 3>> velocities{};  ///< of each of them, afterwards
 };
 
 /// The numbers became too long for 64 bits, or the start is invalid.
@@ -62,19 +62,19 @@ class Gas {
  public:
   /// Low corners are from 0 to `room`. Nothing overlaps, and cubes that touch do not separate: they would have met
   /// before. Throws GasError.
-  Gas(Whole side, Whole room, std::vector<Cube> cubes);
+  Gas(Int64 side, Int64 room, std::vector<Cube> cubes);
 
   /// Runs up to that time, including the events at it. Throws GasError.
-  void run(Whole until);
+  void run(Int64 until);
   /// From now on each hit is added to the list, in order; at one instant those with the least cube first.
   void record(std::vector<Hit>& hits) { hits_ = &hits; }
   /// Reverses every velocity at that time, at which the clock restarts at 0.
-  void reverse(Whole at);
+  void reverse(Int64 at);
 
   const std::vector<Cube>& cubes() const { return cubes_; }
   const Counts& counts() const { return counts_; }
   /// The number of current units of length in one at the start.
-  Whole scale() const { return scale_; }
+  Int64 scale() const { return scale_; }
   /// In current units; the sum of squares of velocities, and the sum of velocities including the walls' share.
   Wide doubled_energy() const;
   std::array<Wide, 3> momentum_with_walls() const;
@@ -133,9 +133,9 @@ class Gas {
   bool approach(const Join& join, bool backwards = false) const;
   void require_meeting(std::size_t cube) const;
   void set(std::size_t cube, int axis, Wide line, Wide velocity);
-  void rescale(Whole factor);
+  void rescale(Int64 factor);
 
-  Whole side_, room_, width_ = 1, scale_ = 1;
+  Int64 side_, room_, width_ = 1, scale_ = 1;
   int cells_ = 1;
   std::vector<Cube> cubes_;
   std::vector<Place> places_;

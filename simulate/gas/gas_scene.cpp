@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t longest = 1u << 30;
 
-Whole whole(Fields& fields, const char* name, std::uint32_t least) {
+Int64 integer(Fields& fields, const char* name, std::uint32_t least) {
   fields.at(name);
   const std::uint32_t value = fields.count_or(name, least, 0);
   if (value > longest)
@@ -23,8 +23,8 @@ Whole whole(Fields& fields, const char* name, std::uint32_t least) {
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : state_(seed) {}
-  Whole between(Whole low, Whole high) {
-    return low + static_cast<Whole>(mixed(state_++) % static_cast<std::uint64_t>(high - low + 1));
+  Int64 between(Int64 low, Int64 high) {
+    return low + static_cast<Int64>(mixed(state_++) % static_cast<std::uint64_t>(high - low + 1));
   }
 
  private:
@@ -45,21 +45,21 @@ GasScene read_gas(const catalogue::Json& json) {
   fields.has("deck_pages");
   Fields gas(fields.at("gas"), "gas");
   fields.end();
-  scene.side = whole(gas, "side", 1);
-  scene.until = whole(gas, "until", 0);
-  const Whole along = whole(gas, "cubes_along", 1), gap = whole(gas, "gap", 2), speed = whole(gas, "speed", 0);
+  scene.side = integer(gas, "side", 1);
+  scene.until = integer(gas, "until", 0);
+  const Int64 along = integer(gas, "cubes_along", 1), gap = integer(gas, "gap", 2), speed = integer(gas, "speed", 0);
   scene.speed = speed;
   scene.planar = gas.flag_or("planar", false);
   scene.steps_per_second = gas.count_or("steps_per_second", 1, 60);
-  Draws draws(static_cast<std::uint64_t>(whole(gas, "seed", 0)));
+  Draws draws(static_cast<std::uint64_t>(integer(gas, "seed", 0)));
   gas.end();
   if (along > 64) throw InvalidInput("gas.cubes_along", catalogue::expected("up to 64", gas.at("cubes_along")));
-  const Whole spacing = scene.side + gap;
+  const Int64 spacing = scene.side + gap;
   scene.room = spacing * along - scene.side;
   const int axes = scene.planar ? 2 : 3;
-  for (Whole i = 0; i < along * along * (scene.planar ? 1 : along); ++i) {
+  for (Int64 i = 0; i < along * along * (scene.planar ? 1 : along); ++i) {
     Cube cube;
-    const Whole place[]{i / (along * along), i / along % along, i % along};
+    const Int64 place[]{i / (along * along), i / along % along, i % along};
     if (scene.planar) cube.line[2] = scene.room / 2;
     for (int axis = 0; axis < axes; ++axis) {
       cube.line[axis] = place[scene.planar ? axis + 1 : axis] * spacing + draws.between(1, gap - 1);

@@ -11,9 +11,9 @@ namespace touchstone::simulate::gas {
 /// Cubes on a lattice, each shifted by a random integer vector, with random integer velocities.
 struct GasScene {
   std::string title, about;
-  Whole side = 1, room = 0, until = 0;
+  Int64 side = 1, room = 0, until = 0;
   bool planar = false;                  ///< one layer, which no cube leaves
-  Whole speed = 0;                      ///< the limit of each velocity component
+  Int64 speed = 0;                      ///< the limit of each velocity component
   std::uint32_t steps_per_second = 60;  ///< for engines compared with it (referee.h)
   std::vector<Cube> cubes;
 };

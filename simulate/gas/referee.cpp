@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 /// Metres and seconds of the scene for engines. A second is the time in which the fastest cube flies its own side.
-double metres(const GasScene& gas, Whole line) { return static_cast<double>(line) / static_cast<double>(gas.side); }
-double unit_of_speed(const GasScene& gas) { return static_cast<double>(std::max<Whole>(gas.speed, 1)); }
+double metres(const GasScene& gas, Int64 line) { return static_cast<double>(line) / static_cast<double>(gas.side); }
+double unit_of_speed(const GasScene& gas) { return static_cast<double>(std::max<Int64>(gas.speed, 1)); }
 double seconds(const GasScene& gas, const Instant& at) {
   return static_cast<double>(at.p) / static_cast<double>(at.q) * unit_of_speed(gas) / static_cast<double>(gas.side);
 }
@@ -24,7 +24,7 @@ std::array<double, 3> in_units(const GasScene& gas, const Vector3d& v) {
   return {v.x * unit, v.y * unit, v.z * unit};
 }
 
-bool reads_as(const std::array<double, 3>& seen, const std::array<Whole, 3>& velocity) {
+bool reads_as(const std::array<double, 3>& seen, const std::array<Int64, 3>& velocity) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (std::nearbyint(seen[axis]) != static_cast<double>(velocity[axis])) return false;
   return true;
@@ -134,7 +134,7 @@ class Game {
   std::vector<bool> gone_ = std::vector<bool>(gas_.cubes.size());
 };
 
-std::array<double, 3> in_doubles(const std::array<Whole, 3>& v) {
+std::array<double, 3> in_doubles(const std::array<Int64, 3>& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 std::string three(const std::array<double, 3>& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
@@ -163,7 +163,7 @@ Scene scene_of(const GasScene& gas) {
   return scene;
 }
 
-Record::Record(const GasScene& scene, Whole until) {
+Record::Record(const GasScene& scene, Int64 until) {
   Gas gas(scene.side, scene.room, scene.cubes);
   gas.record(hits_);
   gas.run(until);
@@ -206,9 +206,9 @@ std::string sentence_of(const GasScene& gas, const Verdict& verdict) {
   const Record record(gas, gas.until);
   const auto& [place, cube, step, velocity, missed] = *verdict.wrong;
   const Hit& hit = record.hits()[place];
-  std::string who;
-  for (const std::size_t one : hit.cubes) who += (who.empty() ? "" : " and ") + fmt::format("cube_{}", one);
-  if (hit.cubes.size() == 1) who += " and a wall";
+  std::string colliding;
+  for (const std::size_t one : hit.cubes) colliding += (colliding.empty() ? "" : " and ") + fmt::format("cube_{}", one);
+  if (hit.cubes.size() == 1) colliding += " and a wall";
   std::string how =
       missed ? "which it does not answer" : fmt::format("in step {} cube_{} has {}", step, cube, three(velocity));
   const auto found = std::find(hit.cubes.begin(), hit.cubes.end(), cube);
@@ -218,8 +218,8 @@ std::string sentence_of(const GasScene& gas, const Verdict& verdict) {
     const auto& right = hit.velocities[static_cast<std::size_t>(found - hit.cubes.begin())];
     how += missed ? "" : " in place of " + three(in_doubles(right));
   }
-  return fmt::format("{}: parts at hit {} of {}, {} at {:.4f} s: {}", verdict.engine, place + 1, verdict.hits, who,
-                     seconds(gas, hit.at), how);
+  return fmt::format("{}: parts at hit {} of {}, {} at {:.4f} s: {}", verdict.engine, place + 1, verdict.hits,
+                     colliding, seconds(gas, hit.at), how);
 }
 
 }  // namespace touchstone::simulate::gas

@@ -18,11 +18,11 @@ Scene scene_of(const GasScene& gas);
 class Record {
  public:
   /// Throws GasError, also if a group of cubes made the unit of length smaller: velocities are no longer integers then.
-  Record(const GasScene& gas, Whole until);
+  Record(const GasScene& gas, Int64 until);
 
   struct Turn {
     std::size_t hit;                  ///< its index in `hits`
-    std::array<Whole, 3> velocity{};  ///< afterwards
+    std::array<Int64, 3> velocity{};  ///< afterwards
   };
   const std::vector<Hit>& hits() const { return hits_; }
   /// The velocities of a cube, one after another, from the start.

@@ -37,8 +37,8 @@ bool Gas::approach(const Join& join, bool backwards) const {
   for (int axis = 0; axis < 3; ++axis) {
     if (!join.face[axis]) continue;
     const bool ahead = scaled_place(join.second, axis) > scaled_place(join.first, axis);
-    const Whole forwards = cubes_[join.second].velocity[axis] - cubes_[join.first].velocity[axis];
-    const Whole speed = backwards ? -forwards : forwards;
+    const Int64 forwards = cubes_[join.second].velocity[axis] - cubes_[join.first].velocity[axis];
+    const Int64 speed = backwards ? -forwards : forwards;
     if (ahead ? speed >= 0 : speed <= 0) return false;
   }
   return true;
@@ -47,12 +47,12 @@ bool Gas::approach(const Join& join, bool backwards) const {
 void Gas::set(std::size_t cube, int axis, Wide line, Wide velocity) {
   if (!within(line, longest_line) || !within(velocity, longest_velocity))
     throw GasError("numbers became too long for 64 bits");
-  cubes_[cube].line[axis] = static_cast<Whole>(line);
-  cubes_[cube].velocity[axis] = static_cast<Whole>(velocity);
+  cubes_[cube].line[axis] = static_cast<Int64>(line);
+  cubes_[cube].velocity[axis] = static_cast<Int64>(velocity);
 }
 
-void Gas::rescale(Whole factor) {
-  const auto longer = [&](Whole x) {
+void Gas::rescale(Int64 factor) {
+  const auto longer = [&](Int64 x) {
     if (!within(Wide(x) * factor, longest_line)) throw GasError("numbers became too long for 64 bits");
     return x * factor;
   };
@@ -91,14 +91,14 @@ void Gas::answer_group(const Part& part, std::vector<std::size_t> group, bool ro
                        std::vector<bool>& changed) {
   const bool wall = std::any_of(group.begin(), group.end(), [&](std::size_t cube) { return at_wall(cube, axis); });
   if (group.size() == 1 && !wall) return;
-  std::vector<Whole> before;
+  std::vector<Int64> before;
   for (const std::size_t cube : group) before.push_back(cubes_[cube].velocity[axis]);
-  const Whole unit = scale_;
+  const Int64 unit = scale_;
   if (group.size() > 2) ++counts_.groups;
   if (wall) {
     counts_.at_walls += part.cubes.size() == 1;
     for (const std::size_t cube : group) {
-      const Whole v = cubes_[cube].velocity[axis];
+      const Int64 v = cubes_[cube].velocity[axis];
       const Wide place = scaled_place(cube, axis) / now_.q;  // an integer: the wall, or a multiple of the side from it
       wall_impulse_[axis] += 2 * Wide(v);
       set(cube, axis, 2 * place - cubes_[cube].line[axis], -Wide(v));
@@ -125,7 +125,7 @@ void Gas::answer_group(const Part& part, std::vector<std::size_t> group, bool ro
 /// Reflects every line about the mean of all, each relative to the position of the first: faces touch, so that
 /// positions differ by multiples of the side.
 void Gas::mirror(const std::vector<std::size_t>& group, int axis) {
-  const Whole many = static_cast<Whole>(group.size());
+  const Int64 many = static_cast<Int64>(group.size());
   const auto from_first = [&](std::size_t cube) {
     return (scaled_place(cube, axis) - scaled_place(group[0], axis)) / now_.q;
   };
@@ -136,8 +136,8 @@ void Gas::mirror(const std::vector<std::size_t>& group, int axis) {
     return sums;
   };
   auto [lines, velocities] = doubled_sums();
-  const Whole common =
-      std::gcd(many, std::gcd(static_cast<Whole>(lines % many), static_cast<Whole>(velocities % many)));
+  const Int64 common =
+      std::gcd(many, std::gcd(static_cast<Int64>(lines % many), static_cast<Int64>(velocities % many)));
   if (common != many) {
     rescale(many / common);
     const auto sums = doubled_sums();

@@ -58,17 +58,18 @@ Height<Real> height_over(const Sphere3<Real>& ball, const Vector3<Real>& velocit
 /// center then enters the box grown by its radius, rounded at edges and corners: its squared distance from the box is a
 /// quadratic polynomial between the times at which it crosses the planes of the faces, and convex.
 template <class Real>
-FirstContact<Real> swept_sphere_aabb(const Sphere3<Real>& ball, const Aabb3<Real>& box, const Vector3<Real>& way) {
+FirstContact<Real> swept_sphere_aabb(const Sphere3<Real>& ball, const Aabb3<Real>& box,
+                                     const Vector3<Real>& displacement) {
   using std::sqrt;
   const FirstContact<Real> never{HitRelation::never, std::nullopt};
   const Real zero(0), one(1);
   struct Axis {
-    Real place, way, low, high;
+    Real place, displacement, low, high;
   };
   const auto& [center, radius] = ball;
-  const std::array<Axis, 3> axes{Axis{center.x, way.x, box.min.x, box.max.x},
-                                 Axis{center.y, way.y, box.min.y, box.max.y},
-                                 Axis{center.z, way.z, box.min.z, box.max.z}};
+  const std::array<Axis, 3> axes{Axis{center.x, displacement.x, box.min.x, box.max.x},
+                                 Axis{center.y, displacement.y, box.min.y, box.max.y},
+                                 Axis{center.z, displacement.z, box.min.z, box.max.z}};
   std::vector<Real> moments{zero, one};
   for (const auto& [place, speed, low, high] : axes) {
     for (const Real& face : {low, high}) {

@@ -55,7 +55,7 @@ bool is_zero(const Vector3<Real>& v) {
 template <class Real>
 Vector3<Real> way_out(const Aabb3<Real>& a, const Aabb3<Real>& b) {
   std::optional<Exact> least;
-  Vector3<Real> way{Real(0), Real(0), Real(0)};
+  Vector3<Real> displacement{Real(0), Real(0), Real(0)};
   const auto look = [&](Real Point3<Real>::*axis, Real Vector3<Real>::*along) {
     const Exact up = in_exact(b.max.*axis) - in_exact(a.min.*axis),
                 down = in_exact(a.max.*axis) - in_exact(b.min.*axis);
@@ -63,13 +63,13 @@ Vector3<Real> way_out(const Aabb3<Real>& a, const Aabb3<Real>& b) {
     const Exact& depth = upwards ? up : down;
     if (least && *least <= depth) return;
     least = depth;
-    way = {Real(0), Real(0), Real(0)};
-    way.*along = upwards ? Real(1) : Real(-1);
+    displacement = {Real(0), Real(0), Real(0)};
+    displacement.*along = upwards ? Real(1) : Real(-1);
   };
   look(&Point3<Real>::x, &Vector3<Real>::x);
   look(&Point3<Real>::y, &Vector3<Real>::y);
   look(&Point3<Real>::z, &Vector3<Real>::z);
-  return way;
+  return displacement;
 }
 
 template <class By>
@@ -182,13 +182,14 @@ template <class By>
 FirstContact<typename By::Number> World<By>::first_meeting(const Touch& touch, const State<Real>& state,
                                                            const Real& time, Log* log) const {
   const auto [wall, i, j] = touch;
-  const Vector3<Real> way = time * state[i].velocity;
+  const Vector3<Real> displacement = time * state[i].velocity;
   const auto asked = [&](const char* operation, std::initializer_list<const char*> names, const auto& answer,
                          const auto&... part) { return logged<Real>(log, touch, operation, names, answer, part...); };
   if (wall && solids_[i].shape == Shape::sphere) {
     const Sphere3<Real> a = ball(i, state);
     const Plane<Real>& b = walls_[j];
-    return asked("swept_sphere_plane", {"sphere", "velocity", "plane"}, By::swept_sphere_plane(a, way, b), a, way, b);
+    return asked("swept_sphere_plane", {"sphere", "velocity", "plane"}, By::swept_sphere_plane(a, displacement, b), a,
+                 displacement, b);
   }
   if (wall) {
     const Point3<Real> start = deepest(touch, state), end = simulate::plus<By>(start, time, state[i].velocity);
@@ -201,18 +202,19 @@ FirstContact<typename By::Number> World<By>::first_meeting(const Touch& touch, c
   if (solids_[i].shape != Shape::box && solids_[j].shape != Shape::box) {
     const Sphere3<Real> a = ball(i, state), b = ball(j, state);
     return asked("swept_sphere_sphere", {"a", "b", "velocity_a", "velocity_b"},
-                 By::swept_sphere_sphere(a, b, way, other), a, b, way, other);
+                 By::swept_sphere_sphere(a, b, displacement, other), a, b, displacement, other);
   }
   const bool first = solids_[i].shape == Shape::sphere;
   if (first || solids_[j].shape == Shape::sphere) {
     const auto sweep = [](const auto& ball, const auto& box, const auto& by) {
       return swept_sphere_aabb(ball, box, by);
     };
-    return by<By>(sweep, ball(first ? i : j, state), box(first ? j : i, state), first ? way - other : other - way);
+    return by<By>(sweep, ball(first ? i : j, state), box(first ? j : i, state),
+                  first ? displacement - other : other - displacement);
   }
   // A particle is a flat box here.
   const Aabb3<Real> a = box(i, state), b = box(j, state);
-  const Vector3<Real> relative = way - other;
+  const Vector3<Real> relative = displacement - other;
   return asked("swept_aabb_aabb", {"a", "b", "velocity"}, By::swept_aabb_aabb(a, b, relative), a, b, relative);
 }
 
@@ -276,14 +278,14 @@ std::optional<Vector3<typename By::Number>> World<By>::normal(const Touch& touch
   const auto flat = [&](std::size_t body) { return solids_[body].shape != Shape::sphere; };
   const bool some_box = solids_[i].shape == Shape::box || solids_[j].shape == Shape::box;
   if (boxes(touch) || (settings_.option == 2 && some_box && flat(i) && flat(j))) return way_out(box(i, at), box(j, at));
-  Vector3<Real> way = at[i].position - at[j].position;
+  Vector3<Real> displacement = at[i].position - at[j].position;
   if (solids_[j].shape == Shape::box) {
-    way = at[i].position - By::closest_point_on_aabb(at[i].position, box(j, at));
+    displacement = at[i].position - By::closest_point_on_aabb(at[i].position, box(j, at));
   } else if (solids_[i].shape == Shape::box) {
-    way = By::closest_point_on_aabb(at[j].position, box(i, at)) - at[j].position;
+    displacement = By::closest_point_on_aabb(at[j].position, box(i, at)) - at[j].position;
   }
-  if (is_zero(way)) return std::nullopt;
-  return way;
+  if (is_zero(displacement)) return std::nullopt;
+  return displacement;
 }
 
 template <class By>

@@ -206,8 +206,8 @@ bool is_gltf(std::string_view bytes) {
   return bytes.starts_with("glTF") || (start != text.npos && text[start] == '{' && text.find("\"asset\"") != text.npos);
 }
 
-MeshFile read_gltf(const std::string& name, std::string_view bytes, const Beside& beside) {
-  const Document document = gltf::read_document(name, bytes, beside);
+MeshFile read_gltf(const std::string& name, std::string_view bytes, const ReadSibling& read_sibling) {
+  const Document document = gltf::read_document(name, bytes, read_sibling);
   std::size_t size = bytes.size();
   for (const std::string& buffer : document.buffers) size += buffer.size();
   return Scene(document, size).read();

@@ -52,14 +52,15 @@ std::string file_of(const Value& uri, std::string_view text) {
   return name;
 }
 
-std::string buffer_bytes(const Document& document, const Value& buffer, std::size_t i, const Beside& beside) {
+std::string buffer_bytes(const Document& document, const Value& buffer, std::size_t i,
+                         const ReadSibling& read_sibling) {
   if (!buffer.has("uri")) {
     if (i > 0 || document.binary.empty()) buffer.refuse("a uri, or the bytes in a .glb file");
     return document.binary;
   }
   const Value uri = buffer["uri"];
   const std::string_view text = uri.text();
-  if (!text.starts_with("data:")) return beside(file_of(uri, text));
+  if (!text.starts_with("data:")) return read_sibling(file_of(uri, text));
   const std::size_t comma = text.find(',');
   if (comma == text.npos || !text.substr(0, comma).ends_with(";base64")) uri.refuse("data in base64");
   return from_base64(uri, text.substr(comma + 1));
@@ -103,7 +104,7 @@ const std::string& Value::text() const {
   return json_->get_ref<const std::string&>();
 }
 
-Document read_document(const std::string& name, std::string_view bytes, const Beside& beside) {
+Document read_document(const std::string& name, std::string_view bytes, const ReadSibling& read_sibling) {
   Document document;
   document.name = name, document.format = "glTF";
   std::string_view text = without_mark(bytes);
@@ -137,7 +138,7 @@ Document read_document(const std::string& name, std::string_view bytes, const Be
   }
   for (std::size_t i = 0; root.has("buffers") && i < root["buffers"].size(); ++i) {
     const Value buffer = root["buffers"][i];
-    document.buffers.push_back(buffer_bytes(document, buffer, i, beside));
+    document.buffers.push_back(buffer_bytes(document, buffer, i, read_sibling));
     if (buffer["byteLength"].integer() > document.buffers.back().size())
       buffer["byteLength"].refuse("no more than the buffer has, " + std::to_string(document.buffers.back().size()));
   }

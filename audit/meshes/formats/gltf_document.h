@@ -50,7 +50,7 @@ struct Document {
 };
 
 /// For either form, with all buffers.
-Document read_document(const std::string& name, std::string_view bytes, const Beside& beside);
+Document read_document(const std::string& name, std::string_view bytes, const ReadSibling& read_sibling);
 
 /// Elements of `size` bytes in a buffer.
 struct Elements {

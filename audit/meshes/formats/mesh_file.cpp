@@ -31,12 +31,12 @@ bool ends_with(std::string_view name, std::string_view ending) {
 struct Format {
   std::string_view ending;
   bool (*recognised)(std::string_view bytes);  ///< also true for formats that follow
-  MeshFile (*read)(const std::string& name, std::string_view bytes, const meshes::Beside& beside);
+  MeshFile (*read)(const std::string& name, std::string_view bytes, const meshes::ReadSibling& beside);
 };
 
 /// A reader that needs no other file.
 template <MeshFile (*read)(const std::string&, std::string_view)>
-MeshFile alone(const std::string& name, std::string_view bytes, const meshes::Beside&) {
+MeshFile alone(const std::string& name, std::string_view bytes, const meshes::ReadSibling&) {
   return read(name, bytes);
 }
 
@@ -66,7 +66,7 @@ std::string content(const std::string& path) {
   return bytes;
 }
 
-MeshFile read(const std::string& name, std::string_view bytes, const meshes::Beside& beside) {
+MeshFile read(const std::string& name, std::string_view bytes, const meshes::ReadSibling& beside) {
   const auto named =
       std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return ends_with(name, f.ending); });
   const auto recognised =

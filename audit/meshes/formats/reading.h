@@ -54,7 +54,7 @@ class Text {
 };
 
 /// The content of a file in the same folder, by its name; refuses files that cannot be read.
-using Beside = std::function<std::string(const std::string& name)>;
+using ReadSibling = std::function<std::string(const std::string& name)>;
 
 /// ASCII letters in lower case.
 std::string lower(std::string_view word);
@@ -84,7 +84,7 @@ bool is_ply(std::string_view bytes);
 bool is_stl(std::string_view bytes);
 
 MeshFile read_3mf(const std::string& name, std::string_view bytes);
-MeshFile read_gltf(const std::string& name, std::string_view bytes, const Beside& beside);
+MeshFile read_gltf(const std::string& name, std::string_view bytes, const ReadSibling& read_sibling);
 MeshFile read_obj(const std::string& name, std::string_view bytes);
 MeshFile read_off(const std::string& name, std::string_view bytes);
 MeshFile read_ply(const std::string& name, std::string_view bytes);

@@ -47,7 +47,7 @@ inline Impacting lattice_impacts(DrawStream& c) {
 /// Two balls head on, that meet at a rational moment: at the start, within the step, just at its end, or just after.
 inline Impacting balls_head_on(DrawStream& c) {
   Impacting s = empty_impacting(c);
-  const auto [n, length] = whole_normal(c);
+  const auto [n, length] = integer_normal(c);
   const double wait = up_to(c, 4) / 4, w = 1 + lattice_inverse_mass(c);
   const double part = up_to(c, 4) / 4, other = lattice_inverse_mass(c);
   const Vector3d v = n, u = c.coin() ? Vector3d{0, 0, 0} : -1.0 * n;
@@ -62,7 +62,7 @@ inline Impacting balls_head_on(DrawStream& c) {
 /// Balls that pass each other, and touch just so, or nearly.
 inline Impacting grazing_balls(DrawStream& c) {
   Impacting s = empty_impacting(c);
-  const auto [n, length] = whole_normal(c);
+  const auto [n, length] = integer_normal(c);
   const Vector3d along = lattice_across(c, n);
   const double part = up_to(c, 4) / 4, w = lattice_inverse_mass(c), far = up_to(c, 3) / 4 * s.timestep;
   const double radius = ulps_apart(c, (1 - part) * length, 1);
@@ -75,7 +75,7 @@ inline Impacting grazing_balls(DrawStream& c) {
 /// Balls in a row, with gaps or without, that the first ones hit; perhaps a wall at the end.
 inline Impacting row_of_impacts(DrawStream& c) {
   Impacting s = empty_impacting(c);
-  const auto [n, length] = whole_normal(c);
+  const auto [n, length] = integer_normal(c);
   const std::uint64_t balls = 2 + c.below(4), moving = 1 + c.below(2);
   const double speed = one_to(c, 8), gap = up_to(c, 2) / 4;
   const bool alike = c.below(4) != 3;
@@ -119,7 +119,7 @@ inline Impacting impact_in_a_corner(DrawStream& c) {
   s.add(Point3d{x, y, z} + (-when) * v, radius, 1 + lattice_inverse_mass(c), v);
   const std::uint64_t walls = 2 + c.below(3);
   while (s.walls.size() < walls) {
-    const WholeNormal wall = whole_normal(c);
+    const IntegerNormal wall = integer_normal(c);
     const double side = dot(wall.n, v) > 0 ? -1 : 1;
     const Vector3d n = side * wall.n;
     const double offset = radius * wall.length - dot(n, meets);

@@ -57,7 +57,7 @@ inline Stepping lattice_balls(DrawStream& c) {
 /// Two balls that touch at the end, just so, along a direction of whole length; or are an ulp apart.
 inline Stepping tangent_balls(DrawStream& c) {
   Stepping s = empty_stepping(c);
-  const WholeNormal direction = whole_normal(c);
+  const IntegerNormal direction = integer_normal(c);
   const double part = up_to(c, 8) / 8, times = one_to(c, 4);
   const double x = integer(c, 8), y = integer(c, 8), w = lattice_inverse_mass(c), other = 1 + lattice_inverse_mass(c);
   const double length = times * direction.length, radius = part * length, reach = ulps_apart(c, length - radius, 1);
@@ -72,7 +72,7 @@ inline Stepping tangent_balls(DrawStream& c) {
 inline Stepping row_of_balls(DrawStream& c) {
   Stepping s = empty_stepping(c);
   s.settings.gravity = {0, 0, 0};
-  const auto [n, length] = whole_normal(c);
+  const auto [n, length] = integer_normal(c);
   const std::uint64_t balls = 2 + c.below(5), moving = 1 + c.below(2);
   const double speed = one_to(c, 16);
   const bool alike = c.below(4) != 3;
@@ -113,7 +113,7 @@ inline Stepping ball_in_a_corner(DrawStream& c) {
   s.add({x, y, z}, radius, 1 + lattice_inverse_mass(c), v);
   const std::uint64_t walls = 2 + c.below(3);
   while (s.walls.size() < walls) {
-    const WholeNormal wall = whole_normal(c);
+    const IntegerNormal wall = integer_normal(c);
     const double side = either_sign(c);
     const Vector3d n = side * wall.n;
     const double offset = radius * wall.length - dot(n, Vector3d{x, y, z});
@@ -170,7 +170,7 @@ inline Stepping particles(DrawStream& c) {
 /// Relative velocities that are 0 along the normal, or nearly: what slides along a wall or another ball.
 inline Stepping sliding_balls(DrawStream& c) {
   Stepping s = empty_stepping(c);
-  const auto [n, length] = whole_normal(c);
+  const auto [n, length] = integer_normal(c);
   const Vector3d across = lattice_across(c, n), further = lattice_across(c, n);
   const double along = small_integer(c, 1), radius = length * one_to(c, 3);
   s.settings.gravity = {0, 0, 0};
@@ -256,7 +256,7 @@ inline Stepping balls_at_the_ends(DrawStream& c) {
 inline Stepping step_beside_a_tie(DrawStream& c) {
   Stepping s = empty_stepping(c);
   if (c.coin()) {
-    const BesideTie tie = beside_tie(c);
+    const NearTie tie = near_tie(c);
     s.settings.gravity = {0, 0, 0}, s.settings.timestep = tie.t;
     s.bodies.push_back({1, {tie.v, 0, 0}, {{tie.rest, 0, 0}, 1}});
     return s;

@@ -166,10 +166,10 @@ Points long_plane(DrawStream& c) {
 
 Points computed(DrawStream& c) {
   Points points = prism(c);
-  std::vector<Point2d> seen;
-  for (const Point3d& p : points) seen.push_back({p.x, p.y});
-  compute(seen, c);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].x = seen[i].x, points[i].y = seen[i].y;
+  std::vector<Point2d> projected;
+  for (const Point3d& p : points) projected.push_back({p.x, p.y});
+  compute(projected, c);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].x = projected[i].x, points[i].y = projected[i].y;
   return points;
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<Face, 4> tetrahedron{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
 Meshd cube_in_hollow(DrawStream& draws) {
-  std::vector<Whole> cells;
+  std::vector<LatticePoint> cells;
   for (long i = 0; i < 27; ++i)
     if (i != 13) cells.push_back({i % 3, i / 3 % 3, i / 9});
   Meshd mesh = cube_surface(cells), inner = cube_surface({{0, 0, 0}});

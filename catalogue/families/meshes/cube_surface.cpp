@@ -9,9 +9,9 @@ namespace touchstone::catalogue {
 namespace {
 
 /// The corners of a cell's square across an axis, counter-clockwise as seen from the greater side.
-std::array<Whole, 4> square(const Whole& cell, std::size_t axis, long side) {
-  std::array<Whole, 4> corners{cell, cell, cell, cell};
-  for (Whole& corner : corners) corner[axis] += side;
+std::array<LatticePoint, 4> square(const LatticePoint& cell, std::size_t axis, long side) {
+  std::array<LatticePoint, 4> corners{cell, cell, cell, cell};
+  for (LatticePoint& corner : corners) corner[axis] += side;
   for (const std::size_t k : {1, 2}) ++corners[k][(axis + 1) % 3];
   for (const std::size_t k : {2, 3}) ++corners[k][(axis + 2) % 3];
   return corners;
@@ -19,20 +19,20 @@ std::array<Whole, 4> square(const Whole& cell, std::size_t axis, long side) {
 
 }  // namespace
 
-Meshd cube_surface(const std::vector<Whole>& cells) {
-  const std::set<Whole> taken(cells.begin(), cells.end());
-  std::map<Whole, Index> places;
+Meshd cube_surface(const std::vector<LatticePoint>& cells) {
+  const std::set<LatticePoint> taken(cells.begin(), cells.end());
+  std::map<LatticePoint, Index> places;
   Meshd mesh;
-  const auto vertex = [&](const Whole& p) {
+  const auto vertex = [&](const LatticePoint& p) {
     const auto [found, added] = places.emplace(p, static_cast<Index>(mesh.vertices.size()));
     const auto coordinate = [](long n) { return static_cast<double>(12 * n); };
     if (added) mesh.vertices.push_back({coordinate(p[0]), coordinate(p[1]), coordinate(p[2])});
     return found->second;
   };
-  for (const Whole& cell : taken) {
+  for (const LatticePoint& cell : taken) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const long side : {0L, 1L}) {
-        Whole neighbour = cell;
+        LatticePoint neighbour = cell;
         neighbour[axis] += 2 * side - 1;
         if (taken.contains(neighbour)) continue;
         auto corners = square(cell, axis, side);

@@ -10,6 +10,6 @@ namespace touchstone::catalogue {
 /// The surface of a union of cubes, cell (x, y, z) being [12 x, 12 (x + 1)] and so on: the squares between a cell of
 /// the list and one that is not in it, cut into two triangles each, counter-clockwise from outside. A vertex for every
 /// lattice point that a square has. Where cubes share only an edge, four triangles have it.
-Meshd cube_surface(const std::vector<Whole>& cells);
+Meshd cube_surface(const std::vector<LatticePoint>& cells);
 
 }  // namespace touchstone::catalogue

@@ -11,11 +11,11 @@ namespace touchstone::catalogue {
 namespace {
 
 using oracle::Integer;
-using oracle::WholeCloud;
+using oracle::IntegerCloud;
 using Corners = std::vector<Index>;
 using Axis = Integer Vector3<Integer>::*;
 
-Vector3<Integer> doubled_area(const WholeCloud& cloud, const Corners& corners) {
+Vector3<Integer> doubled_area(const IntegerCloud& cloud, const Corners& corners) {
   Vector3<Integer> sum{0, 0, 0};
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) sum = sum + cloud.normal(corners[0], corners[k], corners[k + 1]);
   return sum;
@@ -26,7 +26,7 @@ Vector3<Integer> doubled_area(const WholeCloud& cloud, const Corners& corners) {
 class Cutting {
  public:
   /// Along the axis the polygon is seen to have an area of this sign.
-  Cutting(const WholeCloud& cloud, const Corners& corners, Axis axis, int sign, DrawStream& draws)
+  Cutting(const IntegerCloud& cloud, const Corners& corners, Axis axis, int sign, DrawStream& draws)
       : cloud_(cloud), corners_(corners), axis_(axis), sign_(sign), draws_(draws) {}
 
   /// The triangles of the polygon from the corner `first` to `last`, without the edge between these.
@@ -76,7 +76,7 @@ class Cutting {
     return false;
   }
 
-  const WholeCloud& cloud_;
+  const IntegerCloud& cloud_;
   const Corners& corners_;
   Axis axis_;
   int sign_;

@@ -21,7 +21,7 @@ class PolygonCutter {
   std::optional<std::vector<Face>> cut(const std::vector<Index>& corners, DrawStream& draws) const;
 
  private:
-  oracle::WholeCloud cloud_;
+  oracle::IntegerCloud cloud_;
 };
 
 /// A mesh named by polygons, which are valid or of three corners, each with one of its valid cuts, drawn.

@@ -7,7 +7,8 @@ namespace touchstone::catalogue {
 namespace {
 
 /// The corners of a face of the hull, counter-clockwise about the normal, those on its edges left out (gift wrapping).
-std::vector<Index> corners(const std::vector<Whole>& points, const std::vector<Index>& members, const Whole& normal) {
+std::vector<Index> corners(const std::vector<LatticePoint>& points, const std::vector<Index>& members,
+                           const LatticePoint& normal) {
   std::vector<Index> ring{members[0]};
   for (const Index m : members) {
     if (points[m] < points[ring[0]]) ring[0] = m;
@@ -16,7 +17,7 @@ std::vector<Index> corners(const std::vector<Whole>& points, const std::vector<I
     Index next = members[0] == ring.back() ? members[1] : members[0];
     for (const Index m : members) {
       if (m == ring.back()) continue;
-      const Whole v = minus(points[next], points[ring.back()]), w = minus(points[m], points[ring.back()]);
+      const LatticePoint v = minus(points[next], points[ring.back()]), w = minus(points[m], points[ring.back()]);
       const long turn = dot(normal, cross(v, w));
       if (turn < 0 || (turn == 0 && dot(w, w) > dot(v, v))) next = m;
     }
@@ -26,22 +27,22 @@ std::vector<Index> corners(const std::vector<Whole>& points, const std::vector<I
   return ring;
 }
 
-Point3d as_doubles(const Whole& p) {
+Point3d as_doubles(const LatticePoint& p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
 }  // namespace
 
-Meshd lattice_hull(const std::vector<Whole>& points) {
+Meshd lattice_hull(const std::vector<LatticePoint>& points) {
   Meshd mesh;
-  for (const Whole& p : points) mesh.vertices.push_back(as_doubles(p));
+  for (const LatticePoint& p : points) mesh.vertices.push_back(as_doubles(p));
   std::set<std::vector<Index>> seen;
   const auto count = static_cast<Index>(points.size());
   for (Index i = 0; i < count; ++i) {
     for (Index j = i + 1; j < count; ++j) {
       for (Index k = j + 1; k < count; ++k) {
-        Whole normal = cross(minus(points[j], points[i]), minus(points[k], points[i]));
-        if (normal == Whole{0, 0, 0}) continue;
+        LatticePoint normal = cross(minus(points[j], points[i]), minus(points[k], points[i]));
+        if (normal == LatticePoint{0, 0, 0}) continue;
         std::vector<Index> members;
         bool front = false, back = false;
         for (Index m = 0; m < count && !(front && back); ++m) {

@@ -10,22 +10,22 @@
 namespace touchstone::catalogue {
 namespace {
 
-std::vector<Whole> drawn_points(DrawStream& draws) {
+std::vector<LatticePoint> drawn_points(DrawStream& draws) {
   switch (draws.below(4)) {
     case 0: return {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}};
     case 1: {
-      std::vector<Whole> cube;
+      std::vector<LatticePoint> cube;
       for (long i = 0; i < 8; ++i) cube.push_back({12 * (i & 1), 12 * (i >> 1 & 1), 12 * (i >> 2)});
       return cube;
     }
     case 2: return {{12, 0, 0}, {-12, 0, 0}, {0, 12, 0}, {0, -12, 0}, {0, 0, 12}, {0, 0, -12}};
     default: break;
   }
-  std::vector<Whole> points;
+  std::vector<LatticePoint> points;
   for (std::uint64_t left = 5 + draws.below(5); left > 0; --left) {
     const auto coordinate = [&draws] { return 12 * static_cast<long>(small_integer(draws, 4)); };
     const long x = coordinate(), y = coordinate(), z = coordinate();
-    if (std::find(points.begin(), points.end(), Whole{x, y, z}) == points.end()) points.push_back({x, y, z});
+    if (std::find(points.begin(), points.end(), LatticePoint{x, y, z}) == points.end()) points.push_back({x, y, z});
   }
   return points;
 }

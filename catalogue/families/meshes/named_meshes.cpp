@@ -14,8 +14,8 @@ namespace {
 
 /// Twelve times the lattice points at squared distance 26 from the origin: 72, all of them corners. Most faces have
 /// more than three corners, so that neighbouring triangles lie in one plane.
-std::vector<Whole> lattice_sphere() {
-  std::vector<Whole> points;
+std::vector<LatticePoint> lattice_sphere() {
+  std::vector<LatticePoint> points;
   for (long x = -5; x <= 5; ++x) {
     for (long y = -5; y <= 5; ++y) {
       for (long z = -5; z <= 5; ++z) {
@@ -28,8 +28,8 @@ std::vector<Whole> lattice_sphere() {
 
 /// The corners of an octahedron whose sides are cut into 16 triangles each, moved onto a sphere and rounded to
 /// multiples of 12. No two triangles of the hull lie in one plane.
-std::vector<Whole> geodesic() {
-  std::vector<Whole> points;
+std::vector<LatticePoint> geodesic() {
+  std::vector<LatticePoint> points;
   for (long x = -4; x <= 4; ++x) {
     for (long y = -4; y <= 4; ++y) {
       for (long z = -4; z <= 4; ++z) {
@@ -45,19 +45,20 @@ std::vector<Whole> geodesic() {
 
 /// An oblique prism over a polygon of 32 corners, whose edges are the 32 lattice vectors without a common divisor of at
 /// most 3 in each coordinate, twelve times as long: 30 triangles lie in each of two planes, in 32 others two.
-std::vector<Whole> prism() {
-  std::vector<Whole> edges;
+std::vector<LatticePoint> prism() {
+  std::vector<LatticePoint> edges;
   for (long x = -3; x <= 3; ++x) {
     for (long y = -3; y <= 3; ++y) {
       if (std::gcd(x, y) == 1) edges.push_back({12 * x, 12 * y, 0});
     }
   }
-  const auto below = [](const Whole& v) { return v[1] < 0 || (v[1] == 0 && v[0] < 0); };
-  std::sort(edges.begin(), edges.end(),
-            [below](const Whole& v, const Whole& w) { return below(v) != below(w) ? below(w) : cross(v, w)[2] > 0; });
-  std::vector<Whole> points;
-  Whole corner{0, 0, 0};
-  for (const Whole& edge : edges) {
+  const auto below = [](const LatticePoint& v) { return v[1] < 0 || (v[1] == 0 && v[0] < 0); };
+  std::sort(edges.begin(), edges.end(), [below](const LatticePoint& v, const LatticePoint& w) {
+    return below(v) != below(w) ? below(w) : cross(v, w)[2] > 0;
+  });
+  std::vector<LatticePoint> points;
+  LatticePoint corner{0, 0, 0};
+  for (const LatticePoint& edge : edges) {
     corner = {corner[0] + edge[0], corner[1] + edge[1], 0};
     points.push_back(corner);
     points.push_back({corner[0] + 36, corner[1] - 60, 240});
@@ -72,8 +73,8 @@ Meshd stretched(Meshd mesh) {
 }
 
 /// The outer cubes of a layer of five times five.
-std::vector<Whole> ring_of_cells() {
-  std::vector<Whole> cells;
+std::vector<LatticePoint> ring_of_cells() {
+  std::vector<LatticePoint> cells;
   for (long x = 0; x < 5; ++x) {
     for (long y = 0; y < 5; ++y) {
       if (x == 0 || x == 4 || y == 0 || y == 4) cells.push_back({x, y, 0});
@@ -83,8 +84,8 @@ std::vector<Whole> ring_of_cells() {
 }
 
 /// The 26 cubes around one.
-std::vector<Whole> cells_around_one() {
-  std::vector<Whole> cells;
+std::vector<LatticePoint> cells_around_one() {
+  std::vector<LatticePoint> cells;
   for (long i = 0; i < 27; ++i) {
     if (i != 13) cells.push_back({i % 3, i / 3 % 3, i / 9});
   }
@@ -92,8 +93,8 @@ std::vector<Whole> cells_around_one() {
 }
 
 /// A row of 63 cubes, and one more above every other: a comb of 32 teeth.
-std::vector<Whole> comb_of_cells() {
-  std::vector<Whole> cells;
+std::vector<LatticePoint> comb_of_cells() {
+  std::vector<LatticePoint> cells;
   for (long x = 0; x < 63; ++x) {
     cells.push_back({x, 0, 0});
     if (x % 2 == 0) cells.push_back({x, 1, 0});

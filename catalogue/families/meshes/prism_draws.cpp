@@ -17,7 +17,7 @@ namespace {
 
 /// The ring, where it does not touch itself; else a square.
 Polygon2d simple_or_square(Polygon2d ring) {
-  if (ring.size() >= 3 && !oracle::ring_defect(oracle::WholeRing(ring))) return ring;
+  if (ring.size() >= 3 && !oracle::ring_defect(oracle::IntegerRing(ring))) return ring;
   return {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
 }
 

@@ -17,22 +17,22 @@ Point3d drawn_point(DrawStream& draws, int most) {
   return {12 * small_integer(draws, most), 12 * small_integer(draws, most), 12 * small_integer(draws, most)};
 }
 
-std::vector<Whole> block(long x, long y, long z) {
-  std::vector<Whole> cells;
+std::vector<LatticePoint> block(long x, long y, long z) {
+  std::vector<LatticePoint> cells;
   for (long i = 0; i < x * y * z; ++i) cells.push_back({i % x, i / x % y, i / (x * y)});
   return cells;
 }
 
 /// The cells of a block but for the one in the middle.
-std::vector<Whole> around_the_middle(long height) {
-  std::vector<Whole> cells = block(3, 3, height);
+std::vector<LatticePoint> around_the_middle(long height) {
+  std::vector<LatticePoint> cells = block(3, 3, height);
   cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2));
   return cells;
 }
 
-std::vector<Whole> drawn_cells(DrawStream& draws) {
-  std::vector<Whole> cells{{0, 0, 0}};
-  for (const Whole& cell : block(3, 2, 2)) {
+std::vector<LatticePoint> drawn_cells(DrawStream& draws) {
+  std::vector<LatticePoint> cells{{0, 0, 0}};
+  for (const LatticePoint& cell : block(3, 2, 2)) {
     if (draws.coin()) cells.push_back(cell);
   }
   return cells;

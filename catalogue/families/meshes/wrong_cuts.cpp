@@ -75,9 +75,9 @@ Meshd with_one_more(Meshd mesh, CutPolygon more, DrawStream& draws) {
 
 /// The triangle as far away in its plane as one of its sides 64 times.
 void move_away(Meshd& mesh, Face& face) {
-  const Vector3d way = 64.0 * (mesh.vertices[face.b] - mesh.vertices[face.a]);
+  const Vector3d displacement = 64.0 * (mesh.vertices[face.b] - mesh.vertices[face.a]);
   for (Index* corner : {&face.a, &face.b, &face.c}) {
-    mesh.vertices.push_back(mesh.vertices[*corner] + way);
+    mesh.vertices.push_back(mesh.vertices[*corner] + displacement);
     *corner = static_cast<Index>(mesh.vertices.size() - 1);
   }
 }

@@ -11,7 +11,7 @@
 namespace touchstone::catalogue {
 
 /// A vector of whole length, and that length.
-inline std::pair<Vector3d, double> whole_vector(DrawStream& c) {
+inline std::pair<Vector3d, double> integer_vector(DrawStream& c) {
   static constexpr std::array<std::array<double, 4>, 5> quadruples{
       {{3, 4, 0, 5}, {1, 2, 2, 3}, {2, 3, 6, 7}, {1, 4, 8, 9}, {5, 12, 0, 13}}};
   const auto [x, y, z, r] = quadruples[c.below(5)];
@@ -40,14 +40,14 @@ void line_ball_cases(HardCases<typename Row::Question>& add) {
     return in_either<Row>(c, course_beside(c, center, {9 * s, 12 * s, 0}), Sphere3d{center, 25 * s});
   });
   add("starts_on_sphere", [](DrawStream& c) -> Question {
-    const auto [p, r] = whole_vector(c);
+    const auto [p, r] = integer_vector(c);
     const Point3d center = lattice_point_in_space(c, 12);
     const bool in_plane = p.z == 0 && c.coin();
     const Vector3d v = c.coin() ? Vector3d{-p.y, p.x, 0} : lattice_normal(c, 4);
     return Row::of({center + p, v}, {center, r}, in_plane);
   });
   add("sphere_at_one", [](DrawStream& c) -> Question {
-    const auto [p, r] = whole_vector(c);
+    const auto [p, r] = integer_vector(c);
     const Point3d center = lattice_point_in_space(c, 12);
     const Vector3d v = lattice_normal(c, 4);
     return Row::of({center + (p - v), v}, {center, r}, p.z == 0 && c.coin());
@@ -71,7 +71,7 @@ void line_ball_cases(HardCases<typename Row::Question>& add) {
     return in_either<Row>(c, course_through(c, center + aside, v), point);
   });
   add("no_length", [](DrawStream& c) -> Question {
-    const auto [p, r] = whole_vector(c);
+    const auto [p, r] = integer_vector(c);
     return in_either<Row>(c, {{p.x, p.y, p.z}, {0, -0.0, 0}}, Sphere3d{{0, 0, 0}, r + small_integer(c, 1)});
   });
   add("from_far_away", [](DrawStream& c) -> Question {
@@ -83,8 +83,8 @@ void line_ball_cases(HardCases<typename Row::Question>& add) {
     const Point3d center = lattice_point_in_space(c, 6);
     const Vector3d v = lattice_normal(c, 4);
     const Sphere3d ball{center, up_to(c, 11)};
-    const auto [from, way] = course_through(c, center, v);
-    return in_either<Row>(c, {from, of_any_size(c, way)}, ball);
+    const auto [from, displacement] = course_through(c, center, v);
+    return in_either<Row>(c, {from, of_any_size(c, displacement)}, ball);
   });
   add("rounded_tangent", [](DrawStream& c) -> Question {
     // A touch at the start, at the nearest point, or at t = 1, as far as doubles can tell, or some ulps beside.

@@ -96,8 +96,8 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     const Aabb3d box = lattice_box(c, 12);
     const Point3d x = within(box, c).min;
     const Vector3d v = lattice_normal(c, 6);
-    const auto [from, way] = course_through(c, x, v);
-    return in_either<Row>(c, {from, of_any_size(c, way)}, box);
+    const auto [from, displacement] = course_through(c, x, v);
+    return in_either<Row>(c, {from, of_any_size(c, displacement)}, box);
   });
   add("rounded_corner_pass", [](DrawStream& c) -> Question {
     // Out of x's slab when into y's, as far as doubles can tell, or an ulp beside that.
@@ -129,8 +129,8 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     const Aabb3d box = lattice_box(c, 12);
     const Point3d x = within(box, c).min;
     const Vector3d v = lattice_normal(c, 4);
-    const auto [from, way] = course_through(c, x, v);
-    return in_either<Row>(c, {from + by, way}, widened(box, from, c));
+    const auto [from, displacement] = course_through(c, x, v);
+    return in_either<Row>(c, {from + by, displacement}, widened(box, from, c));
   });
 }
 

@@ -14,7 +14,7 @@ namespace touchstone::catalogue {
 /// Where a line starts and, at t = 1, is, or whereto a ray leads.
 struct Course {
   Point3d from;
-  Vector3d way;
+  Vector3d displacement;
 };
 
 /// Through x, or to it, or away from it: x is at t = 1 / 2, 1, 2, -1 or so, exactly.

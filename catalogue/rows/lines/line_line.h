@@ -40,7 +40,7 @@ struct line_line : signatures::line_line {
       return {{along(p, small_integer(c, 4), u), along(p, 5, u)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
     });
     add("beside_a_tie", [](DrawStream& c) -> Question {
-      const auto [d, q] = quotient_beside_tie(c);
+      const auto [d, q] = quotient_near_tie(c);
       return {{{0, 0}, {0, d}}, {{2 * d, d + 1}, {2 * d - 1, d + 1 + q}}};
     });
     add("parallel", [](DrawStream& c) -> Question {

@@ -33,7 +33,7 @@ struct line_point_at : signatures::line_point_at {
       return {{lattice_point(c), lattice_direction(c)}, integer(c, 20)};
     });
     add("beside_a_tie", [](DrawStream& c) -> Question {
-      const BesideTie x = beside_tie(c);
+      const NearTie x = near_tie(c);
       return {{{x.rest, 1}, {x.v, 1}}, x.t};
     });
     add("at_zero", [](DrawStream& c) -> Question { return {{lattice_point(c, 53), lattice_direction(c, 53)}, 0.0}; });
@@ -61,8 +61,8 @@ struct line_point_at : signatures::line_point_at {
       return {{origin, {far * ordinary(c), far * ordinary(c)}}, ordinary(c)};
     });
     add("at_end_of_range", [](DrawStream& c) -> Question {
-      const auto [x, dx] = beside_last_double(c);
-      const auto [y, dy] = beside_last_double(c);
+      const auto [x, dx] = near_largest_double(c);
+      const auto [y, dy] = near_largest_double(c);
       const int k = integer_in(c, 0, 63);
       return {{{x, y}, {std::ldexp(dx, -k), std::ldexp(dy, -k)}}, std::ldexp(2, k)};
     });
@@ -74,7 +74,7 @@ struct line_point_at : signatures::line_point_at {
   }
   /// An origin and a direction, one axis of each. Twice the direction is (2^52 + q) 2^972, beyond the range; the origin
   /// leaves of it the greatest double and k quarters of a unit in its last place: where k >= 2, infinity is nearest.
-  static std::pair<double, double> beside_last_double(DrawStream& c) {
+  static std::pair<double, double> near_largest_double(DrawStream& c) {
     const double k = 4 - up_to(c, 16), q = static_cast<double>(c.below(std::uint64_t{1} << 49));
     const double sign = either_sign(c);
     return {-sign * std::ldexp(4 - k + 8 * q, 969), sign * std::ldexp(0x1p52 + q, 971)};

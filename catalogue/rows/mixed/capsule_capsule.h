@@ -43,27 +43,27 @@ struct capsule_capsule : signatures::capsule_capsule {
   static void hard_cases(HardCases<Question>& add) {
     add("tangent_beside", [](DrawStream& c) -> Question {
       // On parallel planes, crossing as seen from above or not; parallel, too.
-      const WholeAcross across = WholeAcross::of(c);
+      const IntegerAcross across = IntegerAcross::of(c);
       const Point3d p = lattice_point_in_space(c, 16);
       const auto [r, s] = reaching_radii(c, across.length);
       const Vector3d other = c.one_in(3) ? across.u : across.v;
-      return {{segment_through(c, p, across.u), r}, {segment_through(c, p + across.way, other), s}};
+      return {{segment_through(c, p, across.u), r}, {segment_through(c, p + across.displacement, other), s}};
     });
     add("tangent_at_ends", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
-      const Point3d p = lattice_point_in_space(c, 16), q = p + step.way;
+      const Step step = integer_step(c);
+      const Point3d p = lattice_point_in_space(c, 16), q = p + step.displacement;
       const auto [r, s] = reaching_radii(c, step.length);
       const double back = -up_to(c, 2), on = up_to(c, 2);
-      const Point3d behind = along(p, back, step.way) + lattice_across(c, step.way);
-      return {{{behind, p}, r}, {{q, along(q, on, step.way) + lattice_across(c, step.way)}, s}};
+      const Point3d behind = along(p, back, step.displacement) + lattice_across(c, step.displacement);
+      return {{{behind, p}, r}, {{q, along(q, on, step.displacement) + lattice_across(c, step.displacement)}, s}};
     });
     add("collinear", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const Point3d p = lattice_point_in_space(c, 16);
       const double i = small_integer(c, 2), j = small_integer(c, 2), k = small_integer(c, 2);
       const auto [r, s] = reaching_radii(c, step.length);
-      return {{{along(p, i, step.way), along(p, j, step.way)}, r},
-              {{along(p, k, step.way), along(p, small_integer(c, 2), step.way)}, s}};
+      return {{{along(p, i, step.displacement), along(p, j, step.displacement)}, r},
+              {{along(p, k, step.displacement), along(p, small_integer(c, 2), step.displacement)}, s}};
     });
     add("crossing", [](DrawStream& c) -> Question {
       const Point3d p = lattice_point_in_space(c, 12);
@@ -78,18 +78,18 @@ struct capsule_capsule : signatures::capsule_capsule {
       return {{{p, q}, first || both ? none : other}, {{r, plane.point(c, 2)}, first && !both ? other : none}};
     });
     add("zero_length", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
-      const Point3d p = lattice_point_in_space(c, 16), q = p + step.way;
+      const Step step = integer_step(c);
+      const Point3d p = lattice_point_in_space(c, 16), q = p + step.displacement;
       const auto [r, s] = reaching_radii(c, step.length);
       const bool both = c.coin(), first = c.coin();
-      const Point3d on = both ? q : q + step.way;
+      const Point3d on = both ? q : q + step.displacement;
       return first ? Question{{{p, p}, r}, {{q, on}, s}} : Question{{{q, on}, s}, {{p, p}, r}};
     });
     add("nearly_parallel", [](DrawStream& c) -> Question {
-      const WholeAcross across = WholeAcross::of(c);
+      const IntegerAcross across = IntegerAcross::of(c);
       const Point3d p = lattice_point_in_space(c, 12);
       const auto [r, s] = reaching_radii(c, across.length);
-      Segment3d b = segment_through(c, p + across.way, across.u);
+      Segment3d b = segment_through(c, p + across.displacement, across.u);
       b.b.x += small_integer(c, 1) * 0x1p-30;
       return {{segment_through(c, p, across.u), r}, {b, s}};
     });
@@ -100,9 +100,10 @@ struct capsule_capsule : signatures::capsule_capsule {
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
       const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c);
-      const Vector3d way = p - a;
+      const Vector3d displacement = p - a;
       const double part = c.coin() ? 0.0 : std::fabs(ordinary(c)) * 0.25;
-      return {{{p, along(p, 1, way)}, std::fabs(near_length(c, way) - part)}, {{a, along(a, -1, way)}, part}};
+      return {{{p, along(p, 1, displacement)}, std::fabs(near_length(c, displacement) - part)},
+              {{a, along(a, -1, displacement)}, part}};
     });
     add("sum_of_radii_rounds", [](DrawStream& c) -> Question {
       // The sum has digits that no double has; so has the distance, or not.
@@ -131,9 +132,9 @@ struct capsule_capsule : signatures::capsule_capsule {
       return {{{p, q}, r}, {{a, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, s}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), a = point_of_whole_range(c),
-                    b = point_of_whole_range(c);
-      return {{{p, q}, std::fabs(of_whole_range(c))}, {{a, b}, std::fabs(of_whole_range(c))}};
+      const Point3d p = point_of_full_range(c), q = point_of_full_range(c), a = point_of_full_range(c),
+                    b = point_of_full_range(c);
+      return {{{p, q}, std::fabs(of_full_range(c))}, {{a, b}, std::fabs(of_full_range(c))}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), q = zero_point(c), a = zero_point(c), b = zero_point(c);

@@ -60,9 +60,9 @@ struct closest_point_on_segment : signatures::closest_point_on_segment {
     });
     add("whole_distance", [](DrawStream& c) -> Question {
       // From the end, which is the nearest, or beyond it.
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const Point3d end = lattice_point_in_space(c, 20);
-      return seen(end + step.way, {along(end, -up_to(c, 2), step.way), end}, false);
+      return seen(end + step.displacement, {along(end, -up_to(c, 2), step.displacement), end}, false);
     });
     add("needle", [](DrawStream& c) -> Question {
       const LatticeLine line = LatticeLine::of(c);
@@ -112,9 +112,9 @@ struct closest_point_on_segment : signatures::closest_point_on_segment {
       return seen(p, {a, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, in_plane);
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d p = point_of_whole_range(c), a = point_of_whole_range(c);
+      const Point3d p = point_of_full_range(c), a = point_of_full_range(c);
       const bool in_plane = c.coin();
-      return seen(p, {a, point_of_whole_range(c)}, in_plane);
+      return seen(p, {a, point_of_full_range(c)}, in_plane);
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c);

@@ -123,7 +123,7 @@ struct closest_point_on_triangle : signatures::closest_point_on_triangle {
       return {p, {a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      return {point_of_whole_range(c), {point_of_whole_range(c), point_of_whole_range(c), point_of_whole_range(c)}};
+      return {point_of_full_range(c), {point_of_full_range(c), point_of_full_range(c), point_of_full_range(c)}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c), d = zero_point(c);

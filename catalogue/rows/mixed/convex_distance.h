@@ -146,7 +146,7 @@ struct convex_distance : signatures::convex_distance {
       return {a, b};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      return {tetrahedron_of(c, point_of_whole_range), tetrahedron_of(c, point_of_whole_range)};
+      return {tetrahedron_of(c, point_of_full_range), tetrahedron_of(c, point_of_full_range)};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), q = zero_point(c);

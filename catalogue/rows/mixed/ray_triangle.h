@@ -96,8 +96,9 @@ struct ray_triangle : signatures::ray_triangle {
     add("from_far_away", [](DrawStream& c) -> Question {
       // A thousand million times as far as the triangle is large, aimed at a point beside a corner or on it.
       const double far = -power_of_two(c, 20, 50);
-      const Vector3d way = lattice_normal(c, 2);
-      return {{along({small_integer(c, 1), small_integer(c, 1), 0}, far, way), way}, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+      const Vector3d displacement = lattice_normal(c, 2);
+      return {{along({small_integer(c, 1), small_integer(c, 1), 0}, far, displacement), displacement},
+              {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     });
     add("direction_of_any_size", [](DrawStream& c) -> Question {
       Question question = crossing(c);
@@ -164,9 +165,9 @@ struct ray_triangle : signatures::ray_triangle {
   static Ray3d from_to(const Point3d& p, const Point3d& q) { return {p, q - p}; }
 
   /// From before the point, from it, or from behind, along the way or against it.
-  static Ray3d ray_to(DrawStream& c, const Point3d& x, const Vector3d& way) {
+  static Ray3d ray_to(DrawStream& c, const Point3d& x, const Vector3d& displacement) {
     const double before = small_integer(c, 2), length = one_to(c, 3);
-    return {along(x, -before - 1, way), (either_sign(c) * length) * way};
+    return {along(x, -before - 1, displacement), (either_sign(c) * length) * displacement};
   }
 
   /// A triangle around a point, or beside it, and a ray to the point.

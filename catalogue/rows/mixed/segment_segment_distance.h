@@ -64,8 +64,8 @@ struct segment_segment_distance : signatures::segment_segment_distance {
     add("common_end", [](DrawStream& c) -> Question {
       const LatticeLine line = LatticeLine::of(c), other = LatticeLine::of(c);
       const bool in_plane = line.in_plane || other.in_plane;
-      const Point3d end = along(line.origin, small_integer(c), other.way);
-      return seen({line.origin, end}, {end, along(end, small_integer(c), line.way)}, in_plane);
+      const Point3d end = along(line.origin, small_integer(c), other.displacement);
+      return seen({line.origin, end}, {end, along(end, small_integer(c), line.displacement)}, in_plane);
     });
     add("zero_length", [](DrawStream& c) -> Question {
       const LatticeLine line = LatticeLine::of(c);
@@ -75,10 +75,10 @@ struct segment_segment_distance : signatures::segment_segment_distance {
       return first ? seen({p, p}, line.between(i, j), line.in_plane) : seen(line.between(i, j), {p, p}, line.in_plane);
     });
     add("whole_distance", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
-      const Point3d p = lattice_point_in_space(c, 20), q = p + step.way;
+      const Step step = integer_step(c);
+      const Point3d p = lattice_point_in_space(c, 20), q = p + step.displacement;
       const double back = -up_to(c, 2), on = up_to(c, 2);
-      return seen({along(p, back, step.way), p}, {q, along(q, on, step.way)}, false);
+      return seen({along(p, back, step.displacement), p}, {q, along(q, on, step.displacement)}, false);
     });
     add("needles", [](DrawStream& c) -> Question {
       const LatticeLine line = LatticeLine::of(c);
@@ -129,9 +129,9 @@ struct segment_segment_distance : signatures::segment_segment_distance {
       return seen({p, q}, {r, last}, c.coin());
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), r = point_of_whole_range(c);
+      const Point3d p = point_of_full_range(c), q = point_of_full_range(c), r = point_of_full_range(c);
       const bool in_plane = c.coin();
-      return seen({p, q}, {r, point_of_whole_range(c)}, in_plane);
+      return seen({p, q}, {r, point_of_full_range(c)}, in_plane);
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), q = zero_point(c), r = zero_point(c), s = zero_point(c);
@@ -165,10 +165,12 @@ struct segment_segment_distance : signatures::segment_segment_distance {
   /// Both leave a point, or pass it by, or end there; one of them on a parallel plane.
   static Question crossing_or_skew(DrawStream& c) {
     const LatticeLine line = LatticeLine::of(c);
-    const Vector3d way = line.in_plane ? Vector3d{line.way.y, small_integer(c), 0} : lattice_normal(c, 6);
+    const Vector3d displacement =
+        line.in_plane ? Vector3d{line.displacement.y, small_integer(c), 0} : lattice_normal(c, 6);
     const double height = line.in_plane ? 0.0 : small_integer(c, 3);
-    const Segment3d a = segment_through(c, line.origin, line.way);
-    return seen(a, segment_through(c, line.origin + height * cross(line.way, way), way), line.in_plane);
+    const Segment3d a = segment_through(c, line.origin, line.displacement);
+    return seen(a, segment_through(c, line.origin + height * cross(line.displacement, displacement), displacement),
+                line.in_plane);
   }
 
   static InSpace in_space(DrawStream& c, const LatticeLine& line, const Vector3d& aside) {

@@ -40,18 +40,19 @@ struct sphere_capsule : signatures::sphere_capsule {
 
   static void hard_cases(HardCases<Question>& add) {
     add("tangent_beside", [](DrawStream& c) -> Question {
-      const WholeAcross across = WholeAcross::of(c);
-      const LatticePlane line{lattice_point_in_space(c, 16), across.u, across.way};
+      const IntegerAcross across = IntegerAcross::of(c);
+      const LatticePlane line{lattice_point_in_space(c, 16), across.u, across.displacement};
       const auto [r, s] = reaching_radii(c, across.length);
       const double i = small_integer(c, 3), j = small_integer(c, 3);
       return {{line.at(small_integer(c, 3), 1), r}, {{line.at(i, 0), line.at(j, 0)}, s}};
     });
     add("tangent_to_end", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const Point3d end = lattice_point_in_space(c, 16);
       const auto [r, s] = reaching_radii(c, step.length);
       const double back = -up_to(c, 2);
-      return {{end + step.way, r}, {{along(end, back, step.way) + lattice_across(c, step.way), end}, s}};
+      return {{end + step.displacement, r},
+              {{along(end, back, step.displacement) + lattice_across(c, step.displacement), end}, s}};
     });
     add("center_on_segment_or_line", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c, 8);
@@ -69,10 +70,10 @@ struct sphere_capsule : signatures::sphere_capsule {
               {{line.at(i, 0), line.at(j, 0)}, point && !both ? other : none}};
     });
     add("zero_length", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const Point3d p = lattice_point_in_space(c, 16);
       const auto [r, s] = reaching_radii(c, step.length);
-      return {{p + step.way, r}, {{p, p}, s}};
+      return {{p + step.displacement, r}, {{p, p}, s}};
     });
     add("near_root", [](DrawStream& c) -> Question {
       const auto [x, r] = near_root(c);
@@ -81,16 +82,16 @@ struct sphere_capsule : signatures::sphere_capsule {
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
       const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c);
-      const Vector3d way = p - a;
+      const Vector3d displacement = p - a;
       const double part = c.coin() ? 0.0 : std::fabs(ordinary(c)) * 0.25;
-      return {{p, std::fabs(near_length(c, way) - part)}, {{a, along(a, -1, way)}, part}};
+      return {{p, std::fabs(near_length(c, displacement) - part)}, {{a, along(a, -1, displacement)}, part}};
     });
     add("needle", [](DrawStream& c) -> Question {
-      const WholeAcross across = WholeAcross::of(c);
+      const IntegerAcross across = IntegerAcross::of(c);
       const Point3d p = lattice_point_in_space(c, 12);
       const double length = scaled_up(c, 8, 24), other = scaled_up(c, 8, 24);
       const auto [r, s] = reaching_radii(c, across.length);
-      return {{p + across.way, r}, {{along(p, -length, across.u), along(p, other, across.u)}, s}};
+      return {{p + across.displacement, r}, {{along(p, -length, across.u), along(p, other, across.u)}, s}};
     });
     add("sum_of_radii_rounds", [](DrawStream& c) -> Question {
       // The sum has digits that no double has; so has the distance, or not.
@@ -118,8 +119,8 @@ struct sphere_capsule : signatures::sphere_capsule {
       return {{p, r}, {{a, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, s}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d p = point_of_whole_range(c), a = point_of_whole_range(c), b = point_of_whole_range(c);
-      return {{p, std::fabs(of_whole_range(c))}, {{a, b}, std::fabs(of_whole_range(c))}};
+      const Point3d p = point_of_full_range(c), a = point_of_full_range(c), b = point_of_full_range(c);
+      return {{p, std::fabs(of_full_range(c))}, {{a, b}, std::fabs(of_full_range(c))}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c);

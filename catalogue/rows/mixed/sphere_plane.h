@@ -104,7 +104,7 @@ struct sphere_plane : signatures::sphere_plane {
  private:
   /// Height of the center and radius in units of the length of the normal; the plane goes through a lattice point.
   static Question over_plane(DrawStream& c, double height, double radius) {
-    const auto [n, length] = whole_normal(c);
+    const auto [n, length] = integer_normal(c);
     const Point3d foot = lattice_point_in_space(c, 10), center = foot + (lattice_across(c, n) + height * n);
     return {{center, radius * length}, {n, -dot(n, Vector3d{foot.x, foot.y, foot.z})}};
   }

@@ -42,27 +42,27 @@ struct sphere_triangle : signatures::sphere_triangle {
 
   static void hard_cases(HardCases<Question>& add) {
     add("tangent_to_face", [](DrawStream& c) -> Question {
-      const WholeAcross across = WholeAcross::of(c);
+      const IntegerAcross across = IntegerAcross::of(c);
       const LatticePlane plane{lattice_point_in_space(c, 16), across.u, across.v};
       const Triangle3d t = plane.triangle(c);
-      return {{plane.point(c) + across.way, reaching(c, across.length)}, t};
+      return {{plane.point(c) + across.displacement, reaching(c, across.length)}, t};
     });
     add("tangent_to_edge", [](DrawStream& c) -> Question {
-      const WholeAcross across = WholeAcross::of(c);
-      const LatticePlane edge{lattice_point_in_space(c, 16), across.u, across.way};
+      const IntegerAcross across = IntegerAcross::of(c);
+      const LatticePlane edge{lattice_point_in_space(c, 16), across.u, across.displacement};
       const double i = small_integer(c, 3), j = small_integer(c, 3), back = -up_to(c, 3);
       const Triangle3d t{edge.at(i, 0), edge.at(j, 0), edge.at(small_integer(c, 3), back) + across.v};
       return {{edge.at(small_integer(c, 3), 1), reaching(c, across.length)}, t};
     });
     add("tangent_to_corner", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const Point3d corner = lattice_point_in_space(c, 16);
       const auto back = [&] {
         const double i = -up_to(c, 2);
-        return along(corner, i, step.way) + lattice_across(c, step.way);
+        return along(corner, i, step.displacement) + lattice_across(c, step.displacement);
       };
       const Point3d a = back(), b = back();
-      return {{corner + step.way, reaching(c, step.length)}, {a, b, corner}};
+      return {{corner + step.displacement, reaching(c, step.length)}, {a, b, corner}};
     });
     add("center_in_plane_or_triangle", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c, 6);
@@ -76,16 +76,16 @@ struct sphere_triangle : signatures::sphere_triangle {
       return {{plane.point(c), zero(c)}, t};
     });
     add("no_area", [](DrawStream& c) -> Question {
-      const WholeAcross across = WholeAcross::of(c);
-      const LatticePlane line{lattice_point_in_space(c, 16), across.u, across.way};
+      const IntegerAcross across = IntegerAcross::of(c);
+      const LatticePlane line{lattice_point_in_space(c, 16), across.u, across.displacement};
       const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
       return {{line.at(small_integer(c, 3), 1), reaching(c, across.length)},
               {line.at(i, 0), line.at(j, 0), line.at(k, 0)}};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const Point3d p = lattice_point_in_space(c, 16);
-      return {{p + step.way, reaching(c, step.length)}, {p, p, p}};
+      return {{p + step.displacement, reaching(c, step.length)}, {p, p, p}};
     });
     add("near_root", [](DrawStream& c) -> Question {
       const auto [x, r] = near_root(c);
@@ -94,8 +94,8 @@ struct sphere_triangle : signatures::sphere_triangle {
     });
     add("rounded_tangent", [](DrawStream& c) -> Question {
       const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c);
-      const Vector3d way = p - a;
-      return {{p, near_length(c, way)}, {a, along(a, -1, way), a + lattice_across(c, {1, 0, 0})}};
+      const Vector3d displacement = p - a;
+      return {{p, near_length(c, displacement)}, {a, along(a, -1, displacement), a + lattice_across(c, {1, 0, 0})}};
     });
     add("needle", [](DrawStream& c) -> Question {
       const double length = power_of_two(c, 20, 41), y = small_integer(c, 3), z = small_integer(c, 3);
@@ -124,8 +124,8 @@ struct sphere_triangle : signatures::sphere_triangle {
       return {{p, r}, {a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      const Point3d p = point_of_whole_range(c), a = point_of_whole_range(c), b = point_of_whole_range(c);
-      return {{p, std::fabs(of_whole_range(c))}, {a, b, point_of_whole_range(c)}};
+      const Point3d p = point_of_full_range(c), a = point_of_full_range(c), b = point_of_full_range(c);
+      return {{p, std::fabs(of_full_range(c))}, {a, b, point_of_full_range(c)}};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c), d = zero_point(c);

@@ -43,9 +43,9 @@ struct triangle_aabb : signatures::triangle_aabb {
     });
     add("edge_on_boundary", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
-      const Vector3d way = lattice_across(c, touch.normal);
-      return touch.question(c,
-                            {along(touch.at, -up_to(c, 2), way), along(touch.at, one_to(c, 3), way), touch.above(c)});
+      const Vector3d displacement = lattice_across(c, touch.normal);
+      return touch.question(c, {along(touch.at, -up_to(c, 2), displacement),
+                                along(touch.at, one_to(c, 3), displacement), touch.above(c)});
     });
     add("triangle_on_boundary", [](DrawStream& c) -> Question {
       const Touch touch = Touch::of(c);
@@ -68,11 +68,11 @@ struct triangle_aabb : signatures::triangle_aabb {
     add("edge_across_edge", [](DrawStream& c) -> Question {
       // Over an edge of the box that is parallel to an axis, past or across its line; and the triangle beyond it.
       const Aabb3d box = lattice_box(c, 12);
-      const Vector3d way = lattice_normal(c, 4);
+      const Vector3d displacement = lattice_normal(c, 4);
       const double out = one_to(c, 4), side = one_to(c, 4), up = small_integer(c), off = small_integer(c, 1),
                    near = small_integer(c, 3);
       const Point3d x{box.max.x + off, box.max.y, box.min.z + up};
-      const Vector3d edge{side * way.x, -out * std::fabs(way.x), way.z};
+      const Vector3d edge{side * displacement.x, -out * std::fabs(displacement.x), displacement.z};
       const Triangle3d t{along(x, near, edge), along(x, small_integer(c, 3), edge), x + Vector3d{out, side, up}};
       return {in_some_order(t, c), box};
     });
@@ -87,10 +87,10 @@ struct triangle_aabb : signatures::triangle_aabb {
     });
     add("no_area", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c, 12);
-      const Vector3d way = lattice_normal(c, 3);
+      const Vector3d displacement = lattice_normal(c, 3);
       const Point3d p = nearby(c, box);
       const double i = small_integer(c), j = small_integer(c), k = c.one_in(3) ? i : small_integer(c);
-      return {{along(p, i, way), along(p, j, way), along(p, k, way)}, box};
+      return {{along(p, i, displacement), along(p, j, displacement), along(p, k, displacement)}, box};
     });
     add("triangle_is_point", [](DrawStream& c) -> Question {
       const Aabb3d box = lattice_box(c);
@@ -105,10 +105,12 @@ struct triangle_aabb : signatures::triangle_aabb {
       // A rectangle, a segment or a point, and a segment through, along or beside it.
       const Aabb3d box = flat_box(c, 6);
       const Point3d p = within(box, c).max;
-      const Vector3d way = lattice_normal(c, 3), off = lattice_normal(c, 2);
+      const Vector3d displacement = lattice_normal(c, 3), off = lattice_normal(c, 2);
       const Point3d beside = along(p, small_integer(c, 1), off);
       const double i = small_integer(c, 3), j = small_integer(c, 3);
-      return {{along(beside, i, way), along(beside, j, way), along(beside, small_integer(c, 3), way)}, box};
+      return {{along(beside, i, displacement), along(beside, j, displacement),
+               along(beside, small_integer(c, 3), displacement)},
+              box};
     });
     add("flat_in_one_plane", [](DrawStream& c) -> Question {
       // A segment parallel to an axis, and a triangle in a plane with it, or beside such a plane.
@@ -198,7 +200,7 @@ struct triangle_aabb : signatures::triangle_aabb {
       return {{a, b, c.coin() ? lattice_point_in_space(c, 4) : subnormal_point(c)}, box};
     });
     add("whole_range", [](DrawStream& c) -> Question {
-      return {triangle_of(c, point_of_whole_range), box_of(c, of_whole_range)};
+      return {triangle_of(c, point_of_full_range), box_of(c, of_full_range)};
     });
     add("either_zero", [](DrawStream& c) -> Question {
       const Point3d a = zero_point(c), b = zero_point(c), d = zero_point(c), p = zero_point(c), q = zero_point(c);

@@ -42,7 +42,7 @@ struct point_plane : signatures::point_plane {
     add("on_plane", [](DrawStream& c) -> Question { return over_plane(c, 0); });
     add("beside_plane", [](DrawStream& c) -> Question { return over_plane(c, small_integer(c, 1)); });
     add("rational_distance", [](DrawStream& c) -> Question {
-      const Vector3d n = normal_of_whole_length(c);
+      const Vector3d n = normal_of_integer_length(c);
       const Point3d p = lattice_point_in_space(c);
       return {{n, integer(c, 30)}, p};
     });
@@ -138,7 +138,7 @@ struct point_plane : signatures::point_plane {
   }
 
   /// Four squares make a normal whose length is their sum (Euler).
-  static Vector3d normal_of_whole_length(DrawStream& c) {
+  static Vector3d normal_of_integer_length(DrawStream& c) {
     const double m = small_integer(c), n = small_integer(c), p = small_integer(c), q = small_integer(c);
     const Vector3d v{m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)};
     return largest(v) == 0 ? Vector3d{1, 2, 2} : v;

@@ -43,7 +43,7 @@ struct polygon_normal : signatures::polygon_normal {
       return {{{lattice_point_in_space(c), lattice_point_in_space(c), lattice_point_in_space(c)}}};
     });
     add("within_its_enclosure", [](DrawStream& c) -> Question {
-      const BesideTie z = beside_tie(c);
+      const NearTie z = near_tie(c);
       return {{{{0, 0, 0}, {z.t, -z.rest, 0}, {1, z.v, 0}}}};
     });
     add("parallelogram", [](DrawStream& c) -> Question {
@@ -127,11 +127,11 @@ struct polygon_normal : signatures::polygon_normal {
   static void draw(Drawing& drawing, const Question& question, const PolygonNormal<double>&) {
     const Polygon3d& polygon = std::get<0>(question);
     const int axis = facing(question);
-    const auto seen = [axis](const Point3d& p) {
+    const auto projected = [axis](const Point3d& p) {
       return axis == 0 ? Point2d{p.y, p.z} : axis == 1 ? Point2d{p.z, p.x} : Point2d{p.x, p.y};
     };
     Polygon2d flat;
-    for (const Point3d& p : polygon.vertices) flat.vertices.push_back(seen(p));
+    for (const Point3d& p : polygon.vertices) flat.vertices.push_back(projected(p));
     catalogue::draw(drawing, "polygon", flat, false);
     for (const int i : {0, 1}) {
       const Point2d a = flat[static_cast<std::size_t>(i)], b = flat[static_cast<std::size_t>(i) + 1];

@@ -39,7 +39,7 @@ struct point_in_convex_polygon : signatures::point_in_convex_polygon {
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_edge", turned_with_point<convex_ring, on_an_edge>);
-    add("beside_edge", turned_with_point<convex_ring, beside_an_edge>);
+    add("beside_edge", turned_with_point<convex_ring, near_edge>);
     add("on_line_of_edge", turned_with_point<convex_ring, on_line_of_an_edge>);
     add("beside_least_edge", beside_least_edge);
     add("on_diagonal", [](DrawStream& c) -> Question {
@@ -52,7 +52,7 @@ struct point_in_convex_polygon : signatures::point_in_convex_polygon {
       for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
       for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
       ring = turned(ring, c);
-      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : nudged(any_vertex(ring, c), c)};
     });
     add("needle", needle_and_point);
     add("not_quite_convex", [](DrawStream& c) -> Question {
@@ -62,9 +62,9 @@ struct point_in_convex_polygon : signatures::point_in_convex_polygon {
         case 1: ring = with_repeated_vertex(ring, c); break;
         case 2: ring = with_spike(ring, c); break;
         case 3: std::swap(ring.vertices[0], ring.vertices[c.below(ring.size())]); break;
-        default: ring.vertices[0] = beside(on_an_edge({{ring.previous(0), ring[1], ring[1]}}, c), c);
+        default: ring.vertices[0] = nudged(on_an_edge({{ring.previous(0), ring[1], ring[1]}}, c), c);
       }
-      return {ring, beside(ring[0], c)};
+      return {ring, nudged(ring[0], c)};
     });
     add("near_a_million", [](DrawStream& c) -> Question {
       Polygon2d ring = convex_ring(c);
@@ -82,13 +82,13 @@ struct point_in_convex_polygon : signatures::point_in_convex_polygon {
     });
     add("closed_ring", [](DrawStream& c) -> Question {
       const Polygon2d ring = closed(turned(convex_ring(c), c), c);
-      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : nudged(any_vertex(ring, c), c)};
     });
     add.unscaled("many_edges", [](DrawStream& c) -> Question {
       const Polygon2d ring = turned(long_convex_ring(c), c);
       const std::size_t i = late_index(ring.size(), c);
       const Point2d p = ring[i] + up_to(c, 8) / 8 * (ring.next(i) - ring[i]);
-      return {ring, beside(p, c)};
+      return {ring, nudged(p, c)};
     });
   }
 

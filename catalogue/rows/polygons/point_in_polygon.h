@@ -52,7 +52,7 @@ struct point_in_polygon : signatures::point_in_polygon {
     });
     add("on_edge", turned_with_point<simple_ring, on_an_edge>);
     add("on_line_of_edge", turned_with_point<simple_ring, on_line_of_an_edge>);
-    add("beside_edge", turned_with_point<simple_ring, beside_an_edge>);
+    add("beside_edge", turned_with_point<simple_ring, near_edge>);
     add("self_crossing", [](DrawStream& c) -> Question {
       Polygon2d ring;
       for (std::uint64_t more = 4 + c.below(9); more > 0; --more) ring.vertices.push_back(lattice_point(c));
@@ -66,7 +66,7 @@ struct point_in_polygon : signatures::point_in_polygon {
     });
     add("spike", [](DrawStream& c) -> Question {
       const Polygon2d ring = with_spike(simple_ring(c), c);
-      return {turned(ring, c), c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {turned(ring, c), c.coin() ? on_an_edge(ring, c) : nudged(any_vertex(ring, c), c)};
     });
     add("more_vertices",  // than needed: repeated ones and flat ones
         [](DrawStream& c) -> Question {
@@ -74,7 +74,7 @@ struct point_in_polygon : signatures::point_in_polygon {
           for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
             ring = c.coin() ? with_flat_vertex(ring, c) : with_repeated_vertex(ring, c);
           }
-          return {turned(ring, c), c.coin() ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
+          return {turned(ring, c), c.coin() ? level_with(any_vertex(ring, c), c) : nudged(any_vertex(ring, c), c)};
         });
     add("collinear_ring", [](DrawStream& c) -> Question {
       const auto [a, v] = lattice_line(c);
@@ -86,7 +86,7 @@ struct point_in_polygon : signatures::point_in_polygon {
     });
     add("comb_or_star", [](DrawStream& c) -> Question {
       const Polygon2d ring = turned(c.coin() ? star_ring(c) : comb_ring(c), c);
-      return {ring, beside(any_vertex(ring, c), c)};
+      return {ring, nudged(any_vertex(ring, c), c)};
     });
     add("needle", needle_and_point);
     add("near_a_million", [](DrawStream& c) -> Question {
@@ -105,12 +105,12 @@ struct point_in_polygon : signatures::point_in_polygon {
       // as not.
       const auto sized = [&c](std::uint64_t size) { return static_cast<double>(size + c.below(size)); };
       const Vector2d edge{sized(1 << 29), c.coin() ? sized(1 << 29) : -sized(1 << 29)};
-      const Point2d origin{0, 0}, beside = along(origin, 0x1p-30, edge);
+      const Point2d origin{0, 0}, nudged = along(origin, 0x1p-30, edge);
       const double size = c.coin() ? 0x1p-11 : -0x1p-11, off = size * one_to(c, 8);
       return {turned({{along(origin, -sized(1 << 20), edge), along(origin, sized(1 << 20), edge),
                        origin + lattice_direction(c, 50)}},
                      c),
-              {beside.x, beside.y + off}};
+              {nudged.x, nudged.y + off}};
     });
     add("level_and_in_line", [](DrawStream& c) -> Question {
       // Level with the last of the first sixteen vertices, which robust takes together, and in line with some edge
@@ -132,8 +132,8 @@ struct point_in_polygon : signatures::point_in_polygon {
       const double x = far();
       ring.vertices[15] = {c.coin() ? x : -x, far()};
       const Point2d near = ring[16], on = along(near, one_to(c, 1 << 10) * 0x1p-30, ring[15] - near);
-      constexpr double beside[] = {0, 0x1p-34, -0x1p-34};
-      return {ring, {on.x, on.y + beside[c.below(3)]}};
+      constexpr double nudged[] = {0, 0x1p-34, -0x1p-34};
+      return {ring, {on.x, on.y + nudged[c.below(3)]}};
     });
     add("beside_least_edge", beside_least_edge);
     add("minus_zero", [](DrawStream& c) -> Question {
@@ -144,7 +144,7 @@ struct point_in_polygon : signatures::point_in_polygon {
     add("many_vertices", [](DrawStream& c) -> Question {
       const bool very_many = c.one_in(64);
       const Polygon2d ring = wave(very_many ? 1000 - c.below(800) : 16 + c.below(16), c);
-      return {ring, c.one_in(3) ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {ring, c.one_in(3) ? on_an_edge(ring, c) : nudged(any_vertex(ring, c), c)};
     });
     add("past_half_the_bound", [](DrawStream& c) -> Question {
       const auto [point, a, b] = rounded_triple(c, c.coin());
@@ -163,7 +163,7 @@ struct point_in_polygon : signatures::point_in_polygon {
     });
     add("closed_ring", [](DrawStream& c) -> Question {
       const Polygon2d ring = closed(turned(simple_ring(c), c), c);
-      return {ring, c.coin() ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+      return {ring, c.coin() ? on_an_edge(ring, c) : nudged(any_vertex(ring, c), c)};
     });
   }
 

@@ -51,11 +51,11 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       // Before or behind a vertex, an edge, a face, along an axis.
       const Meshd mesh = lattice_solid(c);
       const Point3d p = on_a_face_plane(mesh, c);
-      const double way = 4 * small_integer(c, 8);
+      const double displacement = 4 * small_integer(c, 8);
       switch (c.below(4)) {
-        case 0: return {mesh, {p.x, p.y + way, p.z}};
-        case 1: return {mesh, {p.x, p.y, p.z + way}};
-        default: return {mesh, {p.x + way, p.y, p.z}};
+        case 0: return {mesh, {p.x, p.y + displacement, p.z}};
+        case 1: return {mesh, {p.x, p.y, p.z + displacement}};
+        default: return {mesh, {p.x + displacement, p.y, p.z}};
       }
     });
     add("near_face", [](DrawStream& c) -> Question {
@@ -165,8 +165,8 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
     add.unscaled("face_listed_twice", [](DrawStream& c) -> Question {
       const Meshd mesh = with_face_listed_twice(lattice_solid(c), c);
       const Point3d p = on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c);
-      const double way = c.one_in(3) ? 4 * small_integer(c, 4) : 0;
-      return {mesh, {p.x + way, p.y, p.z}};
+      const double displacement = c.one_in(3) ? 4 * small_integer(c, 4) : 0;
+      return {mesh, {p.x + displacement, p.y, p.z}};
     });
     add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
       const Meshd mesh = lattice_solid(c);

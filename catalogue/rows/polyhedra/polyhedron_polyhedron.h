@@ -224,16 +224,16 @@ struct polyhedron_polyhedron : signatures::polyhedron_polyhedron {
   }
   static Meshd dented_tetrahedron_of_24(DrawStream&) { return dented_tetrahedron(24, {6, 6, 6}); }
 
-  static std::vector<Whole> cells(DrawStream& c) {
-    std::vector<Whole> drawn{{0, 0, 0}};
-    for (const Whole& cell : {Whole{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}})
+  static std::vector<LatticePoint> cells(DrawStream& c) {
+    std::vector<LatticePoint> drawn{{0, 0, 0}};
+    for (const LatticePoint& cell : {LatticePoint{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}})
       if (c.coin()) drawn.push_back(cell);
     return drawn;
   }
 
   /// A ring of cubes, or three in a row, its bars of another width and height.
   static Meshd link(DrawStream& c) {
-    std::vector<Whole> of_cells;
+    std::vector<LatticePoint> of_cells;
     const bool ring = c.below(3) > 0;
     for (long i = 0; i < 9; ++i)
       if (ring ? i != 4 : i / 3 == 1) of_cells.push_back({i % 3, i / 3, 0});

@@ -68,7 +68,7 @@ struct momentum : signatures::momentum {
 
  private:
   static Bodies sum_beside_a_tie(DrawStream& c) {
-    const BesideTie x = beside_tie(c);
+    const NearTie x = near_tie(c);
     const double z = integer(c, 20);
     return {{x.t, {x.v, -x.v, z}}, {1, {x.rest, -x.rest, -z}}};
   }

@@ -69,7 +69,7 @@ struct penalty_force : signatures::penalty_force {
     });
     add("beside_a_tie", [](DrawStream& c) -> Question {
       // depth times stiffness and the damper's rest make an odd number of 54 digits, and a little.
-      const BesideTie tie = beside_tie(c);
+      const NearTie tie = near_tie(c);
       const Vector3d n{0, power_of_two(c, 0, 3), 0};
       return {{integer(c, 20), -tie.v, 0}, {0, -tie.rest, 0}, {n, 0}, tie.t, 1};
     });

@@ -97,7 +97,7 @@ struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
       // Past the filter's guards, but all on one lattice: one axis of a box decides, exactly.
       const auto length = [&c] { return 12 * one_to(c, 3); };
       const double x = length(), y = length(), z = length(), gap = length();
-      const double u = length(), v = length(), w = length(), way = length();
+      const double u = length(), v = length(), w = length(), displacement = length();
       static constexpr int exponents[] = {260, -300, 900, -900};
       const int exponent = exponents[c.below(4)];
       // Along each axis in turn.
@@ -112,7 +112,7 @@ struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
         for (Point3d& at : mesh.vertices) at = turned(low + p * at.x, q * at.y, r * at.z);
         return mesh;
       };
-      const Point3d velocity = turned(way, 0, 0);
+      const Point3d velocity = turned(displacement, 0, 0);
       return {box(0, x, y, z), box(x + gap, u, v, w), {velocity.x, velocity.y, velocity.z}};
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {

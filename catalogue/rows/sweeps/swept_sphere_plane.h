@@ -34,27 +34,27 @@ struct swept_sphere_plane : signatures::swept_sphere_plane {
   static void hard_cases(HardCases<Question>& add) {
     add("approach", [](DrawStream& c) -> Question {
       const double radius = up_to(c, 5), gap = one_to(c, 8);
-      return of_whole_length(c, radius + gap, radius, gap + small_integer(c));
+      return of_integer_length(c, radius + gap, radius, gap + small_integer(c));
     });
     add("touching_at_start", [](DrawStream& c) -> Question {
       const double radius = up_to(c, 5);
-      return of_whole_length(c, radius, radius, small_integer(c));
+      return of_integer_length(c, radius, radius, small_integer(c));
     });
     add("contact_at_end", [](DrawStream& c) -> Question {
       const double radius = up_to(c, 5), gap = one_to(c, 8);
-      return of_whole_length(c, radius + gap, radius, gap);
+      return of_integer_length(c, radius + gap, radius, gap);
     });
     add("overlaps_at_start", [](DrawStream& c) -> Question {
       const double radius = one_to(c, 6), aside = small_integer(c);
-      return of_whole_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius, aside);
+      return of_integer_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius, aside);
     });
     add("along_plane", [](DrawStream& c) -> Question {
       const double radius = up_to(c, 5), off = small_integer(c, 1);
-      return of_whole_length(c, radius + off, radius, 0);
+      return of_integer_length(c, radius + off, radius, 0);
     });
     add("points", [](DrawStream& c) -> Question {
       const double height = up_to(c, 3);
-      return of_whole_length(c, height, 0, small_integer(c, 6));
+      return of_integer_length(c, height, 0, small_integer(c, 6));
     });
     add("irrational", [](DrawStream& c) -> Question {
       const Vector3d n = lattice_normal(c, 10), v = lattice_normal(c, 10);
@@ -135,8 +135,8 @@ struct swept_sphere_plane : signatures::swept_sphere_plane {
  private:
   /// Height of the center, radius and fall of a step in units of the length of a normal that is an integer; the
   /// plane goes through a lattice point; seen from either side.
-  static Question of_whole_length(DrawStream& c, double height, double radius, double fall) {
-    const auto [n, length] = whole_normal(c);
+  static Question of_integer_length(DrawStream& c, double height, double radius, double fall) {
+    const auto [n, length] = integer_normal(c);
     const Point3d foot = lattice_point_in_space(c, 10);
     const Vector3d aside = lattice_across(c, n), drift = lattice_across(c, n);
     const double side = either_sign(c);

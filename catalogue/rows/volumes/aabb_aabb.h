@@ -30,9 +30,9 @@ struct aabb_aabb : signatures::aabb_aabb {
   }
 
   static void hard_cases(HardCases<Question>& add) {
-    add("shared_face", [](DrawStream& c) -> Question { return beside_each_other(c, 1); });
-    add("shared_edge", [](DrawStream& c) -> Question { return beside_each_other(c, 2); });
-    add("shared_corner", [](DrawStream& c) -> Question { return beside_each_other(c, 3); });
+    add("shared_face", [](DrawStream& c) -> Question { return side_by_side(c, 1); });
+    add("shared_edge", [](DrawStream& c) -> Question { return side_by_side(c, 2); });
+    add("shared_corner", [](DrawStream& c) -> Question { return side_by_side(c, 3); });
     add("apart_on_one_axis", [](DrawStream& c) -> Question {
       const Aabb3d a = lattice_box(c);
       Aabb3d b = overlapping(a, c);
@@ -114,7 +114,7 @@ struct aabb_aabb : signatures::aabb_aabb {
     return InPlane{without_z(a), without_z(b)};
   }
   /// b begins where a ends along the first `axes` axes and overlaps it along the others.
-  static Question beside_each_other(DrawStream& c, int axes) {
+  static Question side_by_side(DrawStream& c, int axes) {
     const Aabb3d a = lattice_box(c);
     Aabb3d b = overlapping(a, c);
     b = shifted(b, a.max.x - b.min.x, axes > 1 ? a.max.y - b.min.y : 0, axes > 2 ? a.max.z - b.min.z : 0);

@@ -51,7 +51,7 @@ struct convex_hull_2d : signatures::convex_hull_2d {
     add("collinear", [](DrawStream& c) -> Question { return on_one_line(c); });
     add("one_beside_a_line", [](DrawStream& c) -> Question {
       Points points = on_one_line(c);
-      points.push_back(beside(points[0], c));
+      points.push_back(nudged(points[0], c));
       return points;
     });
     add("small_grid", [](DrawStream& c) -> Question {

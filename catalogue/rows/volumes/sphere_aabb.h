@@ -34,11 +34,11 @@ struct sphere_aabb : signatures::sphere_aabb {
 
   static void hard_cases(HardCases<Question>& add) {
     add("tangent", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       return beyond(step, step.length, c);
     });
     add("beside_tangent", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       return beyond(step, std::max(step.length + small_integer(c, 1), 0.0), c);
     });
     add("point_ball", [](DrawStream& c) -> Question {
@@ -56,7 +56,7 @@ struct sphere_aabb : signatures::sphere_aabb {
     });
     add("flat", [](DrawStream& c) -> Question {
       // A rectangle, a segment or a point: next to the ball, tangent to it or in it.
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       auto [ball, box] = in_space(step, std::max(step.length + small_integer(c, 1), 0.0), c);
       box.max.x = box.min.x;
       if (c.coin()) box.max.y = box.min.y;
@@ -82,9 +82,9 @@ struct sphere_aabb : signatures::sphere_aabb {
     add("rounded_tangent", [](DrawStream& c) -> Question {
       const double x = ordinary(c), y = ordinary(c), z = ordinary(c), dx = ordinary(c), dy = ordinary(c);
       const Point3d corner{x, y, z};
-      const Vector3d way{std::fabs(dx), std::fabs(dy), c.coin() ? std::fabs(ordinary(c)) : 0.0};
-      const double r = moved_by_ulps(std::sqrt(dot(way, way)), integer_in(c, -3, 3));
-      return seen({corner + way, std::fabs(r)}, {{x - 1, y - 1, z - 1}, corner}, c.coin());
+      const Vector3d displacement{std::fabs(dx), std::fabs(dy), c.coin() ? std::fabs(ordinary(c)) : 0.0};
+      const double r = moved_by_ulps(std::sqrt(dot(displacement, displacement)), integer_in(c, -3, 3));
+      return seen({corner + displacement, std::fabs(r)}, {{x - 1, y - 1, z - 1}, corner}, c.coin());
     });
     add("much_rounded", [](DrawStream& c) -> Question {
       // A difference just above a power of two less a small number, and a radius like it: both round by all they
@@ -96,7 +96,7 @@ struct sphere_aabb : signatures::sphere_aabb {
       return seen({{std::ldexp(x, e), 0, 0}, std::ldexp(r, e)}, {{-std::ldexp(1, e), -1, -1}, {from, 1, 1}}, c.coin());
     });
     add("squares_underflow", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const double r = std::max(step.length + small_integer(c, 1), 0.0);
       Question question = beyond(step, r, c);
       const int down = integer_in(c, 530, 561);
@@ -126,7 +126,7 @@ struct sphere_aabb : signatures::sphere_aabb {
       return seen({{(m + 3 * k) / 10, (m + 4 * k) / 10, 0}, 5 * k / 10}, {{-1, -1, -1}, {m / 10, m / 10, 1}}, c.coin());
     });
     add("wide", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const double r = std::max(step.length + std::ldexp(small_integer(c, 1), -20), 0.0);
       auto [ball, box] = in_space(step, r, c);
       const Vector3d by = fractions(c);
@@ -163,13 +163,13 @@ struct sphere_aabb : signatures::sphere_aabb {
   static InSpace in_space(const Step& step, double radius, DrawStream& c) {
     const Aabb3d box = lattice_box(c);
     const Point3d inside = within(box, c).min;
-    const auto coordinate = [&c](double way, double min, double max, double beside) {
-      if (way == 0) return beside;
-      return c.coin() ? min - std::fabs(way) : max + std::fabs(way);
+    const auto coordinate = [&c](double displacement, double min, double max, double beside) {
+      if (displacement == 0) return beside;
+      return c.coin() ? min - std::fabs(displacement) : max + std::fabs(displacement);
     };
-    const double x = coordinate(step.way.x, box.min.x, box.max.x, inside.x),
-                 y = coordinate(step.way.y, box.min.y, box.max.y, inside.y),
-                 z = coordinate(step.way.z, box.min.z, box.max.z, inside.z);
+    const double x = coordinate(step.displacement.x, box.min.x, box.max.x, inside.x),
+                 y = coordinate(step.displacement.y, box.min.y, box.max.y, inside.y),
+                 z = coordinate(step.displacement.z, box.min.z, box.max.z, inside.z);
     return {{{x, y, z}, radius}, box};
   }
   static Question beyond(const Step& step, double radius, DrawStream& c) {

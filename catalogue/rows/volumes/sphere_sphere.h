@@ -33,17 +33,17 @@ struct sphere_sphere : signatures::sphere_sphere {
 
   static void hard_cases(HardCases<Question>& add) {
     add("tangent", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const double r = part_of(step.length, c);
       return apart_by(step, r, step.length - r, c);
     });
     add("beside_tangent", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const double r = part_of(step.length, c);
       return apart_by(step, r, std::fabs(step.length - r + small_integer(c, 1)), c);
     });
     add("tangent_inside", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       const double r = up_to(c, 7);
       return apart_by(step, r, r + step.length + small_integer(c, 1), c);
     });
@@ -52,7 +52,7 @@ struct sphere_sphere : signatures::sphere_sphere {
       return apart_by({{0, 0, 0}, 0, c.coin()}, r, s, c);
     });
     add("point_inside", [](DrawStream& c) -> Question {
-      const Step step = whole_step(c);
+      const Step step = integer_step(c);
       return apart_by(step, 0, step.length + small_integer(c, 3), c);
     });
     add("points", [](DrawStream& c) -> Question {
@@ -152,13 +152,13 @@ struct sphere_sphere : signatures::sphere_sphere {
     return static_cast<double>(c.below(static_cast<std::uint64_t>(length) + 1));
   }
 
-  static Point3d at(const Step& step) { return {step.way.x, step.way.y, step.way.z}; }
+  static Point3d at(const Step& step) { return {step.displacement.x, step.displacement.y, step.displacement.z}; }
 
   /// From a lattice point.
   static Question apart_by(const Step& step, double r, double s, DrawStream& c) {
     Point3d p = lattice_point_in_space(c);
     if (step.in_plane) p.z = 0;
-    return seen({p, std::fabs(r)}, {p + step.way, std::fabs(s)}, step.in_plane, c);
+    return seen({p, std::fabs(r)}, {p + step.displacement, std::fabs(s)}, step.in_plane, c);
   }
 
   /// In space, or the same without z; in either order.

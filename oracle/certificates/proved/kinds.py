@@ -77,7 +77,7 @@ def refused(files):
         yield f"the specification has {lines} lines, more than {LONGEST_SPECIFICATION}"
 
 
-def not_told(files):
+def not_stated(files):
     """Yields what docs/proofs.md does not say."""
     page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8").partition("## Certificates that are proved to prove")[2]
     told = set(re.findall(r"`(\w+)`", "".join(line for line in page.splitlines() if line.startswith("|"))))
@@ -188,7 +188,7 @@ def weakened(work, jobs, share):
 
 
 def self_check():
-    files, wrong = sources(), [*refused(sources()), *not_told(sources())]
+    files, wrong = sources(), [*refused(sources()), *not_stated(sources())]
     for defect in ("Admitted.", "Axiom x : False.", "Parameter x : nat.", "Unset Guard Checking."):
         with_defect = {**files, "sound_plane": files["sound_plane"] + defect}
         if not any("sound_plane.v" in line for line in refused(with_defect)):

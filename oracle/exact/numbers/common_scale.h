@@ -51,7 +51,7 @@ class CommonScale<double, N> {
     return parts_[i].mantissa == 0 ? 0 : parts_[i].mantissa << (parts_[i].exponent - exponent_);
   }
 
-  Integer whole(std::size_t i) const {
+  Integer integer(std::size_t i) const {
     Integer result(static_cast<long>(parts_[i].mantissa));
     if (parts_[i].mantissa != 0) result <<= static_cast<mp_bitcnt_t>(parts_[i].exponent - exponent_);
     return result;
@@ -95,7 +95,7 @@ class CommonScale<Rational, N> {
   bool finite() const { return true; }
   int bits() const { return bits_; }
   std::int64_t word(std::size_t i) const { return wholes_[i].get_si(); }
-  const Integer& whole(std::size_t i) const { return wholes_[i]; }
+  const Integer& integer(std::size_t i) const { return wholes_[i]; }
 
   Rational actual(const Rational& value, int degree) const {
     Integer power;
@@ -114,20 +114,20 @@ constexpr int most_bits_in_words = 61;
 
 /// Numbers i and i + 1 as a point, i to i + 3 as a segment. Value: Integer, or Int128 if bits() <= most_bits_in_words.
 template <class Value, class Scale>
-Value whole(const Scale& scale, std::size_t i) {
+Value integer(const Scale& scale, std::size_t i) {
   if constexpr (std::is_same_v<Value, Integer>) {
-    return scale.whole(i);
+    return scale.integer(i);
   } else {
     return scale.word(i);
   }
 }
 template <class Value = Integer, class Scale>
-Point2<Value> whole_point(const Scale& scale, std::size_t i) {
-  return {whole<Value>(scale, i), whole<Value>(scale, i + 1)};
+Point2<Value> integer_point(const Scale& scale, std::size_t i) {
+  return {integer<Value>(scale, i), integer<Value>(scale, i + 1)};
 }
 template <class Value = Integer, class Scale>
-Segment2<Value> whole_segment(const Scale& scale, std::size_t i) {
-  return {whole_point<Value>(scale, i), whole_point<Value>(scale, i + 2)};
+Segment2<Value> integer_segment(const Scale& scale, std::size_t i) {
+  return {integer_point<Value>(scale, i), integer_point<Value>(scale, i + 2)};
 }
 
 /// A point in units, unchanged.

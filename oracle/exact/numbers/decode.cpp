@@ -13,7 +13,7 @@ Rational scaled(Rational value, int exponent) {
   return value;
 }
 
-Rational scaled(const Integer& whole, int exponent) { return scaled(Rational(whole), exponent); }
+Rational scaled(const Integer& integer, int exponent) { return scaled(Rational(integer), exponent); }
 
 Rational exact(double value) {
   const Dyadic parts = decode(value);

@@ -32,7 +32,7 @@ constexpr int decode_infinite = 0x7ff - 1075;
 
 /// value * 2^exponent, canonical.
 Rational scaled(Rational value, int exponent);
-Rational scaled(const Integer& whole, int exponent);
+Rational scaled(const Integer& integer, int exponent);
 
 /// The real value of a finite double.
 Rational exact(double value);

@@ -18,7 +18,7 @@ bool power_of_two(mpz_srcptr value) { return static_cast<long>(mpz_scan1(value, 
 
 /// |value| = (whole + rest / unit) * 2^exponent, 0 <= rest < unit.
 struct Ulps {
-  Integer whole, rest, unit;
+  Integer integer, rest, unit;
 
   Ulps(const Rational& value, int exponent) : rest(abs(value.get_num())), unit(value.get_den()) {
     const auto twos = std::min(static_cast<int>(mpz_scan1(unit.get_mpz_t(), 0)), std::max(-exponent, 0));
@@ -28,7 +28,7 @@ struct Ulps {
     } else {
       rest <<= static_cast<mp_bitcnt_t>(-left);
     }
-    mpz_fdiv_qr(whole.get_mpz_t(), rest.get_mpz_t(), rest.get_mpz_t(), unit.get_mpz_t());
+    mpz_fdiv_qr(integer.get_mpz_t(), rest.get_mpz_t(), rest.get_mpz_t(), unit.get_mpz_t());
   }
 };
 
@@ -47,7 +47,7 @@ Parts in_ulps(const Rational& value, int exponent) {
   mpz_srcptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
   if (!power_of_two(denominator)) {
     const Ulps ulps(value, exponent);
-    return {ulps.whole.get_ui(), cmp(Integer(2 * ulps.rest), ulps.unit)};
+    return {ulps.integer.get_ui(), cmp(Integer(2 * ulps.rest), ulps.unit)};
   }
   const long dropped = exponent + bit_length(denominator) - 1;  // bits of the numerator below the last place
   if (dropped <= 0) return {mpz_get_ui(numerator) << -dropped, -1};
@@ -112,13 +112,13 @@ Rational rounding_margin(const Rational& value) {
   }
   const Ulps ulps(value, exponent);
   const Integer top = Integer(1) << 53;
-  if (ulps.whole >= top) {  // from the largest double on: the distance to the tie with infinity
-    const Rational beyond(Rational(ulps.whole - top) + quotient(ulps.rest, ulps.unit));
+  if (ulps.integer >= top) {  // from the largest double on: the distance to the tie with infinity
+    const Rational beyond(Rational(ulps.integer - top) + quotient(ulps.rest, ulps.unit));
     return Rational(beyond + Rational(1, 2));
   }
   const Integer doubled(2 * ulps.rest);
   const Rational margin = quotient(Integer(abs(doubled - ulps.unit)), Integer(2 * ulps.unit));
-  if (exponent == -1074 || ulps.whole != top / 2) return margin;
+  if (exponent == -1074 || ulps.integer != top / 2) return margin;
   const Rational below =
       quotient(Integer(2 * doubled + ulps.unit), Integer(4 * ulps.unit));  // there the spacing halves
   return std::min(margin, below);

@@ -17,10 +17,10 @@ float nearest_float(const Rational& value) {
   if (order >= 128) return std::bit_cast<float>(sign | infinite);
   const int exponent = static_cast<int>(std::max(order - 23, -149L));
   const Rational ulps = scaled(Rational(abs(value)), -exponent);
-  Integer whole(ulps.get_num() / ulps.get_den());
-  const int to_half = cmp(Rational(ulps - Rational(whole)), Rational(1, 2));
-  if (to_half > 0 || (to_half == 0 && mpz_odd_p(whole.get_mpz_t()) != 0)) ++whole;
-  const auto mantissa = static_cast<std::uint32_t>(whole.get_ui());
+  Integer integer(ulps.get_num() / ulps.get_den());
+  const int to_half = cmp(Rational(ulps - Rational(integer)), Rational(1, 2));
+  if (to_half > 0 || (to_half == 0 && mpz_odd_p(integer.get_mpz_t()) != 0)) ++integer;
+  const auto mantissa = static_cast<std::uint32_t>(integer.get_ui());
   // The exponent field of a normal number adds to the implicit bit, so a carry moves on to the next binade or infinity.
   const std::uint32_t field = mantissa >> 23 == 0 ? 0 : static_cast<std::uint32_t>(exponent + 149);
   return std::bit_cast<float>(sign | ((field << 23) + mantissa));

@@ -7,8 +7,8 @@
 /// Shapes of space over rationals.
 namespace touchstone::oracle {
 
-using WholePoint = Point3<Integer>;
-using WholeVector = Vector3<Integer>;
+using IntegerPoint = Point3<Integer>;
+using IntegerVector = Vector3<Integer>;
 
 template <class Number>
 Point3<Rational> exact(const Point3<Number>& p) {

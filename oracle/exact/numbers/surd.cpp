@@ -53,7 +53,7 @@ Split split(Integer number) {
 }
 
 /// The integer part of sqrt(number), number >= 0; checks it by squares.
-Integer whole_root(const Integer& number) {
+Integer integer_root(const Integer& number) {
   const Integer root = sqrt(number);
   if (root * root > number || (root + 1) * (root + 1) <= number) throw std::logic_error("no root");
   return root;
@@ -120,9 +120,9 @@ RationalInterval Surd::enclosure(long bits) const {
   Integer number(m * m * root_->radicand);
   if (shift >= 0) number <<= static_cast<mp_bitcnt_t>(2 * shift);
   else number >>= static_cast<mp_bitcnt_t>(-2 * shift);
-  const Integer root = whole_root(number);
-  const auto end = [&](const Integer& whole) {
-    return Rational(scaled(whole, static_cast<int>(-shift)) / Rational(d));
+  const Integer root = integer_root(number);
+  const auto end = [&](const Integer& integer) {
+    return Rational(scaled(integer, static_cast<int>(-shift)) / Rational(d));
   };
   const Rational low = end(root), high = end(Integer(root + 1));
   if (sgn(m) > 0) return {Rational(rational_part_ + low), Rational(rational_part_ + high)};

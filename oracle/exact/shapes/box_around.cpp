@@ -13,7 +13,7 @@
 namespace touchstone::oracle {
 namespace {
 
-using Way = Vector3<Integer>;
+using Displacement = Vector3<Integer>;
 using Place = Point3<Integer>;
 
 constexpr const char* names[] = {"half_axes[0]", "half_axes[1]", "half_axes[2]"};
@@ -26,24 +26,24 @@ std::string root_of(const Rational& square) {
   return text.data();
 }
 
-Integer size(const Way& v) { return Integer(abs(v.x) + abs(v.y) + abs(v.z)); }
+Integer size(const Displacement& v) { return Integer(abs(v.x) + abs(v.y) + abs(v.z)); }
 
 /// Points and box in integers times a unit.
-struct Whole {
+struct IntegerInput {
   std::vector<Place> points;
   Place center;
-  std::array<Way, 3> half_axes;
+  std::array<Displacement, 3> half_axes;
   Rational unit;
 
-  Whole(const std::vector<Point3d>& doubles, const Obb3<Rational>& box) {
+  IntegerInput(const std::vector<Point3d>& doubles, const Obb3<Rational>& box) {
     std::vector<Rational> numbers;
     const auto add = [&numbers](const auto& p) { numbers.insert(numbers.end(), {exact(p.x), exact(p.y), exact(p.z)}); };
     const auto& [u, v, w] = box.half_axes;
     add(u), add(v), add(w), add(box.center);
     for (const Point3d& p : doubles) add(p);
-    const WholeList list = whole_list(numbers);
+    const IntegerList list = integer_list(numbers);
     const auto at = [&list](std::size_t i) {
-      return Place{list.whole[3 * i], list.whole[3 * i + 1], list.whole[3 * i + 2]};
+      return Place{list.integers[3 * i], list.integers[3 * i + 1], list.integers[3 * i + 2]};
     };
     const Place origin{0, 0, 0};
     half_axes = {at(0) - origin, at(1) - origin, at(2) - origin};
@@ -60,17 +60,18 @@ struct Whole {
 };
 
 /// The half axes, with those that are 0 replaced by vectors perpendicular to all of them.
-std::array<Way, 3> completed(std::array<Way, 3> axes) {
-  static const std::array<Way, 3> coordinate_axes{Way{1, 0, 0}, Way{0, 1, 0}, Way{0, 0, 1}};
+std::array<Displacement, 3> completed(std::array<Displacement, 3> axes) {
+  static const std::array<Displacement, 3> coordinate_axes{Displacement{1, 0, 0}, Displacement{0, 1, 0},
+                                                           Displacement{0, 0, 1}};
   for (std::size_t k = 0; k < 3; ++k) {
-    Way &axis = axes[k], &next = axes[(k + 1) % 3], &last = axes[(k + 2) % 3];
+    Displacement &axis = axes[k], &next = axes[(k + 1) % 3], &last = axes[(k + 2) % 3];
     if (!zero(axis)) continue;
     if (!zero(next) && !zero(last)) {
       axis = cross(next, last);
       continue;
     }
-    const Way& other = zero(next) ? last : next;  // the nonzero one, if any
-    for (const Way& e : coordinate_axes)
+    const Displacement& other = zero(next) ? last : next;  // the nonzero one, if any
+    for (const Displacement& e : coordinate_axes)
       if (zero(axis)) axis = zero(other) ? e : cross(other, e);
   }
   return axes;
@@ -78,11 +79,12 @@ std::array<Way, 3> completed(std::array<Way, 3> axes) {
 
 /// A pair of faces: normal . (p - center) is between -reach and `reach`.
 struct Faces {
-  Way normal;
+  Displacement normal;
   Integer reach, low, high;
   std::size_t lowest = 0, highest = 0;  ///< indices of points
 
-  Faces(const Whole& all, const Way& half_axis, const Way& one, const Way& other, bool flat)
+  Faces(const IntegerInput& all, const Displacement& half_axis, const Displacement& one, const Displacement& other,
+        bool flat)
       : normal(cross(one, other)), reach(flat ? Integer(0) : Integer(abs(dot(normal, half_axis)))) {
     for (std::size_t i = 0; i < all.points.size(); ++i) {
       const Integer height = dot(normal, all.points[i] - all.center);
@@ -99,7 +101,7 @@ struct Faces {
 };
 
 /// True if half axes are perpendicular, as far as the contract requires.
-bool square(const Way& a, const Way& b, const Rational& unit) {
+bool square(const Displacement& a, const Displacement& b, const Rational& unit) {
   const Integer along = abs(dot(a, b)), sizes = size(a) + size(b);
   const Rational more(along - sizes * Rational(scaled(Rational(1), -1072) / unit));
   return sgn(more) <= 0 || more * more <= Rational(dot(a, a) * dot(b, b)) * scaled(Rational(1), -40);
@@ -108,8 +110,8 @@ bool square(const Way& a, const Way& b, const Rational& unit) {
 }  // namespace
 
 std::string defect_of_box(const std::vector<Point3d>& points, const Obb3<Rational>& box) {
-  const Whole all(points, box);
-  const std::array<Way, 3> axes = completed(all.half_axes);
+  const IntegerInput all(points, box);
+  const std::array<Displacement, 3> axes = completed(all.half_axes);
   if (sgn(dot(axes[0], cross(axes[1], axes[2]))) == 0) return "the half axes are linearly dependent";
   std::vector<Faces> faces;
   for (std::size_t k = 0; k < 3; ++k)

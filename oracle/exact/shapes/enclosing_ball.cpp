@@ -24,9 +24,9 @@ Integer determinant(const Gram& g, std::size_t n) {
 /// The ball whose center is a convex combination of points that are all equally far from it, with positive weights;
 /// nullopt if there is none. With v the displacements from the first point to the others, the weights of these solve 2
 /// v_i . v_j w = v_i . v_i, by Cramer's rule; the determinant is not negative, and 0 if they are affinely dependent.
-std::optional<SmallestBall> balanced(const WholePoints& points, const std::vector<std::size_t>& support) {
+std::optional<SmallestBall> balanced(const IntegerPoints& points, const std::vector<std::size_t>& support) {
   const std::size_t n = support.size() - 1;
-  const WholePoint& first = points[support[0]];
+  const IntegerPoint& first = points[support[0]];
   std::vector<Vector3<Integer>> v;
   for (std::size_t i = 1; i <= n; ++i) v.push_back(points[support[i]] - first);
   Gram gram;
@@ -49,7 +49,7 @@ std::optional<SmallestBall> balanced(const WholePoints& points, const std::vecto
     return std::nullopt;
   ball.times = {0, 0, 0};
   for (std::size_t i = 0; i <= n; ++i) {
-    const WholePoint& p = points[support[i]];
+    const IntegerPoint& p = points[support[i]];
     ball.times.x += ball.weights[i] * p.x, ball.times.y += ball.weights[i] * p.y, ball.times.z += ball.weights[i] * p.z;
   }
   ball.square = ball.squared_distance(first);
@@ -57,7 +57,7 @@ std::optional<SmallestBall> balanced(const WholePoints& points, const std::vecto
 }
 
 /// The smallest ball of `held` and `more`, which is outside of the smallest of `held` and so in the support.
-SmallestBall smallest_with(const WholePoints& points, const std::vector<std::size_t>& held, std::size_t more) {
+SmallestBall smallest_with(const IntegerPoints& points, const std::vector<std::size_t>& held, std::size_t more) {
   for (unsigned chosen = 0;; ++chosen) {
     std::vector<std::size_t> support{more};
     for (std::size_t i = 0; i < held.size(); ++i)
@@ -85,11 +85,11 @@ Rounded root_above(const Integer& square) {
 
 }  // namespace
 
-Integer WholeBall::squared_distance(const Point3<Integer>& p) const {
+Integer IntegerBall::squared_distance(const Point3<Integer>& p) const {
   return square_of({Integer(p.x * d - times.x), Integer(p.y * d - times.y), Integer(p.z * d - times.z)});
 }
 
-std::size_t WholeBall::farthest(const WholePoints& points) const {
+std::size_t IntegerBall::farthest(const IntegerPoints& points) const {
   std::size_t found = 0;
   Integer greatest = squared_distance(points[0]);
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -99,13 +99,13 @@ std::size_t WholeBall::farthest(const WholePoints& points) const {
   return found;
 }
 
-WholeBall reaching_farthest(const Point3<Integer>& times, const Integer& d, const WholePoints& points) {
-  WholeBall ball{times, d, 0};
+IntegerBall reaching_farthest(const Point3<Integer>& times, const Integer& d, const IntegerPoints& points) {
+  IntegerBall ball{times, d, 0};
   ball.square = ball.squared_distance(points[ball.farthest(points)]);
   return ball;
 }
 
-SmallestBall smallest_ball(const WholePoints& points) {
+SmallestBall smallest_ball(const IntegerPoints& points) {
   SmallestBall ball = *balanced(points, {0});
   for (;;) {  // the radius grows, and there are finitely many supports
     const std::size_t farthest = ball.farthest(points);
@@ -114,27 +114,27 @@ SmallestBall smallest_ball(const WholePoints& points) {
   }
 }
 
-GrowingBall growing_ball(const WholePoints& points, unsigned below) {
-  const WholePoint *a = points.data(), *b = a;
+GrowingBall growing_ball(const IntegerPoints& points, unsigned below) {
+  const IntegerPoint *a = points.data(), *b = a;
   Integer width = 0;
-  for (const auto axis : {&WholePoint::x, &WholePoint::y, &WholePoint::z}) {
-    const auto ascending = [axis](const WholePoint& p, const WholePoint& q) { return p.*axis < q.*axis; };
-    const WholePoint& low = *std::min_element(points.begin(), points.end(), ascending);
-    const WholePoint& high = *std::max_element(points.begin(), points.end(), ascending);
+  for (const auto axis : {&IntegerPoint::x, &IntegerPoint::y, &IntegerPoint::z}) {
+    const auto ascending = [axis](const IntegerPoint& p, const IntegerPoint& q) { return p.*axis < q.*axis; };
+    const IntegerPoint& low = *std::min_element(points.begin(), points.end(), ascending);
+    const IntegerPoint& high = *std::max_element(points.begin(), points.end(), ascending);
     const Integer square = square_of(high - low);
     if (square > width) a = &low, b = &high, width = square;
   }
   const auto finer = [](const Integer& n, unsigned bits) { return Integer(n << bits); };
-  const auto place = [&](const WholePoint& p) -> WholePoint {
+  const auto place = [&](const IntegerPoint& p) -> IntegerPoint {
     return {finer(p.x, below), finer(p.y, below), finer(p.z, below)};
   };
   const Rounded wide = root_above(finer(width, 2 * below - 2));
   GrowingBall ball{{finer(a->x + b->x, below - 1), finer(a->y + b->y, below - 1), finer(a->z + b->z, below - 1)},
                    wide.value};
-  for (const WholePoint& point : points) {
-    const WholePoint p = place(point);
-    const Vector3<Integer> way = p - ball.center;
-    const Integer square = square_of(way);
+  for (const IntegerPoint& point : points) {
+    const IntegerPoint p = place(point);
+    const Vector3<Integer> displacement = p - ball.center;
+    const Integer square = square_of(displacement);
     if (square <= ball.radius * ball.radius) continue;
     const Integer distance = root_above(square).value, step(distance - ball.radius), twice(2 * distance);
     bool exact = true;
@@ -143,7 +143,8 @@ GrowingBall growing_ball(const WholePoints& points, unsigned below) {
       exact = exact && mpz_divisible_p(numerator.get_mpz_t(), twice.get_mpz_t()) != 0;
       return Integer(from + numerator / twice);
     };
-    ball.center = {moved(ball.center.x, way.x), moved(ball.center.y, way.y), moved(ball.center.z, way.z)};
+    ball.center = {moved(ball.center.x, displacement.x), moved(ball.center.y, displacement.y),
+                   moved(ball.center.z, displacement.z)};
     // Half a unit for the division by 2; the center is off by less than a unit on each axis, 2 in all.
     ball.radius = (ball.radius + distance + 1) / 2 + (exact ? 0 : 2);
   }

@@ -11,7 +11,7 @@ namespace touchstone::oracle {
 
 /// Validated bodies of a list: masses as integers in one unit, velocities in another.
 struct ManyBodies {
-  WholeList masses, speeds;
+  IntegerList masses, speeds;
 
   template <class Number>
   explicit ManyBodies(const std::vector<Body<Number>>& bodies) {
@@ -23,15 +23,15 @@ struct ManyBodies {
       of_masses.push_back(mass);
       of_speeds.insert(of_speeds.end(), {velocity.x, velocity.y, velocity.z});
     }
-    masses = whole_list(of_masses), speeds = whole_list(of_speeds);
+    masses = integer_list(of_masses), speeds = integer_list(of_speeds);
   }
 
-  std::size_t size() const { return masses.whole.size(); }
-  const Integer& mass(std::size_t i) const { return masses.whole[i]; }
+  std::size_t size() const { return masses.integers.size(); }
+  const Integer& mass(std::size_t i) const { return masses.integers[i]; }
   /// The velocity of body i, 0 beyond the last.
   Vector3<Integer> velocity(std::size_t i) const {
     if (i == size()) return {Integer(0), Integer(0), Integer(0)};
-    return {speeds.whole[3 * i], speeds.whole[3 * i + 1], speeds.whole[3 * i + 2]};
+    return {speeds.integers[3 * i], speeds.integers[3 * i + 1], speeds.integers[3 * i + 2]};
   }
   /// A number in units of mass times velocity to that power.
   Rational actual(const Rational& value, int speed_degree) const {

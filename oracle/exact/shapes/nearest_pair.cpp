@@ -45,7 +45,7 @@ std::optional<Fractions> solved(std::vector<Row> rows) {
 
 /// The points of both hulls from the first of a, those of b negated, as integers times one unit.
 struct Points {
-  std::vector<WholeVector> of;
+  std::vector<IntegerVector> of;
   std::size_t of_a;
   Integer units_in_one = 1;
   std::vector<Row> products{};  ///< the scalar product of every two
@@ -60,13 +60,13 @@ Points points_of(const Hull& a, const Hull& b) {
     mpz_lcm(points.units_in_one.get_mpz_t(), points.units_in_one.get_mpz_t(), number.get_den_mpz_t());
   };
   for (const Vector& v : from_first) common(v.x), common(v.y), common(v.z);
-  const auto whole = [&](const Rational& number) {
+  const auto integer = [&](const Rational& number) {
     return Integer(number.get_num() * Integer(points.units_in_one / number.get_den()));
   };
-  for (const Vector& v : from_first) points.of.push_back({whole(v.x), whole(v.y), whole(v.z)});
-  for (const WholeVector& p : points.of) {
+  for (const Vector& v : from_first) points.of.push_back({integer(v.x), integer(v.y), integer(v.z)});
+  for (const IntegerVector& p : points.of) {
     Row& row = points.products.emplace_back();
-    for (const WholeVector& q : points.of) row.push_back(dot(p, q));
+    for (const IntegerVector& q : points.of) row.push_back(dot(p, q));
   }
   return points;
 }
@@ -108,15 +108,15 @@ std::optional<Fractions> weights(const Points& points, const Support& support) {
 }
 
 /// The points first <= i < last times their weights, in the unit over the denominator of the weights.
-WholeVector combination(const Points& points, const Fractions& weights, std::size_t first, std::size_t last) {
-  WholeVector sum{0, 0, 0};
+IntegerVector combination(const Points& points, const Fractions& weights, std::size_t first, std::size_t last) {
+  IntegerVector sum{0, 0, 0};
   for (std::size_t i = first; i < last; ++i) sum = sum + weights.numerators[i] * points.of[i];
   return sum;
 }
 
 /// True if x, in the unit over a denominator, has the smallest scalar product with w of the points first <= i < last.
-bool is_first(const WholeVector& x, const Integer& denominator, const Points& points, std::size_t first,
-              std::size_t last, const WholeVector& w) {
+bool is_first(const IntegerVector& x, const Integer& denominator, const Points& points, std::size_t first,
+              std::size_t last, const IntegerVector& w) {
   const Integer least = dot(w, x);
   for (std::size_t i = first; i < last; ++i)
     if (denominator * dot(w, points.of[i]) < least) return false;
@@ -125,13 +125,13 @@ bool is_first(const WholeVector& x, const Integer& denominator, const Points& po
 
 }  // namespace
 
-Point nearest_to(const Point& point, const Hull& a, const Hull& b, const Point& on_a, const Vector& way) {
+Point nearest_to(const Point& point, const Hull& a, const Hull& b, const Point& on_a, const Vector& displacement) {
   const Vector v = a[1] - a[0], w = b[1] - b[0], across = cross(v, w);
   const Rational length = dot(v, v);
   if (sgn(length) == 0 || sgn(dot(across, across)) != 0) return on_a;
   // All are on the line of a, between the ends of a and of b.
   const auto along = [&](const Vector& from_a) { return Rational(dot(from_a, v) / length); };
-  const Rational first = along((b[0] - a[0]) - way), second = along((b[1] - a[0]) - way);
+  const Rational first = along((b[0] - a[0]) - displacement), second = along((b[1] - a[0]) - displacement);
   const Rational low = std::max(Rational(0), std::min(first, second)),
                  high = std::min(Rational(1), std::max(first, second));
   return a[0] + std::min(std::max(along(point - a[0]), low), high) * v;
@@ -150,8 +150,8 @@ NearestPair nearest_pair(const Hull& a, const Hull& b) {
     if (std::any_of(numerators.begin(), numerators.end(), [](const Integer& weight) { return sgn(weight) < 0; }))
       continue;
     // b is negated, so w = x - y is a sum.
-    const WholeVector x = combination(points, *found, 0, of_a), minus_y = combination(points, *found, of_a, all),
-                      w = x + minus_y;
+    const IntegerVector x = combination(points, *found, 0, of_a), minus_y = combination(points, *found, of_a, all),
+                        w = x + minus_y;
     if (!is_first(x, denominator, points, 0, of_a, w) || !is_first(minus_y, denominator, points, of_a, all, w))
       continue;
     std::vector<Rational> each;
@@ -159,7 +159,7 @@ NearestPair nearest_pair(const Hull& a, const Hull& b) {
     if (nearest && each[0] <= nearest->weights_of_a[0]) continue;
     const auto middle = each.begin() + static_cast<std::ptrdiff_t>(of_a);
     const Integer unit = denominator * points.units_in_one;
-    const auto actual = [&](const WholeVector& v) {
+    const auto actual = [&](const IntegerVector& v) {
       return Vector{quotient(v.x, unit), quotient(v.y, unit), quotient(v.z, unit)};
     };
     nearest = NearestPair{a[0] + actual(x),

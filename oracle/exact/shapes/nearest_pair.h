@@ -30,7 +30,7 @@ NearestPair nearest_pair(const Hull& a, const Hull& b);
 /// For two segments, on_a a point of the first that is nearest to the second, way the displacement from there to the
 /// nearest point of the second: among all such points of the first the one nearest to another point.
 Point3<Rational> nearest_to(const Point3<Rational>& point, const Hull& a, const Hull& b, const Point3<Rational>& on_a,
-                            const Vector3<Rational>& way);
+                            const Vector3<Rational>& displacement);
 
 template <class Number>
 Point3<Rational> exact_in_space(const Point2<Number>& p) {

@@ -20,8 +20,8 @@ class Scaled {
       : axes_((*places.begin())->size()), scale_(in_a_row(places, radius)) {}
 
   std::size_t axes() const { return axes_; }
-  const Integer& at(std::size_t place, std::size_t k) const { return scale_.whole(3 * place + k); }
-  const Integer& radius() const { return scale_.whole(12); }
+  const Integer& at(std::size_t place, std::size_t k) const { return scale_.integer(3 * place + k); }
+  const Integer& radius() const { return scale_.integer(12); }
   Rational actual(const Rational& value, int degree) const { return scale_.actual(value, degree); }
 
  private:
@@ -39,7 +39,7 @@ class Scaled {
 };
 
 /// The positions of a line and a box, or a center.
-constexpr std::size_t from = 0, way = 1, least = 2, greatest = 3, middle = 2;
+constexpr std::size_t from = 0, displacement = 1, least = 2, greatest = 3, middle = 2;
 
 /// t way <= max - from and -t way <= from - min on each axis; t <= 1 if the line ends.
 Program program_of(const Scaled& n, bool ends) {
@@ -47,9 +47,9 @@ Program program_of(const Scaled& n, bool ends) {
   Program program(1, rows);
   int row = 0;
   for (std::size_t k = 0; k < n.axes(); ++k) {
-    program.set_coefficient(row, 0, n.at(way, k));
+    program.set_coefficient(row, 0, n.at(displacement, k));
     program.set_right_side(row++, Integer(n.at(greatest, k) - n.at(from, k)));
-    program.set_coefficient(row, 0, Integer(-n.at(way, k)));
+    program.set_coefficient(row, 0, Integer(-n.at(displacement, k)));
     program.set_right_side(row++, Integer(n.at(from, k) - n.at(least, k)));
   }
   if (ends) program.set_coefficient(row, 0, 1), program.set_right_side(row, 1);
@@ -71,11 +71,11 @@ struct Want {
 };
 
 /// The distance by which the line has to be moved, in the maximum norm, until the relation changes.
-Rational way_to_change(const Scaled& n, bool ends) {
+Rational displacement_to_change(const Scaled& n, bool ends) {
   std::vector<Want> wants;
   for (std::size_t k = 0; k < n.axes(); ++k) {
-    wants.push_back({Integer(n.at(least, k) - n.at(from, k)), Integer(-n.at(way, k)), k});
-    wants.push_back({Integer(n.at(from, k) - n.at(greatest, k)), n.at(way, k), k});
+    wants.push_back({Integer(n.at(least, k) - n.at(from, k)), Integer(-n.at(displacement, k)), k});
+    wants.push_back({Integer(n.at(from, k) - n.at(greatest, k)), n.at(displacement, k), k});
   }
   std::optional<Rational> highest;
   const auto note = [&highest](const Rational& value) { highest = highest ? std::max(*highest, value) : value; };
@@ -100,9 +100,9 @@ Parabola backwards(const Parabola& f) { return {f.end(), Integer(-f.half_slope_a
 
 Truth<Passage<Rational>> passage_of_box(const Line& line, const std::vector<Rational>& min,
                                         const std::vector<Rational>& max) {
-  const Scaled n({&line.from, &line.way, &min, &max});
+  const Scaled n({&line.from, &line.displacement, &min, &max});
   Program program = program_of(n, line.ends);
-  Truth<Passage<Rational>> truth{{PassageRelation::none, {}, {}}, n.actual(way_to_change(n, line.ends), 1)};
+  Truth<Passage<Rational>> truth{{PassageRelation::none, {}, {}}, n.actual(displacement_to_change(n, line.ends), 1)};
   if (!program.feasible()) {
     truth.certificate = [normal = separating_normal(program, n.axes())] {
       return Certificate{"separating_plane", {{"normal", normal}}};
@@ -114,17 +114,18 @@ Truth<Passage<Rational>> passage_of_box(const Line& line, const std::vector<Rati
     return quotient(program.numerator(0), program.denominator());
   };
   const Rational first = optimum(1);
-  const bool moves = std::any_of(line.way.begin(), line.way.end(), [](const Rational& v) { return sgn(v) != 0; });
+  const bool moves =
+      std::any_of(line.displacement.begin(), line.displacement.end(), [](const Rational& v) { return sgn(v) != 0; });
   truth.answer = {PassageRelation::hit, first, moves ? optimum(-1) : first};
   truth.certificate = [] { return Certificate{"passage", {}}; };
   return truth;
 }
 
 Truth<Passage<Surd>> passage_of_ball(const Line& line, const std::vector<Rational>& center, const Rational& radius) {
-  const Scaled n({&line.from, &line.way, &center}, radius);
+  const Scaled n({&line.from, &line.displacement, &center}, radius);
   Parabola f{Integer(-n.radius() * n.radius()), 0, 0};
   for (std::size_t k = 0; k < n.axes(); ++k) {
-    const Integer p(n.at(from, k) - n.at(middle, k)), v = n.at(way, k);
+    const Integer p(n.at(from, k) - n.at(middle, k)), v = n.at(displacement, k);
     f.start += p * p, f.half += p * v, f.square += v * v;
   }
   Integer until(1);

@@ -13,7 +13,7 @@ namespace touchstone::oracle {
 
 /// The points from + t way with t >= 0, and t <= 1 if it ends.
 struct Line {
-  std::vector<Rational> from, way;
+  std::vector<Rational> from, displacement;
   bool ends;
 };
 
@@ -29,7 +29,7 @@ Line line_of(const Shape& shape) {
     return {coordinates(shape.origin), coordinates(shape.direction), false};
   } else {
     Line line{coordinates(shape.a), coordinates(shape.b), true};
-    for (std::size_t k = 0; k < line.way.size(); ++k) line.way[k] -= line.from[k];
+    for (std::size_t k = 0; k < line.displacement.size(); ++k) line.displacement[k] -= line.from[k];
     return line;
   }
 }

@@ -29,7 +29,7 @@ bool longer(const Vector3<Integer>& v, const Vector3<Integer>& w) {
 
 /// Rotates a plane, behind which all points lie, about an edge of the hull until it contains a face: as seen along the
 /// edge, the points off `known` lie within less than half a turn. From outside that face has the edge from a to b.
-SupportingPlane folded(const WholeCloud& cloud, const SupportingPlane& known, Index a, Index b) {
+SupportingPlane folded(const IntegerCloud& cloud, const SupportingPlane& known, Index a, Index b) {
   SupportingPlane plane{{0, 0, 0}, 0};
   for (Index p = 0; p < cloud.size(); ++p) {
     if (!zero(plane.normal) && sgn(cloud.height(plane, p)) <= 0) continue;
@@ -43,17 +43,17 @@ SupportingPlane folded(const WholeCloud& cloud, const SupportingPlane& known, In
 int turn_about(const Vector3<Integer>& normal, const Point3<Integer>& a, const Point3<Integer>& b,
                const Point3<Integer>& c) {
   using Point = Point3<Integer>;
-  const auto seen = [&](Integer Point::*u, Integer Point::*v) {
+  const auto projected = [&](Integer Point::*u, Integer Point::*v) {
     return sgn(Integer((b.*u - a.*u) * (c.*v - a.*v) - (b.*v - a.*v) * (c.*u - a.*u)));
   };
-  if (sgn(normal.z) != 0) return sgn(normal.z) * seen(&Point::x, &Point::y);
-  if (sgn(normal.x) != 0) return sgn(normal.x) * seen(&Point::y, &Point::z);
-  return sgn(normal.y) * seen(&Point::z, &Point::x);
+  if (sgn(normal.z) != 0) return sgn(normal.z) * projected(&Point::x, &Point::y);
+  if (sgn(normal.x) != 0) return sgn(normal.x) * projected(&Point::y, &Point::z);
+  return sgn(normal.y) * projected(&Point::z, &Point::x);
 }
 
 /// The least point is extreme, and as seen along the last axis all points lie on one side of a line through it and
 /// another: the plane through that line contains a face, or an edge.
-SupportingPlane first_face(const WholeCloud& cloud) {
+SupportingPlane first_face(const IntegerCloud& cloud) {
   const Index least = cloud.least();
   SupportingPlane plane{{0, 0, 0}, 0};
   for (Index p = 0; p < cloud.size(); ++p) {
@@ -72,25 +72,25 @@ SupportingPlane first_face(const WholeCloud& cloud) {
 
 }  // namespace
 
-WholeCloud::WholeCloud(const std::vector<Point3<Rational>>& exactly) {
-  WholeList list = whole_list(numbers_of(exactly));
-  for (std::size_t i = 0; i < list.whole.size(); i += 3)
-    points.push_back({list.whole[i], list.whole[i + 1], list.whole[i + 2]});
+IntegerCloud::IntegerCloud(const std::vector<Point3<Rational>>& exactly) {
+  IntegerList list = integer_list(numbers_of(exactly));
+  for (std::size_t i = 0; i < list.integers.size(); i += 3)
+    points.push_back({list.integers[i], list.integers[i + 1], list.integers[i + 2]});
   unit = list.unit;
 }
 
-WholeCloud::WholeCloud(const std::vector<Point3d>& doubles) {
-  WholeList list = whole_list(numbers_of(doubles));
-  for (std::size_t i = 0; i < list.whole.size(); i += 3)
-    points.push_back({list.whole[i], list.whole[i + 1], list.whole[i + 2]});
+IntegerCloud::IntegerCloud(const std::vector<Point3d>& doubles) {
+  IntegerList list = integer_list(numbers_of(doubles));
+  for (std::size_t i = 0; i < list.integers.size(); i += 3)
+    points.push_back({list.integers[i], list.integers[i + 1], list.integers[i + 2]});
   unit = list.unit;
 }
 
-Index WholeCloud::least() const {
+Index IntegerCloud::least() const {
   return static_cast<Index>(std::min_element(points.begin(), points.end(), before) - points.begin());
 }
 
-std::vector<Index> WholeCloud::simplex() const {
+std::vector<Index> IntegerCloud::simplex() const {
   std::vector<Index> found{least()};
   for (Index p = 0; p < size() && found.size() < 4; ++p) {
     const bool wider = found.size() == 1   ? !(points[p] == points[found[0]])
@@ -101,12 +101,12 @@ std::vector<Index> WholeCloud::simplex() const {
   return found;
 }
 
-std::vector<Index> ends_of(const WholeCloud& cloud) {
+std::vector<Index> ends_of(const IntegerCloud& cloud) {
   const auto greatest = std::max_element(cloud.points.begin(), cloud.points.end(), before);
   return {cloud.least(), static_cast<Index>(greatest - cloud.points.begin())};
 }
 
-std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane) {
+std::vector<Index> ring_in(const IntegerCloud& cloud, const SupportingPlane& plane) {
   std::vector<Index> members;
   for (Index p = 0; p < cloud.size(); ++p) {
     if (sgn(cloud.height(plane, p)) == 0) members.push_back(p);
@@ -129,7 +129,7 @@ std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane
   return ring;
 }
 
-std::vector<std::vector<Index>> face_rings(const WholeCloud& cloud) {
+std::vector<std::vector<Index>> face_rings(const IntegerCloud& cloud) {
   std::vector<SupportingPlane> found{first_face(cloud)};
   std::vector<std::vector<Index>> rings;
   std::set<std::pair<Index, Index>> edges;

@@ -16,10 +16,10 @@ struct SupportingPlane {
 };
 
 /// Points of space in integers times one positive unit.
-class WholeCloud {
+class IntegerCloud {
  public:
-  explicit WholeCloud(const std::vector<Point3d>& points);
-  explicit WholeCloud(const std::vector<Point3<Rational>>& points);
+  explicit IntegerCloud(const std::vector<Point3d>& points);
+  explicit IntegerCloud(const std::vector<Point3<Rational>>& points);
 
   Index size() const { return static_cast<Index>(points.size()); }
   const Point3<Integer>& operator[](Index i) const { return points[i]; }
@@ -42,12 +42,12 @@ class WholeCloud {
 
 /// The extreme points of the points in a plane that has at least three not collinear, counter-clockwise about its
 /// normal from the least index. Equal points are represented by the first.
-std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane);
+std::vector<Index> ring_in(const IntegerCloud& cloud, const SupportingPlane& plane);
 
 /// Both ends of collinear points, if not all are equal: the lexicographically least first.
-std::vector<Index> ends_of(const WholeCloud& cloud);
+std::vector<Index> ends_of(const IntegerCloud& cloud);
 
 /// The faces of the hull of points that are not coplanar, each like the result of ring_in.
-std::vector<std::vector<Index>> face_rings(const WholeCloud& cloud);
+std::vector<std::vector<Index>> face_rings(const IntegerCloud& cloud);
 
 }  // namespace touchstone::oracle

@@ -8,8 +8,8 @@
 namespace touchstone::oracle {
 
 /// The numbers of a list of any length as integers times one positive unit: number i is whole[i] units.
-struct WholeList {
-  std::vector<Integer> whole;
+struct IntegerList {
+  std::vector<Integer> integers;
   Rational unit;
 
   /// value * unit^degree
@@ -19,7 +19,7 @@ struct WholeList {
   }
 };
 
-WholeList whole_list(const std::vector<double>& numbers);
-WholeList whole_list(const std::vector<Rational>& numbers);
+IntegerList integer_list(const std::vector<double>& numbers);
+IntegerList integer_list(const std::vector<Rational>& numbers);
 
 }  // namespace touchstone::oracle

@@ -41,7 +41,7 @@ struct Span {
     if (rank == 1 && !zero(cross(first, v))) normal = cross(first, v), rank = 2;
     if (rank == 2 && dot(normal, v) != 0) rank = 3;
   }
-  void add_ways(const GridCorners& corners) {
+  void add_displacements(const GridCorners& corners) {
     for (const GridVector& p : corners) add(p - corners.all[0]);
   }
 };
@@ -96,9 +96,9 @@ int common_dimension_on_grid(const Triangle3<GridNumber>& a, const Triangle3<Gri
     of_a = kept(of_a, within), of_b = kept(of_b, within);
   }
   Span on_a, on_b;
-  on_a.add_ways(of_a), on_b.add_ways(of_b);
+  on_a.add_displacements(of_a), on_b.add_displacements(of_b);
   Span both = on_a;
-  both.add_ways(of_b);
+  both.add_displacements(of_b);
   return on_a.rank + on_b.rank - both.rank;
 }
 

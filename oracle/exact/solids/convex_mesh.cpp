@@ -39,10 +39,10 @@ Integer common_factor(const std::vector<Point3<Integer>>& points) {
 }
 
 Point3<Integer> multiplied(const Point3<Rational>& p, const Integer& denominator) {
-  const auto whole = [&denominator](const Rational& number) {
+  const auto integer = [&denominator](const Rational& number) {
     return Integer(number.get_num() * (denominator / number.get_den()));
   };
-  return {whole(p.x), whole(p.y), whole(p.z)};
+  return {integer(p.x), integer(p.y), integer(p.z)};
 }
 
 using Edge = std::pair<Index, Index>;
@@ -62,7 +62,7 @@ void validate_closed(const std::string& field, const Mesh<Rational>& mesh) {
 }
 
 /// The cofactors of the fourth row of the determinant of a, b, c and p, each with a 1.
-WholePlane plane_through(const Point3<Integer>& a, const Point3<Integer>& b, const Point3<Integer>& c) {
+IntegerPlane plane_through(const Point3<Integer>& a, const Point3<Integer>& b, const Point3<Integer>& c) {
   const auto position = [](const Point3<Integer>& p) { return Vector3<Integer>{p.x, p.y, p.z}; };
   const Vector3<Integer> ab = cross(position(a), position(b)), bc = cross(position(b), position(c)),
                          ca = cross(position(c), position(a));
@@ -70,7 +70,7 @@ WholePlane plane_through(const Point3<Integer>& a, const Point3<Integer>& b, con
           Integer(-dot(ab, position(c)))};
 }
 
-void turn(WholePlane& plane) {
+void turn(IntegerPlane& plane) {
   plane = {{Integer(-plane.normal.x), Integer(-plane.normal.y), Integer(-plane.normal.z)}, Integer(-plane.offset)};
 }
 
@@ -107,13 +107,13 @@ void ConvexMesh::examine(const std::string& field, const Mesh<Rational>& mesh) {
   }
 }
 
-HomogeneousPoint ConvexMesh::whole(const Point3<Rational>& p) const {
+HomogeneousPoint ConvexMesh::integer(const Point3<Rational>& p) const {
   const Point3<Rational> counted{Rational(p.x / unit), Rational(p.y / unit), Rational(p.z / unit)};
   const Integer w = common_denominator({counted});
   auto [x, y, z] = multiplied(counted, w);
   return {std::move(x), std::move(y), std::move(z), w};
 }
 
-HomogeneousPoint ConvexMesh::whole(const Point3d& p) const { return whole(exact(p)); }
+HomogeneousPoint ConvexMesh::integer(const Point3d& p) const { return integer(exact(p)); }
 
 }  // namespace touchstone::oracle

@@ -15,7 +15,7 @@ struct HomogeneousPoint {
 };
 
 /// N . p + offset, positive outside.
-struct WholePlane {
+struct IntegerPlane {
   Vector3<Integer> normal;
   Integer offset;
   Integer at(const Point3<Integer>& p) const { return Integer(dot(normal, {p.x, p.y, p.z}) + offset); }
@@ -34,12 +34,12 @@ class ConvexMesh {
   ConvexMesh(const std::string& field, const Mesh<Rational>& mesh);
 
   /// The point in the unit of the mesh.
-  HomogeneousPoint whole(const Point3d& p) const;
-  HomogeneousPoint whole(const Point3<Rational>& p) const;
+  HomogeneousPoint integer(const Point3d& p) const;
+  HomogeneousPoint integer(const Point3<Rational>& p) const;
 
   std::vector<Point3<Integer>> vertices;
   std::vector<Face> faces;
-  std::vector<WholePlane> planes;
+  std::vector<IntegerPlane> planes;
   Rational unit;
 
  private:

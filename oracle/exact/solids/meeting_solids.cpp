@@ -9,18 +9,18 @@ Motion motion(const ConvexMesh& a, const ConvexMesh& b, const std::array<Rationa
   Integer common(1);
   for (const Rational* number : {&a.unit, &b.unit, &velocity[0], &velocity[1], &velocity[2]})
     mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), number->get_den_mpz_t());
-  const auto whole = [&common](const Rational& number) {
+  const auto integer = [&common](const Rational& number) {
     return Integer(number.get_num() * (common / number.get_den()));
   };
-  const auto vertices = [&whole](const ConvexMesh& mesh) {
-    const Integer unit = whole(mesh.unit);
+  const auto vertices = [&integer](const ConvexMesh& mesh) {
+    const Integer unit = integer(mesh.unit);
     std::vector<Coordinates> list;
     for (const auto& p : mesh.vertices) list.push_back({Integer(p.x * unit), Integer(p.y * unit), Integer(p.z * unit)});
     return list;
   };
   return {vertices(a),
           vertices(b),
-          {whole(velocity[0]), whole(velocity[1]), whole(velocity[2])},
+          {integer(velocity[0]), integer(velocity[1]), integer(velocity[2])},
           Rational(1 / Rational(common))};
 }
 
@@ -49,8 +49,8 @@ Rational depth(const Motion& m) {
     const auto side = [corner](int k) { return Integer((corner >> k & 1) != 0 ? -1 : 1); };
     meeting.set(meeting.more(), {side(0), side(1), side(2)}, 1);
     meeting.program().feasible();
-    const Rational way = meeting.optimum(meeting.more(), -1);
-    if (!least || way < *least) least = way;
+    const Rational displacement = meeting.optimum(meeting.more(), -1);
+    if (!least || displacement < *least) least = displacement;
   }
   return least.value();
 }

@@ -12,7 +12,7 @@ namespace {
 using CoordinateOfPoint = Integer Point3<Integer>::*;
 
 /// The rank of each point's coordinate among all distinct ones: ranks compare as the coordinates do.
-std::vector<Index> ranks(const WholeCloud& cloud, CoordinateOfPoint axis) {
+std::vector<Index> ranks(const IntegerCloud& cloud, CoordinateOfPoint axis) {
   std::vector<Index> order(cloud.size()), rank(cloud.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cloud[a].*axis < cloud[b].*axis; });
@@ -28,7 +28,7 @@ struct Interval {
 
 using RankBox = std::array<Interval, 3>;
 
-std::vector<RankBox> boxes_of(const WholeCloud& cloud, const std::vector<Face>& triangles) {
+std::vector<RankBox> boxes_of(const IntegerCloud& cloud, const std::vector<Face>& triangles) {
   const std::array<CoordinateOfPoint, 3> axes{&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z};
   std::vector<RankBox> boxes(triangles.size());
   for (std::size_t k = 0; k < 3; ++k) {
@@ -43,7 +43,7 @@ std::vector<RankBox> boxes_of(const WholeCloud& cloud, const std::vector<Face>& 
 
 }  // namespace
 
-std::vector<std::vector<Index>> later_triangles_near(const WholeCloud& cloud, const std::vector<Face>& triangles) {
+std::vector<std::vector<Index>> later_triangles_near(const IntegerCloud& cloud, const std::vector<Face>& triangles) {
   const std::vector<RankBox> boxes = boxes_of(cloud, triangles);
   std::vector<Index> order(triangles.size()), reached;
   std::iota(order.begin(), order.end(), Index{0});

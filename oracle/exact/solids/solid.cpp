@@ -13,15 +13,15 @@
 namespace touchstone::oracle {
 namespace {
 
-using Whole = Vector3<Integer>;
+using IntegerTriple = Vector3<Integer>;
 using Weights = std::array<Rational, 3>;
-using Corners = std::array<const Whole*, 3>;
+using Corners = std::array<const IntegerTriple*, 3>;
 
-Whole normal_of(const Corners& c) { return cross(*c[1] - *c[0], *c[2] - *c[0]); }
+IntegerTriple normal_of(const Corners& c) { return cross(*c[1] - *c[0], *c[2] - *c[0]); }
 
 /// The weights of the corners of a face with an area that give the foot of the origin in its plane, times the square of
 /// the normal.
-std::array<Integer, 3> weights_of_foot(const Corners& c, const Whole& normal) {
+std::array<Integer, 3> weights_of_foot(const Corners& c, const IntegerTriple& normal) {
   const auto weight = [&](std::size_t k) { return dot(cross(*c[(k + 1) % 3], *c[(k + 2) % 3]), normal); };
   return {weight(0), weight(1), weight(2)};
 }
@@ -31,10 +31,10 @@ bool none_negative(const std::array<Integer, 3>& weights) {
 }
 
 /// The distance of the origin from the box around the corners, along each axis.
-std::array<Integer, 3> ways_to_box(const Corners& c) {
+std::array<Integer, 3> displacements_to_box(const Corners& c) {
   std::array<Integer, 3> found;
   std::size_t i = 0;
-  for (Integer Whole::*axis : {&Whole::x, &Whole::y, &Whole::z}) {
+  for (Integer IntegerTriple::*axis : {&IntegerTriple::x, &IntegerTriple::y, &IntegerTriple::z}) {
     const auto& [low, high] = std::minmax({c[0]->*axis, c[1]->*axis, c[2]->*axis});
     if (sgn(low) > 0) found[i] = low;
     if (sgn(high) < 0) found[i] = -high;
@@ -44,7 +44,7 @@ std::array<Integer, 3> ways_to_box(const Corners& c) {
 }
 
 bool box_holds_origin(const Corners& c) {
-  for (Integer Whole::*axis : {&Whole::x, &Whole::y, &Whole::z}) {
+  for (Integer IntegerTriple::*axis : {&IntegerTriple::x, &IntegerTriple::y, &IntegerTriple::z}) {
     const int side = sgn(c[0]->*axis);
     if (side != 0 && side == sgn(c[1]->*axis) && side == sgn(c[2]->*axis)) return false;
   }
@@ -54,7 +54,7 @@ bool box_holds_origin(const Corners& c) {
 /// The weights that give the origin itself, if it is in the face.
 std::optional<Weights> weights_of_origin(const Corners& c) {
   if (!box_holds_origin(c) || sgn(dot(*c[0], cross(*c[1], *c[2]))) != 0) return std::nullopt;
-  const Whole normal = normal_of(c);
+  const IntegerTriple normal = normal_of(c);
   if (!zero(normal)) {
     const auto weights = weights_of_foot(c, normal);
     if (!none_negative(weights)) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<Weights> weights_of_origin(const Corners& c) {
     return Weights{quotient(weights[0], square), quotient(weights[1], square), quotient(weights[2], square)};
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    const Whole &a = *c[k], &b = *c[(k + 1) % 3], along = b - a;
+    const IntegerTriple &a = *c[k], &b = *c[(k + 1) % 3], along = b - a;
     if (!zero(cross(a, b)) || sgn(dot(a, b)) > 0) continue;
     Weights weights;
     weights[(k + 1) % 3] = zero(along) ? Rational(0) : quotient(Integer(-dot(a, along)), Integer(dot(along, along)));
@@ -72,18 +72,18 @@ std::optional<Weights> weights_of_origin(const Corners& c) {
   return std::nullopt;
 }
 
-Rational squared_length(const Whole& v) { return Rational(Integer(dot(v, v))); }
+Rational squared_length(const IntegerTriple& v) { return Rational(Integer(dot(v, v))); }
 
-Rational from_segment(const Whole& a, const Whole& b) {
-  const Whole along = b - a;
+Rational from_segment(const IntegerTriple& a, const IntegerTriple& b) {
+  const IntegerTriple along = b - a;
   if (sgn(Integer(dot(a, along))) >= 0) return squared_length(a);
   if (sgn(Integer(dot(b, along))) <= 0) return squared_length(b);
-  const Whole span = cross(a, b);
+  const IntegerTriple span = cross(a, b);
   return quotient(Integer(dot(span, span)), Integer(dot(along, along)));
 }
 
 Rational from_face(const Corners& c) {
-  const Whole normal = normal_of(c);
+  const IntegerTriple normal = normal_of(c);
   if (!zero(normal) && none_negative(weights_of_foot(c, normal))) {
     const Integer height = dot(*c[0], normal);
     return quotient(Integer(height * height), Integer(dot(normal, normal)));
@@ -102,8 +102,8 @@ struct Solid::Seen {
   Seen(const Solid& solid, const Point3<Rational>& p) {
     mpz_lcm(factor.get_mpz_t(), p.x.get_den_mpz_t(), p.y.get_den_mpz_t());
     mpz_lcm(factor.get_mpz_t(), factor.get_mpz_t(), p.z.get_den_mpz_t());
-    const auto whole = [this](const Rational& n) { return Integer(n.get_num() * (factor / n.get_den())); };
-    const Integer x = whole(p.x), y = whole(p.y), z = whole(p.z);
+    const auto integer = [this](const Rational& n) { return Integer(n.get_num() * (factor / n.get_den())); };
+    const Integer x = integer(p.x), y = integer(p.y), z = integer(p.z);
     for (const Point3<Integer>& v : solid.vertices_)
       vertices.push_back({Integer(factor * v.x - x), Integer(factor * v.y - y), Integer(factor * v.z - z)});
   }
@@ -114,7 +114,7 @@ struct Solid::Seen {
   }
 
   Integer factor;
-  std::vector<Whole> vertices, spans;
+  std::vector<IntegerTriple> vertices, spans;
 };
 
 struct Solid::Ray {
@@ -122,7 +122,7 @@ struct Solid::Ray {
     std::size_t face;
     Rational t;
   };
-  Whole direction;
+  IntegerTriple direction;
   std::vector<Crossing> crossings;
 
   bool odd() const { return crossings.size() % 2 == 1; }
@@ -192,14 +192,14 @@ Truth<Location> Solid::located(const Point3<Rational>& p, bool by_three_rays) co
       return {Location::boundary, Rational(0), [i, weights = std::move(*weights)] { return on_face(i, weights); }};
   }
   seen.span(*this);
-  Ray ray = missing_all_edges(seen, [](long k) { return Whole{1, k, k * k}; });
+  Ray ray = missing_all_edges(seen, [](long k) { return IntegerTriple{1, k, k * k}; });
   if (by_three_rays) {
     const Ray second = missing_all_edges(seen,
                                          [](long k) {
-                                           return Whole{-k * k, -1, k};
+                                           return IntegerTriple{-k * k, -1, k};
                                          }),
               third = missing_all_edges(seen, [](long k) {
-                return Whole{k, -k * k, -1};
+                return IntegerTriple{k, -k * k, -1};
               });
     if (second.odd() != ray.odd() || third.odd() != ray.odd())
       throw std::logic_error("point_in_polyhedron: two rays disagree");
@@ -217,7 +217,7 @@ Rational Solid::squared_distance(const Point3<Rational>& p) const {
   for (const Face& f : faces_) {
     const Corners corners = seen.corners(f);
     if (least) {
-      const auto [x, y, z] = ways_to_box(corners);
+      const auto [x, y, z] = displacements_to_box(corners);
       if (*least <= Rational(Integer(x * x + y * y + z * z))) continue;
     }
     Rational found = from_face(corners);

@@ -10,12 +10,12 @@
 namespace touchstone::oracle {
 namespace {
 
-using Way = Vector3<Integer>;
+using Displacement = Vector3<Integer>;
 using Point = Point3<Rational>;
 using Vector = Vector3<Rational>;
 
-Point rational_point(const WholePoint& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
-Vector rational_vector(const Way& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
+Point rational_point(const IntegerPoint& p) { return {Rational(p.x), Rational(p.y), Rational(p.z)}; }
+Vector rational_vector(const Displacement& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 Vector minus(const Vector& v) { return Rational(-1) * v; }
 
 /// The shortest of several displacements, each in integers over a denominator.
@@ -25,48 +25,49 @@ class Shortest {
   bool beats(const Integer& height, const Integer& square) const {
     return !denominator_ || height * height * *denominator_ < square_ * square;
   }
-  void set(const Way& normal, const Integer& height, const Integer& square) {
+  void set(const Displacement& normal, const Integer& height, const Integer& square) {
     square_ = height * height, denominator_ = square;
-    way_ = quotient(height, square) * rational_vector(normal);
+    displacement_ = quotient(height, square) * rational_vector(normal);
   }
-  void try_way(const Way& way, const Integer& denominator) {
-    const Integer square = dot(way, way), unit = denominator * denominator;
+  void try_displacement(const Displacement& displacement, const Integer& denominator) {
+    const Integer square = dot(displacement, displacement), unit = denominator * denominator;
     if (denominator_ && square * *denominator_ >= square_ * unit) return;
     square_ = square, denominator_ = unit;
-    way_ = quotient(Integer(1), denominator) * rational_vector(way);
+    displacement_ = quotient(Integer(1), denominator) * rational_vector(displacement);
   }
-  const Vector& way() const { return way_; }
+  const Vector& displacement() const { return displacement_; }
 
  private:
   std::optional<Integer> denominator_;
   Integer square_;
-  Vector way_;
+  Vector displacement_;
 };
 
-void try_vertex_and_edge(Shortest& shortest, const WholePoint& p, const WholePoint& from, const WholePoint& to,
+void try_vertex_and_edge(Shortest& shortest, const IntegerPoint& p, const IntegerPoint& from, const IntegerPoint& to,
                          int sign) {
-  const Way edge = to - from, way = p - from;
-  const Integer along = dot(way, edge), length = dot(edge, edge);
+  const Displacement edge = to - from, displacement = p - from;
+  const Integer along = dot(displacement, edge), length = dot(edge, edge);
   if (sgn(along) <= 0 || along >= length) return;
-  shortest.try_way(Integer(sign * length) * way - Integer(sign * along) * edge, length);
+  shortest.try_displacement(Integer(sign * length) * displacement - Integer(sign * along) * edge, length);
 }
 
-void try_vertex_and_face(Shortest& shortest, const WholePoint& p, const WholeSolid& solid, std::size_t face, int sign) {
+void try_vertex_and_face(Shortest& shortest, const IntegerPoint& p, const IntegerSolid& solid, std::size_t face,
+                         int sign) {
   const auto& [normal, offset] = solid.planes[face];
   const Integer height = solid.planes[face].at(p), square = dot(normal, normal);
   if (sgn(height) <= 0 || !shortest.beats(height, square)) return;
   const auto [a, b, c] = solid.faces[face];
-  const Way turned = cross(solid.vertices[b] - solid.vertices[a], solid.vertices[c] - solid.vertices[a]);
+  const Displacement turned = cross(solid.vertices[b] - solid.vertices[a], solid.vertices[c] - solid.vertices[a]);
   for (const auto& [i, j] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
-    const WholePoint &from = solid.vertices[i], &to = solid.vertices[j];
+    const IntegerPoint &from = solid.vertices[i], &to = solid.vertices[j];
     if (sgn(dot(turned, cross(to - from, p - from))) < 0) return;
   }
   shortest.set(normal, Integer(sign * height), square);
 }
 
-void try_edges(Shortest& shortest, const WholePoint& a0, const WholePoint& a1, const WholePoint& b0,
-               const WholePoint& b1) {
-  const Way v = a1 - a0, w = b1 - b0, normal = cross(v, w), between = a0 - b0;
+void try_edges(Shortest& shortest, const IntegerPoint& a0, const IntegerPoint& a1, const IntegerPoint& b0,
+               const IntegerPoint& b1) {
+  const Displacement v = a1 - a0, w = b1 - b0, normal = cross(v, w), between = a0 - b0;
   const Integer square = dot(normal, normal), height = dot(between, normal);
   if (sgn(square) == 0 || !shortest.beats(height, square)) return;
   const Integer on_a = -dot(cross(between, w), normal), on_b = -dot(cross(between, v), normal);
@@ -75,7 +76,7 @@ void try_edges(Shortest& shortest, const WholePoint& a0, const WholePoint& a1, c
 }
 
 /// All vertices such that no other is lower.
-std::vector<Index> lowest(const std::vector<WholePoint>& vertices, const Vector& direction) {
+std::vector<Index> lowest(const std::vector<IntegerPoint>& vertices, const Vector& direction) {
   std::vector<Index> found{0};
   for (Index i = 1; i < vertices.size(); ++i) {
     const int side = sgn(dot(direction, rational_vector(vertices[i] - vertices[found[0]])));
@@ -90,7 +91,7 @@ struct LowestPart {
   std::vector<Point> vertices;
   std::vector<std::pair<Point, Vector>> edges;
 
-  LowestPart(const WholeSolid& solid, const Vector& direction, const Vector& by) {
+  LowestPart(const IntegerSolid& solid, const Vector& direction, const Vector& by) {
     const std::vector<Index> all = lowest(solid.vertices, direction);
     const auto level = [&all](Index i) { return std::find(all.begin(), all.end(), i) != all.end(); };
     for (const Index i : all) vertices.push_back(rational_point(solid.vertices[i]) + by);
@@ -134,18 +135,18 @@ Vector multiplier_of_lowest(const std::vector<Vector>& of_a, const std::vector<V
   using Program = LinearProgram<Integer>;
   Program program(6, std::vector<Program::Row>(of_a.size() + of_b.size(), Program::Row::at_most));
   int row = 0;
-  const auto set = [&](const Vector& way, int sign) {
+  const auto set = [&](const Vector& displacement, int sign) {
     int column = 0;
-    for (const Rational* coordinate : {&way.x, &way.y, &way.z}) {
-      const Rational whole(*coordinate * unit * sign);
-      program.set_coefficient(row, column++, whole.get_num());
-      program.set_coefficient(row, column++, Integer(-whole.get_num()));
+    for (const Rational* coordinate : {&displacement.x, &displacement.y, &displacement.z}) {
+      const Rational coefficient(*coordinate * unit * sign);
+      program.set_coefficient(row, column++, coefficient.get_num());
+      program.set_coefficient(row, column++, Integer(-coefficient.get_num()));
     }
   };
-  for (const Vector& way : of_a) set(way, -1), ++row;
-  for (const Vector& way : of_b) {
-    set(way, 1);
-    program.set_right_side(row++, Rational(dot(from_first, way) * unit * unit).get_num());
+  for (const Vector& displacement : of_a) set(displacement, -1), ++row;
+  for (const Vector& displacement : of_b) {
+    set(displacement, 1);
+    program.set_right_side(row++, Rational(dot(from_first, displacement) * unit * unit).get_num());
   }
   if (!program.feasible()) throw std::logic_error("the first nearest point has a multiplier");
   const auto part = [&](int k) {
@@ -159,25 +160,25 @@ Vector multiplier_of_lowest(const std::vector<Vector>& of_a, const std::vector<V
 
 }  // namespace
 
-WholeSolid::WholeSolid(const ConvexMesh& mesh, std::vector<WholePoint> at)
+IntegerSolid::IntegerSolid(const ConvexMesh& mesh, std::vector<IntegerPoint> at)
     : vertices(std::move(at)), faces(mesh.faces) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    const WholePoint& corner = vertices[faces[i].a];
-    const Way& normal = mesh.planes[i].normal;
-    planes.push_back({normal, Integer(-dot(normal, Way{corner.x, corner.y, corner.z}))});
+    const IntegerPoint& corner = vertices[faces[i].a];
+    const Displacement& normal = mesh.planes[i].normal;
+    planes.push_back({normal, Integer(-dot(normal, Displacement{corner.x, corner.y, corner.z}))});
     const auto [a, b, c] = faces[i];
     for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
       if (from < to) edges.push_back({from, to});
   }
 }
 
-bool WholeSolid::holds(const Point& p) const {
-  return std::all_of(planes.begin(), planes.end(), [&p](const WholePlane& plane) {
+bool IntegerSolid::holds(const Point& p) const {
+  return std::all_of(planes.begin(), planes.end(), [&p](const IntegerPlane& plane) {
     return dot(rational_vector(plane.normal), p - Point{0, 0, 0}) + plane.offset <= 0;
   });
 }
 
-std::vector<Rational> WholeSolid::weights(const Point& p) const {
+std::vector<Rational> IntegerSolid::weights(const Point& p) const {
   for (const Face& face : faces) {
     const Point a = rational_point(vertices[face.a]), b = rational_point(vertices[face.b]),
                 c = rational_point(vertices[face.c]);
@@ -193,12 +194,12 @@ std::vector<Rational> WholeSolid::weights(const Point& p) const {
   throw std::logic_error("a point of the surface is on a face");
 }
 
-Vector shortest_way(const WholeSolid& a, const WholeSolid& b) {
+Vector shortest_displacement(const IntegerSolid& a, const IntegerSolid& b) {
   Shortest shortest;
-  for (const WholePoint& p : a.vertices)
-    for (const WholePoint& q : b.vertices) shortest.try_way(p - q, 1);
-  const auto vertices_of_first = [&shortest](const WholeSolid& first, const WholeSolid& second, int sign) {
-    for (const WholePoint& p : first.vertices) {
+  for (const IntegerPoint& p : a.vertices)
+    for (const IntegerPoint& q : b.vertices) shortest.try_displacement(p - q, 1);
+  const auto vertices_of_first = [&shortest](const IntegerSolid& first, const IntegerSolid& second, int sign) {
+    for (const IntegerPoint& p : first.vertices) {
       for (const auto& [i, j] : second.edges)
         try_vertex_and_edge(shortest, p, second.vertices[i], second.vertices[j], sign);
       for (std::size_t face = 0; face < second.faces.size(); ++face)
@@ -208,51 +209,51 @@ Vector shortest_way(const WholeSolid& a, const WholeSolid& b) {
   vertices_of_first(a, b, 1), vertices_of_first(b, a, -1);
   for (const auto& [i, j] : a.edges)
     for (const auto& [k, l] : b.edges) try_edges(shortest, a.vertices[i], a.vertices[j], b.vertices[k], b.vertices[l]);
-  return shortest.way();
+  return shortest.displacement();
 }
 
-Point nearest_to(const Point& start, const WholeSolid& a, const WholeSolid& b, const Vector& way) {
-  const LowestPart lowest(a, way, {0, 0, 0}), highest(b, minus(way), way);
+Point nearest_to(const Point& start, const IntegerSolid& a, const IntegerSolid& b, const Vector& displacement) {
+  const LowestPart lowest(a, displacement, {0, 0, 0}), highest(b, minus(displacement), displacement);
   std::optional<Point> nearest;
   Rational least;
-  for (const Point& p : candidates(lowest, highest, way, start)) {
+  for (const Point& p : candidates(lowest, highest, displacement, start)) {
     const Rational square = dot(p - start, p - start);
-    if ((nearest && square >= least) || !a.holds(p) || !b.holds(p + minus(way))) continue;
+    if ((nearest && square >= least) || !a.holds(p) || !b.holds(p + minus(displacement))) continue;
     nearest = p, least = square;
   }
   return nearest.value();
 }
 
-Point first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector& way) {
-  return nearest_to(rational_point(a.vertices[0]), a, b, way);
+Point first_nearest(const IntegerSolid& a, const IntegerSolid& b, const Vector& displacement) {
+  return nearest_to(rational_point(a.vertices[0]), a, b, displacement);
 }
 
 /// The multiplier for the lowest vertices, plus enough of the displacement to satisfy the conditions of all others.
-Vector multiplier(const WholeSolid& a, const WholeSolid& b, const Point& on_a, const Vector& way) {
-  const Point on_b = on_a + minus(way);
+Vector multiplier(const IntegerSolid& a, const IntegerSolid& b, const Point& on_a, const Vector& displacement) {
+  const Point on_b = on_a + minus(displacement);
   const Vector from_first = on_a - rational_point(a.vertices[0]);
   const Integer unit = denominator_of({on_a.x, on_a.y, on_a.z, on_b.x, on_b.y, on_b.z});
-  const auto ways_to = [](const WholeSolid& solid, const Point& from) {
-    std::vector<Vector> ways;
-    for (const WholePoint& p : solid.vertices) ways.push_back(rational_point(p) - from);
-    return ways;
+  const auto displacements_to = [](const IntegerSolid& solid, const Point& from) {
+    std::vector<Vector> displacements;
+    for (const IntegerPoint& p : solid.vertices) displacements.push_back(rational_point(p) - from);
+    return displacements;
   };
-  const auto level = [&way](std::vector<Vector> ways) {
-    const auto off = [&way](const Vector& to) { return sgn(dot(way, to)) != 0; };
-    ways.erase(std::remove_if(ways.begin(), ways.end(), off), ways.end());
-    return ways;
+  const auto level = [&displacement](std::vector<Vector> displacements) {
+    const auto off = [&displacement](const Vector& to) { return sgn(dot(displacement, to)) != 0; };
+    displacements.erase(std::remove_if(displacements.begin(), displacements.end(), off), displacements.end());
+    return displacements;
   };
-  const std::vector<Vector> to_a = ways_to(a, on_a), to_b = ways_to(b, on_b);
+  const std::vector<Vector> to_a = displacements_to(a, on_a), to_b = displacements_to(b, on_b);
   const Vector g = multiplier_of_lowest(level(to_a), level(to_b), from_first, unit), h = from_first - g;
   Rational steps;
-  const auto hold_off = [&](const std::vector<Vector>& ways, const Vector& part) {
-    for (const Vector& to : ways) {
-      const Rational height = abs(dot(way, to));
+  const auto hold_off = [&](const std::vector<Vector>& displacements, const Vector& part) {
+    for (const Vector& to : displacements) {
+      const Rational height = abs(dot(displacement, to));
       if (sgn(height) != 0) steps = std::max(steps, Rational(-dot(part, to) / height));
     }
   };
   hold_off(to_a, g), hold_off(to_b, h);
-  return g + steps * way;
+  return g + steps * displacement;
 }
 
 }  // namespace touchstone::oracle

@@ -11,30 +11,30 @@
 namespace touchstone::oracle {
 
 /// A convex mesh in a unit shared with another, its planes positive outside.
-struct WholeSolid {
+struct IntegerSolid {
   std::vector<Point3<Integer>> vertices;
   std::vector<Face> faces;
   std::vector<std::pair<Index, Index>> edges;  // without duplicates
-  std::vector<WholePlane> planes;
+  std::vector<IntegerPlane> planes;
 
-  WholeSolid(const ConvexMesh& mesh, std::vector<Point3<Integer>> at);
+  IntegerSolid(const ConvexMesh& mesh, std::vector<Point3<Integer>> at);
   bool holds(const Point3<Rational>& p) const;
   /// Weights of all vertices, for a point of the surface.
   std::vector<Rational> weights(const Point3<Rational>& p) const;
 };
 
 /// The shortest displacement from a point of b to one of a.
-Vector3<Rational> shortest_way(const WholeSolid& a, const WholeSolid& b);
+Vector3<Rational> shortest_displacement(const IntegerSolid& a, const IntegerSolid& b);
 
 /// Among all points of a that are at the end of that displacement from a point of b, the one nearest to a given point.
-Point3<Rational> nearest_to(const Point3<Rational>& point, const WholeSolid& a, const WholeSolid& b,
-                            const Vector3<Rational>& way);
+Point3<Rational> nearest_to(const Point3<Rational>& point, const IntegerSolid& a, const IntegerSolid& b,
+                            const Vector3<Rational>& displacement);
 /// The one nearest to a's first vertex.
-Point3<Rational> first_nearest(const WholeSolid& a, const WholeSolid& b, const Vector3<Rational>& way);
+Point3<Rational> first_nearest(const IntegerSolid& a, const IntegerSolid& b, const Vector3<Rational>& displacement);
 
 /// A vector g with g . (p - on_a) >= 0 for all vertices p of a, and h . (p - on_b) >= 0 for those of b, h = on_a - a's
 /// first vertex - g: the conditions of Karush, Kuhn and Tucker for on_a.
-Vector3<Rational> multiplier(const WholeSolid& a, const WholeSolid& b, const Point3<Rational>& on_a,
-                             const Vector3<Rational>& way);
+Vector3<Rational> multiplier(const IntegerSolid& a, const IntegerSolid& b, const Point3<Rational>& on_a,
+                             const Vector3<Rational>& displacement);
 
 }  // namespace touchstone::oracle

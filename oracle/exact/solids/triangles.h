@@ -45,6 +45,6 @@ WitnessPlane plane_at_first(const Segment3<Integer>& segment, const Triangle3<In
 
 /// The least squared distance of an end of the segment from the triangle, or of the segment from an edge: the squared
 /// distance of the two if they have nothing in common.
-Rational squared_way_to_touch(const Segment3<Integer>& segment, const Triangle3<Integer>& triangle);
+Rational squared_distance_to_touch(const Segment3<Integer>& segment, const Triangle3<Integer>& triangle);
 
 }  // namespace touchstone::oracle

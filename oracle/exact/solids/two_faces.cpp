@@ -34,7 +34,7 @@ std::vector<Demand> demands_of(const FaceCorners& first, const FaceCorners& seco
   return demands;
 }
 
-bool beside(const WholeCloud& cloud, const FaceCorners& plane, const FaceCorners& other) {
+bool beside(const IntegerCloud& cloud, const FaceCorners& plane, const FaceCorners& other) {
   const SupportingPlane of_face = cloud.plane(cloud.normal(plane[0], plane[1], plane[2]), plane[0]);
   int side = 0;
   for (const Index v : other) {
@@ -58,7 +58,7 @@ bool held_apart(const Height& at, const FaceCorners& f, const FaceCorners& g) {
   return top < bottom || (top == bottom && (only_common(f, g) || only_common(g, f)));
 }
 
-bool across_an_axis(const WholeCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
+bool across_an_axis(const IntegerCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
   for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z})
     if (held_apart([&](Index v) -> const Integer& { return cloud[v].*axis; }, f, g)) return true;
   return false;
@@ -66,7 +66,7 @@ bool across_an_axis(const WholeCloud& cloud, const FaceCorners& f, const FaceCor
 
 /// The outward normals of the planes through the edges of f, perpendicular to it: returns that of a plane with f below
 /// and g above.
-std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
+std::optional<Vector3<Integer>> upright_between(const IntegerCloud& cloud, const FaceCorners& f, const FaceCorners& g) {
   const Vector3<Integer> upwards = cloud.normal(f[0], f[1], f[2]);
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3<Integer> outwards = cross(cloud.between(f[k], f[(k + 1) % 3]), upwards);
@@ -79,7 +79,7 @@ std::optional<Vector3<Integer>> upright_between(const WholeCloud& cloud, const F
 
 /// Variables: normal and offset, each as a difference of two, relative to the first corner. side * (normal . p -
 /// offset) >= 1, or = 0 if the corner is common.
-TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
+TwoFaces::TwoFaces(const IntegerCloud& cloud, const Face& f, const Face& g) {
   const FaceCorners first = corners_of(f), second = corners_of(g);
   const std::vector<Demand> demands = demands_of(first, second);
   if (demands.size() == 3) {
@@ -133,7 +133,7 @@ TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
     for (Rational& weight : *weights) weight /= sum;
 }
 
-bool plainly_apart(const WholeCloud& cloud, const Face& first, const Face& second) {
+bool plainly_apart(const IntegerCloud& cloud, const Face& first, const Face& second) {
   const FaceCorners f = corners_of(first), g = corners_of(second);
   if (std::all_of(f.begin(), f.end(), [&g](Index v) { return has(g, v); })) return false;
   return across_an_axis(cloud, f, g) || across_an_axis(cloud, g, f) || beside(cloud, f, g) || beside(cloud, g, f);

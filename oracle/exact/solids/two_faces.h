@@ -17,7 +17,7 @@ namespace touchstone::oracle {
 /// common, and any of common ones, cancel; those of common ones go to the side where they are positive, and what is
 /// left are weights of both faces that give one point, some weight of a corner that is not common being positive.
 struct TwoFaces {
-  TwoFaces(const WholeCloud& cloud, const Face& first, const Face& second);
+  TwoFaces(const IntegerCloud& cloud, const Face& first, const Face& second);
 
   bool meet = false;
   /// If they do not meet: normal . p is nowhere greater on the first face than on the second; on one of them, only
@@ -29,6 +29,6 @@ struct TwoFaces {
 
 /// True if a plane perpendicular to an axis or that of one of the two separates the faces: then they do not meet, and a
 /// checker needs no other. False for faces with three common vertices.
-bool plainly_apart(const WholeCloud& cloud, const Face& first, const Face& second);
+bool plainly_apart(const IntegerCloud& cloud, const Face& first, const Face& second);
 
 }  // namespace touchstone::oracle

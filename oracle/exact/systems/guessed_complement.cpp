@@ -53,11 +53,11 @@ class GuessedPivots {
     for (;;) {
       if (matrix_[raise][raise] <= tiny) return false;
       std::size_t first = raise;
-      double way = -constants_[raise] / matrix_[raise][raise];
+      double displacement = -constants_[raise] / matrix_[raise][raise];
       for (std::size_t i = 0; i < n_; ++i) {
         if (i == raise || constants_[i] < -tiny || matrix_[i][raise] >= -tiny) continue;
         const double there = std::max(constants_[i], 0.0) / -matrix_[i][raise];
-        if (there < way) first = i, way = there;
+        if (there < displacement) first = i, displacement = there;
       }
       if (pivots_++ == 8 * n_ || matrix_[first][first] <= tiny) return false;
       pivot(first);

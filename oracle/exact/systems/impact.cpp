@@ -7,8 +7,8 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Vector3<Integer> whole_normal(const Vector3<Number>& n) {
-  return whole_vector(CommonScale<Number, 3>({n.x, n.y, n.z}), 0);
+Vector3<Integer> integer_normal(const Vector3<Number>& n) {
+  return integer_vector(CommonScale<Number, 3>({n.x, n.y, n.z}), 0);
 }
 
 Rational doubled_energy(const Masses<Rational>& m, const Velocities<Rational>& v) {
@@ -31,7 +31,7 @@ Certificate impulse_certificate(const Masses<Number>& masses, const Velocities<N
 template <class Number>
 Vector3<Rational> after_bounce(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Rational& k) {
   const CommonScale<Number, 3> speeds({velocity.x, velocity.y, velocity.z});
-  const Vector3<Integer> v = whole_vector(speeds, 0), n = whole_normal(normal);
+  const Vector3<Integer> v = integer_vector(speeds, 0), n = integer_normal(normal);
   return actual_vector(speeds, NormalFrame(n).with_product(Rational(-k * Rational(dot(v, n))), v));
 }
 template Vector3<Rational> after_bounce(const Vector3d&, const Vector3d&, const Rational&);
@@ -54,8 +54,9 @@ Truth<Velocities<Rational>> after_impact(const Masses<Number>& masses, const Vel
   const auto& [v, w] = velocities;
   const CommonScale<Number, 6> speeds({v.x, v.y, v.z, w.x, w.y, w.z});
   const CommonScale<Number, 2> weights({masses.first, masses.second});
-  const Vector3<Integer> n = whole_normal(normal), first = whole_vector(speeds, 0), second = whole_vector(speeds, 3);
-  const Integer m1 = weights.whole(0), m2 = weights.whole(1), p1 = dot(first, n), p2 = dot(second, n);
+  const Vector3<Integer> n = integer_normal(normal), first = integer_vector(speeds, 0),
+                         second = integer_vector(speeds, 3);
+  const Integer m1 = weights.integer(0), m2 = weights.integer(1), p1 = dot(first, n), p2 = dot(second, n);
   // q1 - q2 = apart, and m1 q1 + m2 q2 = m1 p1 + m2 p2: m1 times the first taken from the second leaves q2.
   const Rational apart(-e * Rational(Integer(p1 - p2)));
   const Rational q2((Rational(Integer(m1 * p1 + m2 * p2)) - Rational(m1) * apart) / Rational(Integer(m1 + m2)));

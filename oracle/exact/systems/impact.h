@@ -11,8 +11,8 @@
 namespace touchstone::oracle {
 
 template <class Scale>
-Vector3<Integer> whole_vector(const Scale& scale, std::size_t i) {
-  return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+Vector3<Integer> integer_vector(const Scale& scale, std::size_t i) {
+  return {scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)};
 }
 /// In units, unchanged.
 template <class Scale>

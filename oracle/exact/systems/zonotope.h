@@ -51,7 +51,7 @@ void validate_parallelepiped(const std::string& field, const Obb3<Number>& box) 
   validation::validate(field, box);
   const auto& [u, v, w] = box.half_axes;
   const CommonScale<Number, 9> n({u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z});
-  const auto at = [&n](std::size_t i) { return Vector3<Integer>{n.whole(i), n.whole(i + 1), n.whole(i + 2)}; };
+  const auto at = [&n](std::size_t i) { return Vector3<Integer>{n.integer(i), n.integer(i + 1), n.integer(i + 2)}; };
   if (sgn(dot(cross(at(0), at(3)), at(6))) == 0) validation::refuse(field, Obb3d::independent);
 }
 

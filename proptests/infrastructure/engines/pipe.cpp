@@ -146,9 +146,9 @@ TEST_CASE("pipe: a line that is not about a question costs neither the question 
     CHECK(with.engine.restarts() == 0);
     CHECK(notes.restarts() == 0);
     CHECK(notes.stray_lines() == 600);
-    std::ostringstream told;
-    notes.tell(told);
-    CHECK_THAT(told.str(),
+    std::ostringstream printed;
+    notes.tell(printed);
+    CHECK_THAT(printed.str(),
                StartsWith("touchstone: engine: 600 lines of its standard output that are no answer, the last: "));
   }
 }
@@ -157,9 +157,9 @@ TEST_CASE("pipe: it is told how often an engine was started anew, and why the la
   EngineNotes notes;
   Engineered with("exits 7", with_timeout(patient), nullptr, &notes);
   require_lost(with.engine.ask(orientation(), numbered(600)), {7}, "no licence");
-  std::ostringstream told;
-  notes.tell(told);
-  CHECK(told.str() == "touchstone: engine: restarted 2 times, the last time for: exit code 1: no licence\n");
+  std::ostringstream printed;
+  notes.tell(printed);
+  CHECK(printed.str() == "touchstone: engine: restarted 2 times, the last time for: exit code 1: no licence\n");
 }
 
 TEST_CASE("pipe: names of the first line that nobody knows are told, with what may have been meant") {
@@ -168,15 +168,15 @@ TEST_CASE("pipe: names of the first line that nobody knows are told, with what m
       R"(echo '{"engine":"e","ops":["orientaton","orientation","juggle"],"boundry":"closed","new":1}'; cat)",
       PipeLimits{}, nullptr, &notes);
   CHECK(engine.supports("orientation"));
-  std::ostringstream told;
-  notes.tell(told);
+  std::ostringstream printed;
+  notes.tell(printed);
   for (const char* line :
        {"first line: boundry: no such field (did you mean \"boundary\"?), ignored\n",
         "first line: new: no such field, ignored\n",
         "first line: ops: orientaton: no operation of the catalogue (did you mean \"orientation\"?), "
         "never asked\n",
         "first line: ops: juggle: no operation of the catalogue, never asked\n"})
-    CHECK_THAT(told.str(), ContainsSubstring(line));
+    CHECK_THAT(printed.str(), ContainsSubstring(line));
   std::ostringstream briefly;
   notes.tell(briefly, false);
   CHECK(briefly.str() ==

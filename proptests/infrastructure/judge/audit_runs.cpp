@@ -157,7 +157,7 @@ TEST_CASE("audit_runs: what is shown is never a worse example than what was foun
         const Judgement judgement = examination->judge_reference();
         if (judgement.verdict == Verdict::agree) continue;
         const Cell& cell = tally.operations[0].families[family].second;
-        const auto& shown = cell.ways.at(way_of(judgement, examination->outcome())).example;
+        const auto& shown = cell.outcomes.at(judged_outcome(judgement, examination->outcome())).example;
         INFO(name << " " << operation.families()[family] << " " << i);
         REQUIRE(shown);
         CHECK(shown->judgement.verdict == judgement.verdict);

@@ -224,7 +224,7 @@ TEST_CASE("reports: the worst distance is the same number in every shard and eve
   near.merge(far);
   CHECK(near.worst_ulps == 0x1p990);
   Tally tally;
-  near.ways[{Verdict::agree, "value", "value"}].cases = {1, 0};
+  near.outcomes[{Verdict::agree, "value", "value"}].cases = {1, 0};
   tally.operations.push_back({"line_point_at", {{"grid", near}}});
   const Tally again = read_tally(tally_json(tally));
   CHECK(again.operations.at(0).families.at(0).second.worst_ulps == 0x1p990);

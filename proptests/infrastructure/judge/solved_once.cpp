@@ -124,9 +124,9 @@ TEST_CASE("solved once: the shrinker hands over the examination that it made las
   const int until_then = counts.solved;
   int shown = 0;
   for (const auto& [family, cell] : tally.operations[0].families) {
-    for (const auto& [way, counted] : cell.ways) {
+    for (const auto& [outcome, counted] : cell.outcomes) {
       if (!counted.example) continue;
-      CHECK(counted.example->examination(operation()).outcome() == way.truth);
+      CHECK(counted.example->examination(operation()).outcome() == outcome.truth);
       ++shown;
     }
   }
@@ -146,11 +146,11 @@ TEST_CASE("solved once: findings are made smaller within a budget of solves, the
     AuditOptions options;
     options.operations = {&altered};
     options.cases = 400;
-    std::vector<std::size_t> told;
+    std::vector<std::size_t> reported;
     options.smaller = [&](const Operation& of, std::size_t done, std::size_t all) {
       CHECK(&of == &altered);
       CHECK(done <= all);
-      told.push_back(done);
+      reported.push_back(done);
     };
     counts = {};
     const Tally tally = run_audit(options, false, [](const std::string&, std::uint64_t) {});
@@ -158,11 +158,11 @@ TEST_CASE("solved once: findings are made smaller within a budget of solves, the
     INFO("cost " << cost << ", " << solved << " solves");
     CHECK(solved > most / 4);
     CHECK(solved <= most + most / 2);
-    CHECK_FALSE(told.empty());
-    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i] == i + 1);
+    CHECK_FALSE(reported.empty());
+    for (std::size_t i = 0; i < reported.size(); ++i) CHECK(reported[i] == i + 1);
     // What was not made smaller has the answer that was counted.
     for (const auto& [family, cell] : tally.operations[0].families)
-      for (const auto& [way, counted] : cell.ways)
+      for (const auto& [outcome, counted] : cell.outcomes)
         if (counted.example) CHECK_FALSE(counted.example->answer.is_null());
     options.jobs = 3;
     options.smaller = nullptr;

@@ -92,15 +92,15 @@ TEST_CASE("tallies: every way of answering is counted apart, and has an example 
   add(Verdict::algorithm, "above", "below", 6, 5);
   add(Verdict::invalid, "above", "", 7, 6);
   add(Verdict::unsupported, "above", "", 8, 7);
-  CHECK(cell.ways.size() == 7);
-  const WayCount& twice = cell.ways.at({Verdict::algorithm, "on", "above"});
+  CHECK(cell.outcomes.size() == 7);
+  const OutcomeCount& twice = cell.outcomes.at({Verdict::algorithm, "on", "above"});
   CHECK(twice.cases == ByRange{2, 0});
   CHECK(twice.example->index == 1);
-  CHECK(cell.ways.at({Verdict::algorithm, "on", "below"}).example->index == 3);
-  CHECK(cell.ways.at({Verdict::rounding, "on", "below"}).example->index == 4);
-  CHECK(cell.ways.at({Verdict::invalid, "above", no_valid_answer}).example->index == 6);
-  CHECK_FALSE(cell.ways.at({Verdict::unsupported, "above", no_answer}).example);
-  CHECK_FALSE(cell.ways.at({Verdict::agree, "on", "on"}).example);
+  CHECK(cell.outcomes.at({Verdict::algorithm, "on", "below"}).example->index == 3);
+  CHECK(cell.outcomes.at({Verdict::rounding, "on", "below"}).example->index == 4);
+  CHECK(cell.outcomes.at({Verdict::invalid, "above", no_valid_answer}).example->index == 6);
+  CHECK_FALSE(cell.outcomes.at({Verdict::unsupported, "above", no_answer}).example);
+  CHECK_FALSE(cell.outcomes.at({Verdict::agree, "on", "on"}).example);
   const auto confusion = cell.confusion();
   CHECK(confusion.size() == 6);
   CHECK(confusion.at({"on", "below"}) == ByRange{2, 0});  // by rounding and by algorithm
@@ -344,13 +344,13 @@ TEST_CASE("tallies: a file whose numbers do not add up, or whose words the opera
     return refusal_of([&] { read_tally(one_line(changed)); });
   };
   const std::string cell = "operations[0].families[0].";
-  const Json& way = whole["operations"][0]["families"][0]["ways"][0];
-  CHECK(said("/ways/0/truth", way["truth"]) == "accepted");
+  const Json& outcome = whole["operations"][0]["families"][0]["ways"][0];
+  CHECK(said("/ways/0/truth", outcome["truth"]) == "accepted");
   CHECK(said("/ways/0/truth", "up") == cell + "ways[0].truth: enumerators of orientation");
   CHECK(said("/ways/0/answer", "up") == cell + "ways[0].answer: enumerators of orientation");
   CHECK(said("/ways/0/answer", "left/") == cell + "ways[0].answer: enumerators of orientation");
   CHECK_THAT(said("/ways/0/cases/ordinary", 999999), ContainsSubstring("sum of the outcomes"));
-  CHECK_THAT(said("/ways/1", way), ContainsSubstring("duplicate outcome"));
+  CHECK_THAT(said("/ways/1", outcome), ContainsSubstring("duplicate outcome"));
   CHECK_THAT(said("/counts/agree", 999999), ContainsSubstring("counts.agree: sum of the outcomes"));
 }
 

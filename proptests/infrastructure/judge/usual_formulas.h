@@ -121,8 +121,8 @@ inline ClosestPoint3<double> closest_point_on_triangle(const Point3d& p, const T
   return {x, square, std::sqrt(square)};
 }
 inline bool sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle, Bound how = Bound::closed) {
-  const Vector3d way = closest_on_triangle(sphere.center, triangle) - sphere.center;
-  return within(dot(way, way), sphere.radius, how);
+  const Vector3d displacement = closest_on_triangle(sphere.center, triangle) - sphere.center;
+  return within(dot(displacement, displacement), sphere.radius, how);
 }
 
 /// Slabs with the reciprocal of the direction. `how`: of the times, and of a direction that is 0 on an axis.

@@ -14,7 +14,7 @@ namespace {
 
 using namespace audit;
 using Kind = RecordedAnswer::Kind;
-using Ways = std::map<std::string, std::uint64_t>;
+using Outcomes = std::map<std::string, std::uint64_t>;
 
 /// What an engine in double might have answered, in different detail; every seventh answer is that of another question.
 RecordedAnswer answer_of(const Operation& operation, const Question& question, const Question& other, std::uint64_t i) {
@@ -55,39 +55,39 @@ std::vector<RecordedCall> calls_of(const Operation& operation, std::uint64_t of_
   return calls;
 }
 
-std::string way_in_words(const Way& way) {
-  return std::string(name_of(way.verdict)) + ": " + way.truth + ", answered " + way.answer;
+std::string outcome_in_words(const JudgedOutcome& outcome) {
+  return std::string(name_of(outcome.verdict)) + ": " + outcome.truth + ", answered " + outcome.answer;
 }
 
 /// "agree: left, answered true: 12", a line each.
-std::string in_words(const Ways& ways) {
+std::string in_words(const Outcomes& outcomes) {
   std::string text;
-  for (const auto& [way, count] : ways) text += way + ": " + std::to_string(count) + "\n";
+  for (const auto& [outcome, count] : outcomes) text += outcome + ": " + std::to_string(count) + "\n";
   return text;
 }
 
 /// Every call held against the oracle, one by one.
-Ways ways_by_examination(const std::vector<RecordedCall>& calls, const Declaration& declaration) {
-  Ways ways;
+Outcomes outcomes_by_examination(const std::vector<RecordedCall>& calls, const Declaration& declaration) {
+  Outcomes outcomes;
   Cell refused_ones;
   for (const RecordedCall& call : calls) {
     try {
       const auto examination = call.operation->examine(call.question);
       const Judgement judgement = examination->judge_engine(answer_json(*call.operation, call.answer), declaration);
-      ++ways[way_in_words(way_of(judgement, examination->outcome()))];
+      ++outcomes[outcome_in_words(judged_outcome(judgement, examination->outcome()))];
     } catch (const InvalidInput& refused) {
       refused_ones.refuse(refused.rule());
     }
   }
-  for (const auto& [rule, count] : refused_ones.rules) ways["refused: " + rule] += count;
-  return ways;
+  for (const auto& [rule, count] : refused_ones.rules) outcomes["refused: " + rule] += count;
+  return outcomes;
 }
 
-Ways ways_of_cell(const Cell& cell) {
-  Ways ways;
-  for (const auto& [way, counted] : cell.ways) ways[way_in_words(way)] += both(counted.cases);
-  for (const auto& [rule, count] : cell.rules) ways["refused: " + rule] += count;
-  return ways;
+Outcomes outcomes_of_cell(const Cell& cell) {
+  Outcomes outcomes;
+  for (const auto& [outcome, counted] : cell.outcomes) outcomes[outcome_in_words(outcome)] += both(counted.cases);
+  for (const auto& [rule, count] : cell.rules) outcomes["refused: " + rule] += count;
+  return outcomes;
 }
 
 CallJudge::Counted judged(const std::vector<RecordedCall>& calls, const Declaration& declaration) {
@@ -122,7 +122,7 @@ TEST_CASE("what is vouched for is counted as the oracle would have it") {
     const std::vector<RecordedCall> calls = calls_of(*operation, affordable(*operation, 3));
     INFO(operation->name());
     const CallJudge::Counted counted = judged(calls, declaration);
-    CHECK(in_words(ways_of_cell(counted.answers)) == in_words(ways_by_examination(calls, declaration)));
+    CHECK(in_words(outcomes_of_cell(counted.answers)) == in_words(outcomes_by_examination(calls, declaration)));
     CHECK(counted.robust.findings() == 0);
     CHECK(counted.answers.recorded.calls() == counted.answers.cases());
   }

@@ -42,7 +42,8 @@ Cell all_of(const Tally& tally) { return report::sum_of(tally.operations); }
 
 std::set<Verdict> verdicts(const std::string& log, JudgeOptions options = {}) {
   std::set<Verdict> found;
-  for (const auto& [way, count] : all_of(judged({log}, std::move(options)).tally).ways) found.insert(way.verdict);
+  for (const auto& [outcome, count] : all_of(judged({log}, std::move(options)).tally).outcomes)
+    found.insert(outcome.verdict);
   return found;
 }
 
@@ -166,10 +167,13 @@ TEST_CASE("judge: a call that is vouched for counts in every cell as one that is
   std::string yes = R"({"op":"segment_segment","input":{"a":[[0,0],[2,0]],"b":[[1,-1],[1,1]]},"answer":true})"
                     "\n";
   const JudgedLogs crossing = judged({left + yes});
-  CHECK(crossing.tally.operations.at(0).total().ways.size() + crossing.tally.operations.at(1).total().ways.size() == 2);
-  for (const auto& [way, count] : report::sum_of(crossing.tally.robust).ways) CHECK(way.answer == way.truth);
-  for (const auto& [way, count] : all_of(crossing.tally).ways)
-    CHECK(way.answer == (way.truth == "left" ? "left" : "true"));
+  CHECK(crossing.tally.operations.at(0).total().outcomes.size() +
+            crossing.tally.operations.at(1).total().outcomes.size() ==
+        2);
+  for (const auto& [outcome, count] : report::sum_of(crossing.tally.robust).outcomes)
+    CHECK(outcome.answer == outcome.truth);
+  for (const auto& [outcome, count] : all_of(crossing.tally).outcomes)
+    CHECK(outcome.answer == (outcome.truth == "left" ? "left" : "true"));
 }
 
 TEST_CASE("judge: a class of nearness has its lower bound and not its upper one") {

@@ -23,7 +23,7 @@ Polygon2d moved(Polygon2d ring, double by) {
 
 TEST_CASE("boxes: the edges that are visited hold all whose boxes meet, in order up and down") {
   for (std::size_t n = 3; n < 80; ++n) {
-    const WholeRing ring(random_ring(n));
+    const IntegerRing ring(random_ring(n));
     const std::vector<Segment2<Integer>> edges = ring.edges();
     const Boxes boxes(edges);
     const Boxes::Box own = Boxes::box_of(edges[n / 2]);
@@ -42,7 +42,7 @@ TEST_CASE("boxes: the edges that are visited hold all whose boxes meet, in order
 
 TEST_CASE("boxes: the least distance is the least of all edges that count") {
   for (std::size_t n = 3; n < 60; ++n) {
-    const WholeRing ring(n % 2 == 0 ? random_ring(n) : comb(n, true));
+    const IntegerRing ring(n % 2 == 0 ? random_ring(n) : comb(n, true));
     const std::vector<Segment2<Integer>> edges = ring.edges();
     const Boxes boxes(edges);
     for (std::size_t v = 0; v < n; ++v) {

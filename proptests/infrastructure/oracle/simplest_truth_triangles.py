@@ -61,9 +61,9 @@ def squared_distance_of_segments(s, r):
     return min(distances)
 
 
-def squared_way_to_touch(ends, corners):
-    """Returns the least squared distance: of an end from the triangle, if its foot is inside, and of the segment from an
-    edge."""
+def squared_displacement_to_touch(ends, corners):
+    """Returns the least squared distance: of an end from the triangle, if its foot is inside, and of the segment from
+    an edge."""
     distances = [squared_distance_of_segments(ends, edge) for edge in combinations(corners, 2)]
     normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))
     for p in ends if any(normal) else ():
@@ -76,7 +76,7 @@ def squared_way_to_touch(ends, corners):
 
 def truth_segment_triangle(q):
     ends, corners = [[point(p) for p in q[name]] for name in ("segment", "triangle")]
-    interval, margin = common_interval(ends, corners), squared_way_to_touch(ends, corners)
+    interval, margin = common_interval(ends, corners), squared_displacement_to_touch(ends, corners)
     if interval is None:
         return {"relation": "none"}, margin
     first, last = (at(ends, t) for t in interval)
@@ -89,7 +89,7 @@ def truth_triangle_triangle(q):
     a, b = [[point(p) for p in q[name]] for name in "ab"]
     pairs = [(edge, other) for corners, other in ((a, b), (b, a)) for edge in combinations(corners, 2)]
     ends = {at(edge, t) for edge, other in pairs for t in common_interval(edge, other) or ()}
-    margin = min(squared_way_to_touch(edge, other) for edge, other in pairs)
+    margin = min(squared_displacement_to_touch(edge, other) for edge, other in pairs)
     if not ends:
         return {"relation": "none"}, margin
     # A point may become a segment where a triangle without area gets one, and an area a segment.

@@ -17,15 +17,15 @@ using catalogue::DrawStream;
 long differences(int side, long (&seen)[3]) {
   const int points = side * side;
   long different = 0;
-  const auto whole = [side](int i) { return Point2<std::int64_t>{i % side, i / side}; };
+  const auto integer = [side](int i) { return Point2<std::int64_t>{i % side, i / side}; };
   const auto real = [side](int i) { return Point2d{static_cast<double>(i % side), static_cast<double>(i / side)}; };
   for (int i = 0; i < points * points; ++i) {
     for (int k = 0; k < points * points; ++k) {
       const Segment2d a{real(i / points), real(i % points)}, b{real(k / points), real(k % points)};
       const auto program = segment_segment(a, b).answer.relation;
       const auto elimination =
-          segment_segment_relation<std::int64_t>(Segment2<std::int64_t>{whole(i / points), whole(i % points)},
-                                                 Segment2<std::int64_t>{whole(k / points), whole(k % points)});
+          segment_segment_relation<std::int64_t>(Segment2<std::int64_t>{integer(i / points), integer(i % points)},
+                                                 Segment2<std::int64_t>{integer(k / points), integer(k % points)});
       different += program != elimination || program != segment_segment_relation(a, b);
       ++seen[static_cast<int>(program)];
     }

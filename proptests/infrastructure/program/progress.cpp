@@ -17,30 +17,30 @@ std::vector<const Operation*> operations() {
   return {find_operation("orientation"), find_operation("line_line"), find_operation("polygon_convexity")};
 }
 
-struct Told {
+struct Reported {
   std::ostringstream err;
   Progress::Clock::time_point now{};
   Progress progress;
-  Told() : progress(err, false, operations(), 1000, [this] { return now; }) {}
+  Reported() : progress(err, false, operations(), 1000, [this] { return now; }) {}
 };
 
 }  // namespace
 
 TEST_CASE("progress: a log gets a line every ten seconds, with the whole and the time left") {
   REQUIRE(operations()[2]->metadata().cost == 3);
-  Told told;
-  told.progress("orientation", 500);
-  told.now += milliseconds(9'999);
-  told.progress("orientation", 800);
-  CHECK(told.err.str().empty());
-  told.now += milliseconds(1);
-  told.progress("orientation", 1000);  // a fifth in 10 s, so four fifths in 40
-  CHECK(told.err.str() == "touchstone: 20 %, orientation (1 of 3), about 40 s left\n");
-  told.now += milliseconds(9'999);
-  told.progress("line_line", 1000);
-  told.now += milliseconds(20'001);
-  told.progress("polygon_convexity", 500);  // seven tenths in 40 s
-  CHECK(told.err.str() ==
+  Reported reported;
+  reported.progress("orientation", 500);
+  reported.now += milliseconds(9'999);
+  reported.progress("orientation", 800);
+  CHECK(reported.err.str().empty());
+  reported.now += milliseconds(1);
+  reported.progress("orientation", 1000);  // a fifth in 10 s, so four fifths in 40
+  CHECK(reported.err.str() == "touchstone: 20 %, orientation (1 of 3), about 40 s left\n");
+  reported.now += milliseconds(9'999);
+  reported.progress("line_line", 1000);
+  reported.now += milliseconds(20'001);
+  reported.progress("polygon_convexity", 500);  // seven tenths in 40 s
+  CHECK(reported.err.str() ==
         "touchstone: 20 %, orientation (1 of 3), about 40 s left\n"
         "touchstone: 70 %, polygon_convexity (3 of 3), about 17 s left\n");
 }
@@ -59,11 +59,11 @@ TEST_CASE("progress: a terminal gets one line, which is gone at the end") {
 }
 
 TEST_CASE("progress: what an engine does not have is no part of the whole") {
-  Told told;
-  told.progress.leave_out([](const Operation& operation) { return operation.name() == "polygon_convexity"; });
-  told.now += milliseconds(10'000);
-  told.progress("line_line", 0);
-  CHECK(told.err.str() == "touchstone: 50 %, line_line (2 of 2), about 10 s left\n");
+  Reported reported;
+  reported.progress.leave_out([](const Operation& operation) { return operation.name() == "polygon_convexity"; });
+  reported.now += milliseconds(10'000);
+  reported.progress("line_line", 0);
+  CHECK(reported.err.str() == "touchstone: 50 %, line_line (2 of 2), about 10 s left\n");
 }
 
 TEST_CASE("progress: nothing is written of a run that is shorter than ten seconds, on no terminal") {
@@ -76,13 +76,13 @@ TEST_CASE("progress: nothing is written of a run that is shorter than ten second
 }
 
 TEST_CASE("progress: once the cases are asked, it says how many findings are made smaller") {
-  Told told;
-  told.now += milliseconds(10'000);
-  told.progress.smaller("line_line", 3, 12);
-  told.progress.smaller("polygon_convexity", 1, 1);  // too soon
-  told.now += milliseconds(10'000);
-  told.progress.smaller("polygon_convexity", 1, 1);
-  CHECK(told.err.str() ==
+  Reported reported;
+  reported.now += milliseconds(10'000);
+  reported.progress.smaller("line_line", 3, 12);
+  reported.progress.smaller("polygon_convexity", 1, 1);  // too soon
+  reported.now += milliseconds(10'000);
+  reported.progress.smaller("polygon_convexity", 1, 1);
+  CHECK(reported.err.str() ==
         "touchstone: 40 %, line_line (2 of 3), making 12 findings smaller: 3 of 12\n"
         "touchstone: 100 %, polygon_convexity (3 of 3), making 1 finding smaller: 1 of 1\n");
 }

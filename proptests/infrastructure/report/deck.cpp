@@ -12,14 +12,14 @@ namespace {
 /// Orientation failed once, aabb_aabb was right.
 Tally tally() {
   Cell wrong, right;
-  right.ways[{Verdict::agree, "apart", "apart"}].cases = {4, 0};
-  WayCount& way = wrong.ways[{Verdict::rounding, "right", "on"}];
-  way.cases = {1, 0};
+  right.outcomes[{Verdict::agree, "apart", "apart"}].cases = {4, 0};
+  OutcomeCount& outcome = wrong.outcomes[{Verdict::rounding, "right", "on"}];
+  outcome.cases = {1, 0};
   Finding found;
   found.question = Question{{0, 0, 2, 0, 1, -1}, {}};
   found.judgement.verdict = Verdict::rounding;
   found.answer = {{"side", "on"}};
-  way.example = found;
+  outcome.example = found;
   Tally tally;
   tally.declaration = reference_declaration();
   tally.operations = {{"orientation", {{"collinear", wrong}}}, {"aabb_aabb", {{"grid", right}}}};

@@ -123,8 +123,8 @@ TEST_CASE("hints: wrong where a component of the direction is 0") {
   const auto right = [](const auto& ray, const auto& box) { return robust::ray_aabb(ray, box); };
   // Along an axis that the direction does not change, the ray is taken to be between the sides.
   const auto ignores_axis = [&](const auto& ray, auto box) {
-    const auto widen = [&](double from, double way, double& min, double& max) {
-      if (way == 0) min = std::min(min, from), max = std::max(max, from);
+    const auto widen = [&](double from, double displacement, double& min, double& max) {
+      if (displacement == 0) min = std::min(min, from), max = std::max(max, from);
     };
     widen(ray.origin.x, ray.direction.x, box.min.x, box.max.x);
     widen(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
@@ -186,8 +186,8 @@ TEST_CASE("hints: formulas in double have wrong answers by rounding, too, and th
 
   const auto slabs = [](const auto& ray, const auto& box) { return reference::ray_aabb(ray, box); };
   const auto divides = [&](const auto& ray, const auto& box) {  // on a side, and along it: 0/0
-    const auto undefined = [](double from, double way, double min, double max) {
-      return way == 0 && (from == min || from == max);
+    const auto undefined = [](double from, double displacement, double min, double max) {
+      return displacement == 0 && (from == min || from == max);
     };
     const bool none = undefined(ray.origin.x, ray.direction.x, box.min.x, box.max.x) ||
                       undefined(ray.origin.y, ray.direction.y, box.min.y, box.max.y);

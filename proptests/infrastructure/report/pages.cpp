@@ -35,8 +35,8 @@ Finding finding(const Question& question, Verdict verdict, const Json& answer) {
 /// 90 right, 10 wrong: 5 by cancellation at ordinary size, 5 by underflow or overflow at extreme size.
 Cell cell_of_orientation() {
   Cell cell;
-  cell.ways[{Verdict::agree, "left", "left"}].cases = {90, 0};
-  WayCount& wrong = cell.ways[{Verdict::rounding, "right", "on"}];
+  cell.outcomes[{Verdict::agree, "left", "left"}].cases = {90, 0};
+  OutcomeCount& wrong = cell.outcomes[{Verdict::rounding, "right", "on"}];
   wrong.cases = {5, 5};
   wrong.out_of_range = {0, 5};
   wrong.example = finding(below_line, Verdict::rounding, {{"side", "on"}});
@@ -77,7 +77,7 @@ std::string outline(std::string page) {
 
 TEST_CASE("pages: the index: how much is wrong, at which size and why, the worst operation first, and the gate") {
   Cell right;
-  right.ways[{Verdict::agree, "above", "above"}].cases = {100, 0};
+  right.outcomes[{Verdict::agree, "above", "above"}].cases = {100, 0};
   const Tally tally = tally_of({{"point_ground_plane", right}, {"orientation", cell_of_orientation()}});
   // Where nothing fails there is no map.
   const std::string page =
@@ -88,9 +88,9 @@ TEST_CASE("pages: the index: how much is wrong, at which size and why, the worst
 
 TEST_CASE("pages: an operation: its contract, truth against answer, and an example of each way to fail") {
   Cell boxes, numbers;
-  boxes.ways[{Verdict::agree, "apart", "no"}].cases = {7, 0};
-  boxes.ways[{Verdict::algorithm, "apart", "yes"}].cases = {3, 0};
-  numbers.ways[{Verdict::inexact, "value", "value"}].cases = {1, 0};
+  boxes.outcomes[{Verdict::agree, "apart", "no"}].cases = {7, 0};
+  boxes.outcomes[{Verdict::algorithm, "apart", "yes"}].cases = {3, 0};
+  numbers.outcomes[{Verdict::inexact, "value", "value"}].cases = {1, 0};
   check_golden("report/golden/orientation.html",
                outline(operation_page(tally_of({{"orientation", cell_of_orientation()}}), 0, {})));
   // A plain yes or no is right where it was judged right.
@@ -100,8 +100,8 @@ TEST_CASE("pages: an operation: its contract, truth against answer, and an examp
 
 TEST_CASE("pages: before and after a fix, what changed most first") {
   Cell fixed, worse = cell_of_orientation();
-  fixed.ways[{Verdict::agree, "left", "left"}].cases = {100, 0};
-  worse.ways[{Verdict::algorithm, "on", "left"}].cases = {1, 0};
+  fixed.outcomes[{Verdict::agree, "left", "left"}].cases = {100, 0};
+  worse.outcomes[{Verdict::algorithm, "on", "left"}].cases = {1, 0};
   const Tally before = tally_of({{"point_on_segment", cell_of_orientation()}, {"orientation", cell_of_orientation()}}),
               after = tally_of({{"point_on_segment", worse}, {"orientation", fixed}, {"line_line", fixed}});
   Tally other = before;
@@ -115,7 +115,7 @@ TEST_CASE("pages: before and after a fix, what changed most first") {
 
 TEST_CASE("pages: an engine is called by its name, and where nothing is wrong the headline says none") {
   Cell right;
-  right.ways[{Verdict::agree, "left", "left"}].cases = {7, 0};
+  right.outcomes[{Verdict::agree, "left", "left"}].cases = {7, 0};
   Tally tally = tally_of({{"orientation", right}});
   tally.declaration = {"my engine 1.0", Declaration::Boundary::closed, true, 0};
   CHECK_THAT(index_page(tally, {}),
@@ -124,7 +124,7 @@ TEST_CASE("pages: an engine is called by its name, and where nothing is wrong th
 
 TEST_CASE("pages: a report can be read before the first map is made, then the worst operation has its map first") {
   Cell right;
-  right.ways[{Verdict::agree, "above", "above"}].cases = {100, 0};
+  right.outcomes[{Verdict::agree, "above", "above"}].cases = {100, 0};
   const Tally tally = tally_of({{"point_ground_plane", right}, {"orientation", cell_of_orientation()}});
   const std::filesystem::path directory = std::filesystem::temp_directory_path() / "touchstone_pages_in_order";
   const auto bytes = [&](const char* name) {
@@ -223,14 +223,14 @@ TEST_CASE("pages: the counts at the top stand in rows of equal length, or one le
   Cell cell = cell_of_orientation();
   const auto columns = [&] { return index_page(tally_of({{"orientation", cell}}), {}); };
   CHECK_THAT(columns(), ContainsSubstring("style=\"--columns:5;--fewer:3\""));
-  cell.ways[{Verdict::algorithm, "right", "on"}].cases = {1, 0};
-  cell.ways[{Verdict::inexact, "right", "right"}].cases = {1, 0};
+  cell.outcomes[{Verdict::algorithm, "right", "on"}].cases = {1, 0};
+  cell.outcomes[{Verdict::inexact, "right", "right"}].cases = {1, 0};
   CHECK_THAT(columns(), ContainsSubstring("style=\"--columns:4;--fewer:4\""));
 }
 
 TEST_CASE("pages: a wrong point is drawn beside the right one, the same figure without it") {
   Cell cell;
-  WayCount& wrong = cell.ways[{Verdict::inexact, "point", "point"}];
+  OutcomeCount& wrong = cell.outcomes[{Verdict::inexact, "point", "point"}];
   wrong.cases = {1, 0};
   wrong.example = finding({{0, 0, 2, 2, 0, 2, 2, 0}, {}}, Verdict::inexact,
                           Json::parse(R"({"relation":"point","ta":0.5,"tb":0.5,"point":[1,1.5]})"));

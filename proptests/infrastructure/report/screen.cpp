@@ -93,16 +93,16 @@ TEST_CASE("screen: a finding names the families that it is in, and nothing is cu
   const Tally tally = audited({&operation}, 2000);
   const std::string narrow = screen(tally, "", 60), full = screen(tally, "", 0);
   std::size_t named = 0;
-  for (const WayOfOperation& way : ways_of(tally.operations[0])) {
-    CHECK(way.families.size() <= 3);
+  for (const OperationOutcome& outcome : outcomes_of(tally.operations[0])) {
+    CHECK(outcome.families.size() <= 3);
     std::uint64_t cases = 0;
-    for (const auto& [name, wrong, of] : way.families) {
+    for (const auto& [name, wrong, of] : outcome.families) {
       CHECK(wrong <= of);
       cases += wrong;
     }
-    CHECK(cases <= both(way.counted.cases));
-    CHECK((way.families.size() == 3 || cases == both(way.counted.cases)));
-    named += full.find(": " + families_in_words(way, 0)) != std::string::npos ? 1 : 0;
+    CHECK(cases <= both(outcome.counted.cases));
+    CHECK((outcome.families.size() == 3 || cases == both(outcome.counted.cases)));
+    named += full.find(": " + families_in_words(outcome, 0)) != std::string::npos ? 1 : 0;
   }
   CHECK(named > 0);
   CHECK(narrow.find(" bytes)") != std::string::npos);

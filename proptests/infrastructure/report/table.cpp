@@ -166,9 +166,9 @@ TEST_CASE("table: the closing sentence is the sum of its parts, ordinary and ext
 TEST_CASE("table: where nothing is right of twenty answers or more, the connection is to be looked at first") {
   const auto says = [](std::uint64_t wrong, std::uint64_t inexact) {
     Cell cell;
-    cell.ways[{Verdict::rounding, "on", "left"}].cases = {wrong, 0};
-    cell.ways[{Verdict::unsupported, "on", "no answer"}].cases = {100, 0};
-    if (inexact > 0) cell.ways[{Verdict::inexact, "on", "on"}].cases = {inexact, 0};
+    cell.outcomes[{Verdict::rounding, "on", "left"}].cases = {wrong, 0};
+    cell.outcomes[{Verdict::unsupported, "on", "no answer"}].cases = {100, 0};
+    if (inexact > 0) cell.outcomes[{Verdict::inexact, "on", "on"}].cases = {inexact, 0};
     Tally tally;
     tally.declaration.engine = "an engine";
     tally.operations.push_back({"orientation", {{"grid", cell}}});

@@ -44,8 +44,8 @@ class Boxes {
   }
   void move(Aabb3d& box, int far) {
     for (double Point3d::*axis : {&Point3d::x, &Point3d::y, &Point3d::z}) {
-      const double way = between(-far, far);
-      box.min.*axis += way, box.max.*axis += way;
+      const double displacement = between(-far, far);
+      box.min.*axis += displacement, box.max.*axis += displacement;
     }
   }
 

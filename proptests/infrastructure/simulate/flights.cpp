@@ -149,13 +149,13 @@ TEST_CASE("flight: a swept ball meets a box where its distance comes to its radi
   const mpq_class near(mpz_class(1), mpz_class(1) << 1000);
   std::size_t hits = 0, misses = 0;
   for (int i = 0; i < 3000; ++i) {
-    const std::array<mpq_class, 3> center{drawn(9), drawn(9), drawn(9)}, way{drawn(20), drawn(20), drawn(20)},
+    const std::array<mpq_class, 3> center{drawn(9), drawn(9), drawn(9)}, displacement{drawn(20), drawn(20), drawn(20)},
         half{std::abs(drawn(3)), std::abs(drawn(3)), std::abs(drawn(3))};
     const mpq_class radius = std::abs(drawn(4)) + 1;
     const auto gap = [&](const mpq_class& t) {
       mpq_class sum = -radius * radius;
       for (std::size_t k = 0; k < 3; ++k) {
-        const mpq_class off = abs(center[k] + t * way[k]) - half[k];
+        const mpq_class off = abs(center[k] + t * displacement[k]) - half[k];
         if (sgn(off) > 0) sum += off * off;
       }
       return sum;
@@ -167,7 +167,7 @@ TEST_CASE("flight: a swept ball meets a box where its distance comes to its radi
     const Vector3<Exact> c = exact(center), h = exact(half);
     const Exact zero(0);
     const auto found = simulate::swept_sphere_aabb<Exact>(
-        {{c.x, c.y, c.z}, Exact(radius)}, {{zero - h.x, zero - h.y, zero - h.z}, {h.x, h.y, h.z}}, exact(way));
+        {{c.x, c.y, c.z}, Exact(radius)}, {{zero - h.x, zero - h.y, zero - h.z}, {h.x, h.y, h.z}}, exact(displacement));
     const bool hit = found.relation == HitRelation::hit;
     ++(hit ? hits : misses);
     const mpq_class t = hit ? found.t->value() : mpq_class(1);

@@ -14,13 +14,13 @@ namespace {
 using simulate::gas::Cube;
 using simulate::gas::Gas;
 using simulate::gas::GasError;
-using simulate::gas::Whole;
+using simulate::gas::Int64;
 
 /// A cube on the x axis in a room so wide that no wall is met.
-Cube on_x(Whole line, Whole velocity) { return {{line, 1000, 1000}, {velocity, 0, 0}}; }
+Cube on_x(Int64 line, Int64 velocity) { return {{line, 1000, 1000}, {velocity, 0, 0}}; }
 
-std::vector<Whole> speeds(const Gas& gas) {
-  std::vector<Whole> speeds;
+std::vector<Int64> speeds(const Gas& gas) {
+  std::vector<Int64> speeds;
   for (const Cube& cube : gas.cubes()) speeds.push_back(cube.velocity[0]);
   return speeds;
 }
@@ -28,17 +28,17 @@ std::vector<Whole> speeds(const Gas& gas) {
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : state_(seed * 1000003) {}
-  Whole between(Whole low, Whole high) {
-    return low + static_cast<Whole>(simulate::gas::mixed(state_++) % static_cast<std::uint64_t>(high - low + 1));
+  Int64 between(Int64 low, Int64 high) {
+    return low + static_cast<Int64>(simulate::gas::mixed(state_++) % static_cast<std::uint64_t>(high - low + 1));
   }
 
  private:
   std::uint64_t state_;
 };
 
-constexpr Whole side = 4, room = 16;
+constexpr Int64 side = 4, room = 16;
 
-bool overlap(const Cube& a, const Cube& b, Whole unit) {
+bool overlap(const Cube& a, const Cube& b, Int64 unit) {
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(a.line[axis] - b.line[axis]) >= side * unit) return false;
   return true;
@@ -50,8 +50,8 @@ std::vector<Cube> crowded(std::uint64_t seed) {
   std::vector<Cube> cubes;
   for (int tries = 0; tries < 40 && cubes.size() < 9; ++tries) {
     Cube cube;
-    for (Whole& line : cube.line) line = draws.between(0, room / 2) * 2;
-    for (Whole& velocity : cube.velocity) velocity = draws.between(-2, 2);
+    for (Int64& line : cube.line) line = draws.between(0, room / 2) * 2;
+    for (Int64& velocity : cube.velocity) velocity = draws.between(-2, 2);
     cubes.push_back(cube);
     try {
       Gas(side, room, cubes);
@@ -63,7 +63,7 @@ std::vector<Cube> crowded(std::uint64_t seed) {
 }
 
 /// The cubes at that time, in units of `unit`; empty where numbers became too long.
-std::vector<Cube> after(std::vector<Cube> cubes, Whole time, Whole& unit, simulate::gas::Counts* counts = nullptr) {
+std::vector<Cube> after(std::vector<Cube> cubes, Int64 time, Int64& unit, simulate::gas::Counts* counts = nullptr) {
   try {
     Gas gas(side, room, std::move(cubes));
     gas.run(time);
@@ -80,37 +80,37 @@ std::vector<Cube> after(std::vector<Cube> cubes, Whole time, Whole& unit, simula
 }
 
 constexpr std::uint64_t worlds = 400;
-constexpr Whole time = 12;
+constexpr Int64 time = 12;
 
 }  // namespace
 
 TEST_CASE("gas: two cubes that meet exchange their velocities, a row hands them on, at a wall one turns") {
   Gas pair(10, 2000, {on_x(1, 3), on_x(41, -1)});
   pair.run(7);
-  CHECK(speeds(pair) == std::vector<Whole>{3, -1});
+  CHECK(speeds(pair) == std::vector<Int64>{3, -1});
   pair.run(8);  // they are 30 apart and come closer by 4: at 7 1/2
-  CHECK(speeds(pair) == std::vector<Whole>{-1, 3});
+  CHECK(speeds(pair) == std::vector<Int64>{-1, 3});
   Gas row(10, 2000, {on_x(1, 5), on_x(50, 0), on_x(60, 0), on_x(70, 0)});
   row.run(8);
-  CHECK(speeds(row) == std::vector<Whole>{0, 0, 0, 5});
+  CHECK(speeds(row) == std::vector<Int64>{0, 0, 0, 5});
   CHECK(row.counts().groups == 1);
   Gas wall(10, 2000, {on_x(20, -7)});
   wall.run(3);
-  CHECK(speeds(wall) == std::vector<Whole>{7});
+  CHECK(speeds(wall) == std::vector<Int64>{7});
   CHECK(wall.cubes()[0].line[0] == -20);
   CHECK(wall.momentum_with_walls()[0] == -7);
 }
 
 TEST_CASE("gas: a cube that meets two side by side is reflected with them about their mean, in a smaller unit") {
-  const auto beside = [](Whole x, Whole y) { return Cube{{x, y, 1000}, {0, 0, 0}}; };
+  const auto beside = [](Int64 x, Int64 y) { return Cube{{x, y, 1000}, {0, 0, 0}}; };
   Gas gas(10, 2000, {on_x(1, 3), beside(50, 994), beside(50, 1006)});
   gas.run(14);  // they meet at 13
   CHECK(gas.counts().mirrored == 1);
-  CHECK(speeds(gas) == std::vector<Whole>{-1, 2, 2});  // V = 1
+  CHECK(speeds(gas) == std::vector<Int64>{-1, 2, 2});  // V = 1
   Gas uneven(10, 2000, {on_x(1, 4), beside(51, 994), beside(51, 1006)});
   uneven.run(11);
   CHECK(uneven.scale() == 3);
-  CHECK(speeds(uneven) == std::vector<Whole>{-4, 8, 8});  // V = 4/3, velocities in thirds
+  CHECK(speeds(uneven) == std::vector<Int64>{-4, 8, 8});  // V = 4/3, velocities in thirds
 }
 
 TEST_CASE("gas: energy and momentum are identical, nothing overlaps, and backwards it returns to its first bits") {
@@ -151,7 +151,7 @@ TEST_CASE("gas: cubes in another order, axes exchanged, one mirrored: the same g
   for (std::uint64_t seed = 1; seed <= worlds / 2; ++seed) {
     INFO("world " << seed);
     const std::vector<Cube> start = crowded(seed);
-    const auto changed = [](Cube cube, Whole unit) {
+    const auto changed = [](Cube cube, Int64 unit) {
       std::rotate(cube.line.begin(), cube.line.begin() + 1, cube.line.end());
       std::rotate(cube.velocity.begin(), cube.velocity.begin() + 1, cube.velocity.end());
       cube.line[0] = room * unit - cube.line[0];
@@ -160,7 +160,7 @@ TEST_CASE("gas: cubes in another order, axes exchanged, one mirrored: the same g
     };
     std::vector<Cube> other;
     for (const Cube& cube : start) other.insert(other.begin(), changed(cube, 1));
-    Whole unit = 1, other_unit = 1;
+    Int64 unit = 1, other_unit = 1;
     const std::vector<Cube> expected = after(start, time, unit), found = after(other, time, other_unit);
     REQUIRE(expected.size() == found.size());
     REQUIRE(unit == other_unit);

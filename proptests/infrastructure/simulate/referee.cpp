@@ -13,8 +13,8 @@ namespace {
 
 using catalogue::Json;
 using simulate::gas::GasScene;
+using simulate::gas::Int64;
 using simulate::gas::Verdict;
-using simulate::gas::Whole;
 
 /// How an engine differs from one that answers everything.
 struct Habits {
@@ -46,10 +46,10 @@ class OwnEngine : public simulate::EngineLines {
       for (int k = 0; k < 3; ++k) body.position[k] += scene_["timestep"].get<double>() * body.velocity[k];
     answer_walls(), answer_pairs();
     if (step_ == habits_.stops) bodies_[habits_.stopped].velocity = {0, 0, 0};
-    Json told{{"step", step_}, {"bodies", Json::array()}};
+    Json reply{{"step", step_}, {"bodies", Json::array()}};
     for (const auto& [p, v, since] : bodies_)
-      told["bodies"].push_back({p[0], p[1], p[2], v[0] + habits_.noise, v[1] + habits_.noise, v[2] + habits_.noise});
-    return told.dump();
+      reply["bodies"].push_back({p[0], p[1], p[2], v[0] + habits_.noise, v[1] + habits_.noise, v[2] + habits_.noise});
+    return reply.dump();
   }
 
  private:
@@ -102,7 +102,7 @@ class OwnEngine : public simulate::EngineLines {
 
 /// Cubes of 4 in a room of 44, 4 being 1 m/s. Cube 0 flies along x and meets cube 1 at 3 s; that one meets the wall at
 /// 7 s and cube 0 at 11 s; cube 0 meets the other wall at 16 s, and cube 1 again at 21 s. Cube 2 lies alone.
-GasScene five_hits(Whole until = 22) {
+GasScene five_hits(Int64 until = 22) {
   GasScene gas;
   gas.side = 4, gas.room = 40, gas.speed = 4, gas.until = until;
   gas.steps_per_second = 8;
@@ -126,12 +126,12 @@ std::size_t parts_at(const Habits& habits, const GasScene& gas = five_hits()) {
 TEST_CASE("referee: the hits of a gas are told in order, with the velocities after them") {
   const simulate::gas::Record record(five_hits(), 22);
   REQUIRE(record.hits().size() == 5);
-  const Whole times[]{3, 7, 11, 16, 21};
+  const Int64 times[]{3, 7, 11, 16, 21};
   for (std::size_t i = 0; i < 5; ++i) CHECK(record.hits()[i].at.p == times[i] * record.hits()[i].at.q);
   CHECK(record.hits()[0].cubes == std::vector<std::size_t>{0, 1});
-  CHECK(record.hits()[0].velocities == std::vector<std::array<Whole, 3>>{{0, 0, 0}, {4, 0, 0}});
+  CHECK(record.hits()[0].velocities == std::vector<std::array<Int64, 3>>{{0, 0, 0}, {4, 0, 0}});
   CHECK(record.hits()[1].cubes == std::vector<std::size_t>{1});
-  CHECK(record.hits()[1].velocities == std::vector<std::array<Whole, 3>>{{-4, 0, 0}});
+  CHECK(record.hits()[1].velocities == std::vector<std::array<Int64, 3>>{{-4, 0, 0}});
   REQUIRE(record.turns(0).size() == 5);
   CHECK(record.turns(0)[2].hit == 2);
   CHECK(record.turns(2).size() == 1);

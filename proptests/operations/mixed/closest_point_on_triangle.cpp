@@ -105,8 +105,8 @@ TEST_CASE("closest_point_on_triangle: rounding, huge and subnormal") {
 }
 
 CONTRACT("closest_point_on_triangle: beyond a the formula in double keeps its contract", p, t) {
-  const Vector3d ab = t.b - t.a, ac = t.c - t.a, way = p - t.a;
-  if (!finite(dot(ab, way), dot(ac, way), dot(way, way))) return true;
+  const Vector3d ab = t.b - t.a, ac = t.c - t.a, displacement = p - t.a;
+  if (!finite(dot(ab, displacement), dot(ac, displacement), dot(displacement, displacement))) return true;
   const Rational u = unit();
   const auto beyond = [&](const Point3d& end) {
     const std::vector<Rational> from = exact_coordinates(t.a), to = exact_coordinates(end), q = exact_coordinates(p);

@@ -108,8 +108,8 @@ ROBUST_LAW("convex_distance: the formula has the right distance in exact arithme
   if (a.vertices.size() + b.vertices.size() > 40) return true;
   const auto answer = ask(asked);
   const auto found = reference::nearest_simplex(exactly(a), exactly(b));
-  const Vector3<Rational> way = found.way();
-  const Rational square = found.pairs.size() == 4 ? Rational(0) : dot(way, way);
+  const Vector3<Rational> displacement = found.displacement();
+  const Rational square = found.pairs.size() == 4 ? Rational(0) : dot(displacement, displacement);
   return (sgn(square) == 0) == (answer.relation == ConvexRelation::meeting) &&
          catalogue::nearest(square) == answer.squared_distance;
 }

@@ -91,8 +91,10 @@ CONTRACT("sphere_triangle: beyond the corner a the formula in double keeps its c
     }
     return sum < -((5 + 11 * u) * u * products + power_of_two(-1073));
   };
-  const Vector3d way = t.a - ball.center;
-  if (!finite(dot(t.b - t.a, way), dot(t.c - t.a, way), dot(way, way), ball.radius * ball.radius)) return true;
+  const Vector3d displacement = t.a - ball.center;
+  if (!finite(dot(t.b - t.a, displacement), dot(t.c - t.a, displacement), dot(displacement, displacement),
+              ball.radius * ball.radius))
+    return true;
   if (!beyond(t.b) || !beyond(t.c)) return true;
   const auto [s, r] = squares(ball, Sphere3d{t.a, 0});
   return abs(s - r) <= (5 + 11 * u) * u * s + u * r + power_of_two(-1072) ||

@@ -186,7 +186,7 @@ TEST_CASE("triangle_aabb: rounding, huge, subnormal and negative zero") {
 
 CONTRACT("triangle_aabb: the formula in double is that in exact arithmetic where its contract says so", t, box) {
   const Vector3d axes[]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const Vector3d ways[]{t.b - t.a, t.c - t.b, t.a - t.c};
+  const Vector3d displacements[]{t.b - t.a, t.c - t.b, t.a - t.c};
   const Exactly a = rational(t.a), b = rational(t.b), c = rational(t.c);
   const Exactly exact_ways[]{b - a, c - b, a - c};
   Projected shapes(t, box);
@@ -195,11 +195,11 @@ CONTRACT("triangle_aabb: the formula in double is that in exact arithmetic where
     shapes.along(axis, e, e);
     for (std::size_t i = 0; i < 3; ++i) {
       const Exactly n = cross(e, exact_ways[i]);
-      shapes.along(cross(axis, ways[i]), n, magnitudes(n));
+      shapes.along(cross(axis, displacements[i]), n, magnitudes(n));
     }
   }
   const Exactly v = magnitudes(exact_ways[0]), w = magnitudes(exact_ways[1]);
-  shapes.along(cross(ways[0], ways[1]), cross(exact_ways[0], exact_ways[1]),
+  shapes.along(cross(displacements[0], displacements[1]), cross(exact_ways[0], exact_ways[1]),
                {Rational(v.y * w.z + v.z * w.y), Rational(v.z * w.x + v.x * w.z), Rational(v.x * w.y + v.y * w.x)});
   if (!shapes.certain) return true;
   const Contact expected = shapes.separated ? disjoint : overlapping;

@@ -42,8 +42,9 @@ std::vector<Axis> axes_of(const Aabb3d& a, const Aabb3d& b, const Vector3d& v) {
 
 /// By how much the intervals of that axis are apart at t: 0 where they touch, negative where they overlap.
 Rational gap_at(const Axis& m, const Rational& t) {
-  const Rational way(t * exact(m.velocity));
-  return std::max(Rational(exact(m.b_min) - exact(m.a_max) - way), Rational(exact(m.a_min) + way - exact(m.b_max)));
+  const Rational displacement(t * exact(m.velocity));
+  return std::max(Rational(exact(m.b_min) - exact(m.a_max) - displacement),
+                  Rational(exact(m.a_min) + displacement - exact(m.b_max)));
 }
 
 /// Moved by v, where that is exact.

@@ -159,8 +159,8 @@ CONTRACT("swept_convex_polyhedra: the formula in double keeps its contract", a, 
     if (size(speed) <= e || entries.size() > 100) return true;
     const auto [a_min, a_max] = interval(a, n);
     const auto [b_min, b_max] = interval(b, n);
-    const auto time = [&](double way) {
-      const Rational t(exact(way) / exact(speed)), s = size(speed);
+    const auto time = [&](double displacement) {
+      const Rational t(exact(displacement) / exact(speed)), s = size(speed);
       return Bounded{t, Rational((400 * u * cube + abs(t) * e) / (s - e) + 2 * u * abs(t))};
     };
     const Bounded to_near = time(b_min - a_max), to_far = time(b_max - a_min);

@@ -198,8 +198,8 @@ CONTRACT("bounding_sphere: the formula in double keeps its contract", points, me
   double computed = 0;
   for (const Point3d& p : points) {
     square = std::max(square, squared_distance(answer.center, p));
-    const Vector3d way = p - answer.center;
-    computed = std::max(computed, dot(way, way));
+    const Vector3d displacement = p - answer.center;
+    computed = std::max(computed, dot(displacement, displacement));
   }
   if (square < power_of_two(-900) || !finite(computed)) return true;
   const Rational radius = exact(answer.radius), part = 4 * unit();

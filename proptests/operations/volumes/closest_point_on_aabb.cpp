@@ -56,8 +56,8 @@ TEST_CASE("closest_point_on_aabb: the nearest point is in the box, and the way t
              for (std::size_t k = 0; k < x.size(); ++k) {
                if (x[k] < min[k] || x[k] > max[k]) return false;
                // (p - x) . (y - x) <= 0 for every y in the box: axis by axis, of both ends.
-               const Rational way(from[k] - x[k]);
-               if (way * (min[k] - x[k]) > 0 || way * (max[k] - x[k]) > 0) return false;
+               const Rational displacement(from[k] - x[k]);
+               if (displacement * (min[k] - x[k]) > 0 || displacement * (max[k] - x[k]) > 0) return false;
              }
              return true;
            }));

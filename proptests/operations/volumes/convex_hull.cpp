@@ -128,10 +128,10 @@ ROBUST_LAW("convex_hull: looking for far points first changes nothing", points) 
 
 ROBUST_LAW("convex_hull: points in the plane z = 0 have the hull that they have in the plane") {
   Points flat = std::get<0>(asked);
-  std::vector<Point2d> seen;
-  for (Point3d& p : flat) p.z = 0, seen.push_back({p.x, p.y});
+  std::vector<Point2d> projected;
+  for (Point3d& p : flat) p.z = 0, projected.push_back({p.x, p.y});
   const ConvexHull hull = ask(std::tuple(flat));
-  const ConvexHull2 in_plane = robust::convex_hull_2d(seen);
+  const ConvexHull2 in_plane = robust::convex_hull_2d(projected);
   return hull.dimension == in_plane.dimension && hull.polygon == in_plane.polygon && hull.point == in_plane.point &&
          hull.segment == in_plane.segment;
 }

@@ -44,7 +44,7 @@ struct Gap {
   Rational gap, bound;
   bool overflow = false;
 
-  Gap(const Vector3d& way, const Vector3<Rational>& d, const std::vector<Vector3d>& edges, const Vector3d& v,
+  Gap(const Vector3d& displacement, const Vector3<Rational>& d, const std::vector<Vector3d>& edges, const Vector3d& v,
       const Vector3d* w) {
     const Vector3d n = w != nullptr ? cross(v, *w) : v;
     const Vector3<Rational> s = size(rational(v)), t = w != nullptr ? size(rational(*w)) : s;
@@ -56,7 +56,7 @@ struct Gap {
     const Rational u = unit();
     gap = abs(dot(axis, d));
     Rational products = dot(terms, size(d)), sizes = sum(size(d));
-    double computed = std::fabs(dot(n, way));
+    double computed = std::fabs(dot(n, displacement));
     for (const Vector3d& edge : edges) {
       gap -= abs(dot(axis, rational(edge)));
       products += dot(terms, size(rational(edge))), sizes += sum(size(rational(edge)));

@@ -177,8 +177,9 @@ CONTRACT("obb_of_points: what the formula in double loses is within its contract
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector3<Rational> n = cross(axes[(k + 1) % 3], axes[(k + 2) % 3]);
     for (const Point3d& p : points) {
-      const Vector3<Rational> way = exactly({p.x, p.y, p.z}) - exactly({box.center.x, box.center.y, box.center.z});
-      const Rational beyond(abs(dot(n, way)) - abs(dot(n, axes[k])));
+      const Vector3<Rational> displacement =
+          exactly({p.x, p.y, p.z}) - exactly({box.center.x, box.center.y, box.center.z});
+      const Rational beyond(abs(dot(n, displacement)) - abs(dot(n, axes[k])));
       if (beyond > 0 && beyond * beyond > room * room * dot(n, n)) return false;
     }
   }

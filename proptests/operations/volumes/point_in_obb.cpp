@@ -40,12 +40,12 @@ struct Projection {
   Rational along, reach, error;
   bool overflow;
 
-  Projection(const Vector3d& way, const Vector3<Rational>& d, const Vector3d& a) {
+  Projection(const Vector3d& displacement, const Vector3<Rational>& d, const Vector3d& a) {
     const Rational u = unit(), x = d.x * exact(a.x), y = d.y * exact(a.y), z = d.z * exact(a.z);
     along = abs(Rational(x + y + z));
     reach = exact(a.x) * exact(a.x) + exact(a.y) * exact(a.y) + exact(a.z) * exact(a.z);
     error = (4 + 7 * u) * u * (abs(x) + abs(y) + abs(z)) + (3 + 4 * u) * u * reach + power_of_two(-1072);
-    overflow = !finite(dot(way, a), dot(a, a), std::fabs(dot(way, a)) - dot(a, a));
+    overflow = !finite(dot(displacement, a), dot(a, a), std::fabs(dot(displacement, a)) - dot(a, a));
   }
   bool certain() const { return !overflow && abs(Rational(along - reach)) > error; }
 };

@@ -29,21 +29,21 @@ struct Squares {
 };
 template <class Ball, class Box>
 Squares squares(const Ball& ball, const Box& box) {
-  const auto way = robust::closest_point_on_aabb(ball.center, box);  // exact
+  const auto displacement = robust::closest_point_on_aabb(ball.center, box);  // exact
   const auto squared = [](double from, double to) {
     const Rational x(exact(to) - exact(from));
     return Rational(x * x);
   };
-  Rational distance = squared(ball.center.x, way.x) + squared(ball.center.y, way.y);
-  if constexpr (requires { way.z; }) distance += squared(ball.center.z, way.z);
+  Rational distance = squared(ball.center.x, displacement.x) + squared(ball.center.y, displacement.y);
+  if constexpr (requires { displacement.z; }) distance += squared(ball.center.z, displacement.z);
   return {distance, squared(0, ball.radius)};
 }
 
 /// |S - R| exceeds its bound, of the contract.
 template <class Ball, class Box>
 bool certain(const Ball& ball, const Box& box) {
-  const auto way = robust::closest_point_on_aabb(ball.center, box) - ball.center;
-  if (!finite(dot(way, way), ball.radius * ball.radius)) return false;
+  const auto displacement = robust::closest_point_on_aabb(ball.center, box) - ball.center;
+  if (!finite(dot(displacement, displacement), ball.radius * ball.radius)) return false;
   const auto [s, r] = squares(ball, box);
   const Rational u = unit();
   return abs(s - r) > (5 + 11 * u) * u * s + u * r + power_of_two(-1072);

@@ -65,7 +65,7 @@ struct Pushed {
 }
 
 /// The numbers of a vector as integers over one power of two.
-inline Vector3<mpz_class> whole_vector(const Integers<3>& numbers) {
+inline Vector3<mpz_class> integer_vector(const Integers<3>& numbers) {
   return {numbers.at[0], numbers.at[1], numbers.at[2]};
 }
 inline Integers<3> integers_of(const Vector3d& v) { return integers_of(v.x, v.y, v.z); }

@@ -18,21 +18,21 @@ class Unit {
   }
   void add(const Vector3d& v) { add(v.x), add(v.y), add(v.z); }
   int exponent() const { return least_ == INT_MAX ? 0 : least_; }
-  mpz_class whole(double number) const {
+  mpz_class integer(double number) const {
     Decoded part = decode(number);
     if (part.magnitude == 0) return 0;
     const int zeros = std::countr_zero(part.magnitude);
     part.magnitude >>= zeros;
     return scaled(part, part.exponent + zeros - least_);
   }
-  Vector3<mpz_class> whole(const Vector3d& v) const { return {whole(v.x), whole(v.y), whole(v.z)}; }
+  Vector3<mpz_class> integer(const Vector3d& v) const { return {integer(v.x), integer(v.y), integer(v.z)}; }
 
  private:
   int least_ = INT_MAX;
 };
 
 /// Returns 1, -1 or 0: the sign of the contact's impulse at that body.
-int push_at(const WholeContact& contact, Index body) { return (contact.a == body) - (contact.b == body); }
+int push_at(const IntegerContact& contact, Index body) { return (contact.a == body) - (contact.b == body); }
 
 /// Sums of impulses along normals at each body, times a common denominator.
 using Pushes = std::map<Index, Vector3<mpz_class>>;
@@ -56,9 +56,9 @@ class ActiveSet {
   }
 
  private:
-  const WholeContact& at(std::size_t i) const { return system_.contacts[i]; }
+  const IntegerContact& at(std::size_t i) const { return system_.contacts[i]; }
   /// The separation at one contact due to the impulse of another.
-  mpz_class effect(const WholeContact& c, const WholeContact& d) const {
+  mpz_class effect(const IntegerContact& c, const IntegerContact& d) const {
     const mpz_class mass =
         push_at(d, c.a) * system_.inverse_masses[c.a] - push_at(d, c.b) * system_.inverse_masses[c.b];
     return sgn(mass) == 0 ? mpz_class(0) : mpz_class(mass * dot(c.normal, d.normal));
@@ -116,13 +116,13 @@ class ActiveSet {
   std::optional<std::size_t> broken_by(const Solution& solution) const {
     Pushes pushes;
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      const WholeContact& c = at(active_[k]);
+      const IntegerContact& c = at(active_[k]);
       const Vector3<mpz_class> push = solution.numerators[0][k] * c.normal;
       pushes[c.a] = pushes[c.a] + system_.inverse_masses[c.a] * push;
       pushes[c.b] = pushes[c.b] - system_.inverse_masses[c.b] * push;
     }
     for (const std::size_t i : part_) {
-      const WholeContact& c = at(i);
+      const IntegerContact& c = at(i);
       if (dot(c.normal, pushes[c.a] - pushes[c.b]) < c.wanted * solution.denominator) return i;
     }
     return std::nullopt;
@@ -167,8 +167,8 @@ ContactSystem contact_system(const std::vector<PointBodyd>& bodies, const std::v
   Unit inverse_mass, speed;
   for (const auto& [w, v] : bodies) inverse_mass.add(w), speed.add(v);
   for (const auto& [w, v] : bodies) {
-    result.inverse_masses.push_back(inverse_mass.whole(w));
-    result.velocities.push_back(speed.whole(v));
+    result.inverse_masses.push_back(inverse_mass.integer(w));
+    result.velocities.push_back(speed.integer(v));
   }
   result.velocity_exponent = speed.exponent();
   const auto [one, restitution] = integers_of(1.0, e).at;
@@ -176,7 +176,7 @@ ContactSystem contact_system(const std::vector<PointBodyd>& bodies, const std::v
   for (const auto& [a, b, n] : contacts) {
     Unit length;
     length.add(n);
-    Vector3<mpz_class> normal = length.whole(n);
+    Vector3<mpz_class> normal = length.integer(n);
     const mpz_class parting = dot(normal, result.velocities[a] - result.velocities[b]);
     const mpz_class lacking = sgn(parting) < 0 ? mpz_class(one + restitution) : one;
     result.contacts.push_back({a, b, std::move(normal), -parting * lacking});
@@ -193,11 +193,11 @@ std::vector<Contacts> connected_parts(const ContactSystem& system) {
     return i;
   };
   const auto moves = [&system](Index body) { return sgn(system.inverse_masses[body]) != 0; };
-  for (const WholeContact& c : system.contacts)
+  for (const IntegerContact& c : system.contacts)
     if (moves(c.a) && moves(c.b)) root[root_of(c.a)] = root_of(c.b);
   std::map<std::size_t, Contacts> parts;  // contacts of immovable bodies are parts of their own, after all bodies
   for (std::size_t i = 0; i < system.contacts.size(); ++i) {
-    const WholeContact& c = system.contacts[i];
+    const IntegerContact& c = system.contacts[i];
     parts[moves(c.a) ? root_of(c.a) : moves(c.b) ? root_of(c.b) : bodies + i].push_back(i);
   }
   std::vector<Contacts> result;

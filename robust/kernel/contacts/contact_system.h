@@ -11,7 +11,7 @@
 namespace touchstone::robust::kernel {
 
 /// Everything is an integer: inverse masses and velocities each in their own unit, and each normal, too.
-struct WholeContact {
+struct IntegerContact {
   Index a, b;
   Vector3<mpz_class> normal;
   mpz_class wanted;  ///< r, in units of velocity and normal over `one`
@@ -21,7 +21,7 @@ struct ContactSystem {
   std::vector<Vector3<mpz_class>> velocities;
   int velocity_exponent;
   mpz_class one;  ///< 1 + e is an integer in units of 1 / one
-  std::vector<WholeContact> contacts;
+  std::vector<IntegerContact> contacts;
 };
 ContactSystem contact_system(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts,
                              double e);

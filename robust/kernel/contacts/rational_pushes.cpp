@@ -16,8 +16,8 @@ class Unit {
  public:
   void add(const Rational& a) { mpz_lcm(parts_.get_mpz_t(), parts_.get_mpz_t(), a.get_den_mpz_t()); }
   void add(const Vector3<Rational>& v) { add(v.x), add(v.y), add(v.z); }
-  mpz_class whole(const Rational& a) const { return mpz_class(a.get_num() * (parts_ / a.get_den())); }
-  Vector3<mpz_class> whole(const Vector3<Rational>& v) const { return {whole(v.x), whole(v.y), whole(v.z)}; }
+  mpz_class integer(const Rational& a) const { return mpz_class(a.get_num() * (parts_ / a.get_den())); }
+  Vector3<mpz_class> integer(const Vector3<Rational>& v) const { return {integer(v.x), integer(v.y), integer(v.z)}; }
   const mpz_class& parts() const { return parts_; }
 
  private:
@@ -44,12 +44,12 @@ std::vector<Rational> impulses_of(const std::vector<PointBody<Rational>>& bodies
   Unit mass, speed;
   for (const auto& [w, v] : bodies) mass.add(w), speed.add(v);
   for (const auto& [w, v] : bodies)
-    system.inverse_masses.push_back(mass.whole(w)), system.velocities.push_back(speed.whole(v));
+    system.inverse_masses.push_back(mass.integer(w)), system.velocities.push_back(speed.integer(v));
   std::vector<mpz_class> parts_of_length;
   for (const auto& [a, b, n] : contacts) {
     Unit length;
     length.add(n), parts_of_length.push_back(length.parts());
-    Vector3<mpz_class> normal = length.whole(n);
+    Vector3<mpz_class> normal = length.integer(n);
     mpz_class wanted = dot(normal, system.velocities[b] - system.velocities[a]) * bounce.get_num();
     system.contacts.push_back({a, b, std::move(normal), std::move(wanted)});
   }

@@ -23,7 +23,7 @@ class AxisTimes {
     const Time entry = backwards ? Time{m.a_min - m.b_max, -m.velocity} : Time{m.b_min - m.a_max, m.velocity},
                exit = backwards ? Time{m.a_max - m.b_min, -m.velocity} : Time{m.b_max - m.a_min, m.velocity};
     if (sign_of(m.velocity) == 0) {
-      apart_ = apart_ || sign_of(entry.way) > 0 || sign_of(exit.way) < 0;
+      apart_ = apart_ || sign_of(entry.displacement) > 0 || sign_of(exit.displacement) < 0;
       return;
     }
     if (before(first_, entry)) first_ = entry;
@@ -32,17 +32,19 @@ class AxisTimes {
 
   FirstContact<double> contact() const {
     if (apart_ || before(last_, first_)) return {HitRelation::never, std::nullopt};
-    return {HitRelation::hit, round_quotient(wide(first_.way), wide(first_.speed))};
+    return {HitRelation::hit, round_quotient(wide(first_.displacement), wide(first_.speed))};
   }
 
  private:
   /// way / speed, speed > 0.
   struct Time {
-    Integer way, speed;
+    Integer displacement, speed;
   };
   static Int128 wide(std::int64_t n) { return n; }
   static const mpz_class& wide(const mpz_class& n) { return n; }
-  static bool before(const Time& s, const Time& t) { return wide(s.way) * t.speed < wide(t.way) * s.speed; }
+  static bool before(const Time& s, const Time& t) {
+    return wide(s.displacement) * t.speed < wide(t.displacement) * s.speed;
+  }
 
   Time first_{0, 1}, last_{1, 1};
   bool apart_ = false;

@@ -12,8 +12,8 @@ namespace touchstone::robust::kernel {
 using Dyadic = Scaled<mpz_class>;
 
 inline Dyadic dyadic(double value) {
-  const Integers<1> whole = integers_of(value);
-  return {whole.at[0], whole.exponent};
+  const Integers<1> integers = integers_of(value);
+  return {integers.at[0], integers.exponent};
 }
 template <template <class> class Vector>
 Vector<Dyadic> dyadic(const Vector<double>& v) {

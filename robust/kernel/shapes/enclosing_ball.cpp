@@ -10,8 +10,8 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-using Whole = Point3<mpz_class>;
-using Way = Vector3<mpz_class>;
+using IntegerPoint = Point3<mpz_class>;
+using Displacement = Vector3<mpz_class>;
 
 constexpr double greatest_double = std::numeric_limits<double>::max();
 
@@ -35,43 +35,45 @@ int unit_of(const std::vector<Point3d>& points) {
 }
 
 /// x in units of 2^unit, of which it is a multiple.
-mpz_class whole(double x, int unit) {
+mpz_class integer(double x, int unit) {
   const Decoded part = decode(x);
   if (part.magnitude == 0) return 0;
   const int zeros = std::countr_zero(part.magnitude);
   return scaled(Decoded{part.magnitude >> zeros, 0, part.negative}, part.exponent + zeros - unit);
 }
-Whole whole(const Point3d& p, int unit) { return {whole(p.x, unit), whole(p.y, unit), whole(p.z, unit)}; }
+IntegerPoint integer(const Point3d& p, int unit) {
+  return {integer(p.x, unit), integer(p.y, unit), integer(p.z, unit)};
+}
 
 /// The smallest ball with these affinely independent points, up to four, on its boundary: its center is from + n / d, d
 /// > 0, and its radius |n| / d. By the formulas of reference/volumes/bounding_sphere.h, which the deck's method needs
 /// too; here they are exact.
 struct BallThrough {
-  Whole from;
-  Way n;
+  IntegerPoint from;
+  Displacement n;
   mpz_class d;
 
-  explicit BallThrough(const std::vector<Whole>& on) : from(on[0]), n{0, 0, 0}, d(1) {
+  explicit BallThrough(const std::vector<IntegerPoint>& on) : from(on[0]), n{0, 0, 0}, d(1) {
     if (on.size() == 1) return;
-    const Way u = on[1] - from;
+    const Displacement u = on[1] - from;
     if (on.size() == 2) {
       n = u, d = 2;
       return;
     }
-    const Way v = on[2] - from, normal = cross(u, v);
+    const Displacement v = on[2] - from, normal = cross(u, v);
     if (on.size() == 3) {
       n = cross(dot(u, u) * v - dot(v, v) * u, normal), d = 2 * dot(normal, normal);
       return;
     }
-    const Way w = on[3] - from;
+    const Displacement w = on[3] - from;
     n = dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * normal, d = 2 * dot(normal, w);
     if (sgn(d) < 0) n = mpz_class(-1) * n, d = -d;
   }
 
   /// |q - center|^2 > radius^2, multiplied by d.
-  bool leaves_out(const Whole& q) const {
-    const Way way = q - from;
-    return d * dot(way, way) > 2 * dot(way, n);
+  bool leaves_out(const IntegerPoint& q) const {
+    const Displacement displacement = q - from;
+    return d * dot(displacement, displacement) > 2 * dot(displacement, n);
   }
   double rounded(const mpz_class& start, const mpz_class& step, int unit) const {
     return round_quotient(mpz_class(start * d + step), d, unit);
@@ -112,7 +114,7 @@ class SmallestBall {
     }
   }
   void with(std::size_t p, std::size_t count) {
-    on_.push_back(whole(points_[p], unit_));
+    on_.push_back(integer(points_[p], unit_));
     set(BallThrough(on_));
     if (on_.size() < 4) enclose(count);
     on_.pop_back();
@@ -132,13 +134,13 @@ class SmallestBall {
   }
   bool leaves_out(std::size_t p) const {
     if (squared_distance(center_, points_[p]) * (1 + 0x1p-49) + 0x1p-1060 <= within_) return false;
-    return ball_->leaves_out(whole(points_[p], unit_));
+    return ball_->leaves_out(integer(points_[p], unit_));
   }
 
   const std::vector<Point3d>& points_;
   std::vector<std::size_t> order_;
   int unit_;
-  std::vector<Whole> on_;
+  std::vector<IntegerPoint> on_;
   std::optional<BallThrough> ball_;
   Point3d center_{};
   double within_ = 0;  ///< a point at less than this squared distance from the center is in the ball
@@ -162,11 +164,11 @@ double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
   for (const Point3d& p : points)
     if (!(squared_distance(center, p) < nearly)) far.push_back(p);
   const int unit = unit_of(far);
-  const Whole from = whole(center, unit);
+  const IntegerPoint from = integer(center, unit);
   mpz_class square = 0;
   for (const Point3d& p : far) {
-    const Way way = whole(p, unit) - from;
-    square = std::max(square, dot(way, way));
+    const Displacement displacement = integer(p, unit) - from;
+    square = std::max(square, dot(displacement, displacement));
   }
   const double radius = round_square_root(square, mpz_class(1), 2 * unit);
   if (!(radius <= greatest_double)) return radius;

@@ -39,10 +39,10 @@ struct Heights {
     double value, error;
   };
   Height of(const Point3d& p) const {
-    const Vector3d way = p - first;
-    const double most = size(way);
+    const Vector3d displacement = p - first;
+    const double most = size(displacement);
     if (!(most >= 0x1p-900 && most <= 0x1p1000)) return {0, 1};
-    return {dot(direction, way), 0x1p-47 * most};
+    return {dot(direction, displacement), 0x1p-47 * most};
   }
 };
 

@@ -13,10 +13,10 @@ using Segment = Segment3<mpz_class>;
 using Triangle = Triangle3<mpz_class>;
 
 mpz_class square(const Vector& v) { return dot(v, v); }
-QuotientPoint vertex(const WholePoint& p) { return {p, 1}; }
+QuotientPoint vertex(const IntegerPoint& p) { return {p, 1}; }
 
 /// from + n / d v
-QuotientPoint along(const WholePoint& from, const mpz_class& n, const mpz_class& d, const Vector& v) {
+QuotientPoint along(const IntegerPoint& from, const mpz_class& n, const mpz_class& d, const Vector& v) {
   const auto coordinate = [&](const mpz_class& start, const mpz_class& step) {
     return mpz_class(d * start + n * step);
   };
@@ -40,7 +40,7 @@ struct Nearest {
 };
 
 /// True if x is not beyond the edge, seen along the normal of a triangle to its left.
-bool on_inner_side(const Vector& normal, const WholePoint& from, const WholePoint& to, const WholePoint& x) {
+bool on_inner_side(const Vector& normal, const IntegerPoint& from, const IntegerPoint& to, const IntegerPoint& x) {
   return sgn(dot(cross(normal, to - from), x - from)) >= 0;
 }
 
@@ -60,7 +60,7 @@ Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q) {
 }
 
 /// The foot of the perpendicular, unless it is before a or beyond b.
-QuotientPoint nearest_on_segment(const WholePoint& p, const Segment& segment) {
+QuotientPoint nearest_on_segment(const IntegerPoint& p, const Segment& segment) {
   const auto& [a, b] = segment;
   const Vector v = b - a;
   const mpz_class foot = dot(p - a, v), length = square(v);
@@ -71,7 +71,7 @@ QuotientPoint nearest_on_segment(const WholePoint& p, const Segment& segment) {
 
 /// The foot of the perpendicular if it is in the triangle; otherwise the nearest point on an edge. Without area all
 /// points are on edges.
-QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle& triangle) {
+QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;
   const Vector normal = cross(b - a, c - a);
   const mpz_class length = square(normal);
@@ -96,7 +96,7 @@ QuotientPair nearest_pair(const Segment& a, const Segment& b) {
       return {along(a.a, on_a, length, v), along(b.a, on_b, length, w)};
   }
   const bool opposite = sgn(dot(v, w)) < 0;
-  const WholePoint &first = opposite ? b.b : b.a, &last = opposite ? b.a : b.b;
+  const IntegerPoint &first = opposite ? b.b : b.a, &last = opposite ? b.a : b.b;
   Nearest nearest(vertex(a.a), nearest_on_segment(a.a, b));
   nearest.try_next(nearest_on_segment(first, a), vertex(first));
   nearest.try_next(nearest_on_segment(last, a), vertex(last));
@@ -109,7 +109,7 @@ Point3d rounded(const QuotientPoint& p, int exponent) {
           round_quotient(p.n.z, p.d, exponent)};
 }
 
-ClosestPoint3<double> closest_point(const WholePoint& from, const QuotientPoint& nearest, int exponent) {
+ClosestPoint3<double> closest_point(const IntegerPoint& from, const QuotientPoint& nearest, int exponent) {
   const auto [point, on_b, squared, distance] = closest_pair({nearest, vertex(from)}, exponent);
   return {point, squared, distance};
 }

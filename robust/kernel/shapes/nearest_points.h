@@ -13,11 +13,11 @@
 /// are cases like others. The plane is z = 0.
 namespace touchstone::robust::kernel {
 
-using WholePoint = Point3<mpz_class>;
+using IntegerPoint = Point3<mpz_class>;
 
 /// A point: n / d, d > 0.
 struct QuotientPoint {
-  WholePoint n;
+  IntegerPoint n;
   mpz_class d;
 };
 struct QuotientPair {
@@ -27,8 +27,8 @@ struct QuotientPair {
 struct Quotient {
   mpz_class n, d;
 };
-QuotientPoint nearest_on_segment(const WholePoint& p, const Segment3<mpz_class>& segment);
-QuotientPoint nearest_on_triangle(const WholePoint& p, const Triangle3<mpz_class>& triangle);
+QuotientPoint nearest_on_segment(const IntegerPoint& p, const Segment3<mpz_class>& segment);
+QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle3<mpz_class>& triangle);
 /// Among several nearest pairs the one with the least parameter on a.
 QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class>& b);
 
@@ -44,13 +44,13 @@ inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(
 
 /// Points of the plane or of space over one power of two.
 template <class... Points>
-ScaledPoints<mpz_class> whole_points(const Points&... p) {
+ScaledPoints<mpz_class> integer_points(const Points&... p) {
   return integers_of(Polygon3d{{in_space(p)...}});
 }
 
 /// A point in units of the input times 2^exponent, each number rounded once.
 Point3d rounded(const QuotientPoint& p, int exponent);
-ClosestPoint3<double> closest_point(const WholePoint& from, const QuotientPoint& nearest, int exponent);
+ClosestPoint3<double> closest_point(const IntegerPoint& from, const QuotientPoint& nearest, int exponent);
 ClosestPair3<double> closest_pair(const QuotientPair& pair, int exponent);
 
 inline Point2d in_plane(const Point3d& p) { return {p.x, p.y}; }

@@ -15,7 +15,7 @@ namespace touchstone::robust::kernel {
 template <class Number>
 struct NearestToOrigin {
   std::array<Number, 4> weights;
-  Number whole;
+  Number total;
   Vector3<Number> normal;
 };
 
@@ -44,23 +44,23 @@ NearestToOrigin<Number> foot_of_perpendicular(const std::vector<Vector3<Number>>
   const auto weigh = [&](std::size_t k, Number weight) { foot.weights[chosen[k]] = std::move(weight); };
   if (chosen.size() == 2) {
     const Vector3<Number> e = edge(1);
-    foot.whole = dot(e, e), weigh(1, Number(-dot(e, p)));
-    foot.normal = foot.whole * p + foot.weights[chosen[1]] * e;
+    foot.total = dot(e, e), weigh(1, Number(-dot(e, p)));
+    foot.normal = foot.total * p + foot.weights[chosen[1]] * e;
   } else if (chosen.size() > 2) {
     const Vector3<Number> e = edge(1), f = edge(2), n = cross(e, f);
     if (chosen.size() == 3) {
       const Number height = dot(n, p);
-      foot.whole = dot(n, n), weigh(1, dot(cross(f, p), n)), weigh(2, dot(cross(p, e), n));
+      foot.total = dot(n, n), weigh(1, dot(cross(f, p), n)), weigh(2, dot(cross(p, e), n));
       foot.normal = height > 0 ? n : height < 0 ? Number(-1) * n : Vector3<Number>{Number(0), Number(0), Number(0)};
     } else {
       const Vector3<Number> g = edge(3);
       const Number volume = dot(n, g), side(volume < 0 ? 1 : -1);
-      foot.whole = -side * volume, foot.normal = {Number(0), Number(0), Number(0)};
+      foot.total = -side * volume, foot.normal = {Number(0), Number(0), Number(0)};
       weigh(1, Number(side * dot(cross(f, g), p))), weigh(2, Number(side * dot(cross(g, e), p)));
       weigh(3, Number(side * dot(n, p)));
     }
   }
-  Number first = foot.whole;
+  Number first = foot.total;
   for (std::size_t k = 1; k < chosen.size(); ++k) first -= foot.weights[chosen[k]];
   weigh(0, std::move(first));
   return foot;
@@ -74,7 +74,7 @@ std::optional<NearestToOrigin<Number>> nearest_to_origin(const std::vector<Vecto
   for (unsigned mask = (1U << points.size()) - 1; mask > 0; --mask) {
     const Chosen chosen(mask, points.size());
     const NearestToOrigin<Number> foot = foot_of_perpendicular(points, chosen);
-    bool nearest = foot.whole > 0;
+    bool nearest = foot.total > 0;
     for (std::size_t k = 0; k < chosen.size(); ++k) nearest = nearest && foot.weights[chosen[k]] > 0;
     for (std::size_t k = 0; k < points.size() && nearest; ++k)
       if ((mask >> k & 1U) == 0) nearest = dot(foot.normal, points[k] - points[chosen[0]]) >= 0;

@@ -31,13 +31,13 @@ ScaledPoints<mpz_class> integers_of(const Polygon3d& polygon) {
     if (part.magnitude != 0) low = std::min(low, part.exponent);
   });
   if (low == INT_MAX) low = 0;
-  const auto whole = [low](double x) {
+  const auto integer = [low](double x) {
     const Decoded part = decode(x);
     return part.magnitude == 0 ? mpz_class(0) : scaled(part, part.exponent - low);
   };
   ScaledPoints<mpz_class> points{{}, low};
   points.at.reserve(polygon.size());
-  for (const Point3d& p : polygon.vertices) points.at.push_back({whole(p.x), whole(p.y), whole(p.z)});
+  for (const Point3d& p : polygon.vertices) points.at.push_back({integer(p.x), integer(p.y), integer(p.z)});
   return points;
 }
 

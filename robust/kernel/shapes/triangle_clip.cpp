@@ -87,7 +87,7 @@ Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& 
   return part;
 }
 
-Vector way(const HomogeneousPoint& p, const HomogeneousPoint& q) {
+Vector displacement(const HomogeneousPoint& p, const HomogeneousPoint& q) {
   return {mpz_class(q.p.x * p.w - p.p.x * q.w), mpz_class(q.p.y * p.w - p.p.y * q.w),
           mpz_class(q.p.z * p.w - p.p.z * q.w)};
 }

@@ -43,7 +43,7 @@ struct HomogeneousPoint {
 };
 
 /// q - p, times a positive number.
-Vector3<mpz_class> way(const HomogeneousPoint& p, const HomogeneousPoint& q);
+Vector3<mpz_class> displacement(const HomogeneousPoint& p, const HomogeneousPoint& q);
 inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
 
 /// The ends of the parts that the edges of each triangle have in the other. Every extreme point of the common part lies

@@ -12,7 +12,7 @@ class CommonUnit {
     if (part.magnitude != 0) least_ = std::min(least_, part.exponent);
   }
   int exponent() const { return least_ == INT_MAX ? 0 : least_; }
-  mpz_class whole(double number) const {
+  mpz_class integer(double number) const {
     const Decoded part = decode(number);
     return part.magnitude == 0 ? mpz_class(0) : scaled(part, part.exponent - least_);
   }
@@ -23,14 +23,14 @@ class CommonUnit {
 
 }  // namespace
 
-WholeBodies whole_bodies(const std::vector<Bodyd>& bodies) {
+IntegerBodies integer_bodies(const std::vector<Bodyd>& bodies) {
   CommonUnit mass, speed;
   for (const Bodyd& body : bodies)
     mass.add(body.mass), speed.add(body.velocity.x), speed.add(body.velocity.y), speed.add(body.velocity.z);
-  WholeBodies result{{}, mass.exponent(), speed.exponent()};
+  IntegerBodies result{{}, mass.exponent(), speed.exponent()};
   result.at.reserve(bodies.size());
   for (const auto& [m, v] : bodies)
-    result.at.push_back({mass.whole(m), {speed.whole(v.x), speed.whole(v.y), speed.whole(v.z)}});
+    result.at.push_back({mass.integer(m), {speed.integer(v.x), speed.integer(v.y), speed.integer(v.z)}});
   return result;
 }
 

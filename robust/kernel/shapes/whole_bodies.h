@@ -11,11 +11,11 @@
 namespace touchstone::robust::kernel {
 
 /// As GMP integers: masses times 2^mass_exponent, velocities times 2^velocity_exponent.
-struct WholeBodies {
+struct IntegerBodies {
   std::vector<Body<mpz_class>> at;
   int mass_exponent, velocity_exponent;
 };
-WholeBodies whole_bodies(const std::vector<Bodyd>& bodies);
+IntegerBodies integer_bodies(const std::vector<Bodyd>& bodies);
 
 /// Sums of robust/kernel/enclosed/enclosed.h hold at most this many terms.
 inline constexpr std::size_t most_enclosed_bodies = std::size_t{1} << 12;

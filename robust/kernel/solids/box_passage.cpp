@@ -16,7 +16,7 @@ namespace {
 struct Axis {
   double from, to, min, max;
 
-  bool zero_way(bool ends) const { return ends ? validation::same(from, to) : validation::zero(to); }
+  bool zero_displacement(bool ends) const { return ends ? validation::same(from, to) : validation::zero(to); }
 };
 
 /// On the lattice: distance / speed, or 1 / 0, which is later than all others. Both are differences, so below 2^62.
@@ -51,18 +51,18 @@ Perhaps<Passage<double>> BoxPassage::enclosed(const Line& line, const Box& box) 
   bool moves = false;
   for (const auto& [from, to, min, max] : axes_of(line, box)) {
     if (!in_window(Two(from, to), Two(min, max))) return std::nullopt;
-    const Pair<double> way = line.ends ? difference(to, from) : Pair<double>{to, 0};
-    if (way.high == 0) {
+    const Pair<double> displacement = line.ends ? difference(to, from) : Pair<double>{to, 0};
+    if (displacement.high == 0) {
       if (from < min || max < from) return no_passage;
       continue;
     }
     moves = true;
-    const Divisor<double> speed(Enclosed<double>{way.high, way.low, 0});
+    const Divisor<double> speed(Enclosed<double>{displacement.high, displacement.low, 0});
     const auto time = [&speed, from = from](double side) {
       const Pair<double> gap = difference(side, from);
       return rounded(Enclosed<double>{gap.high, gap.low, 0} / speed);
     };
-    const auto entry = time(way.high > 0 ? min : max), exit = time(way.high > 0 ? max : min);
+    const auto entry = time(displacement.high > 0 ? min : max), exit = time(displacement.high > 0 ? max : min);
     if (!entry || !exit) return std::nullopt;
     first = std::max(first, *entry), last = std::min(last, *exit);
   }
@@ -79,7 +79,7 @@ Passage<double> BoxPassage::exact(const Line& line, const Box& box) {
     const auto n = integers_of(axis.from, axis.to, axis.min, axis.max).at;
     const mpz_class &from = n[0], &min = n[2], &max = n[3], to = line.ends ? n[1] : mpz_class(from + n[1]);
     part.keep(from - min, to - min), part.keep(max - from, max - to);
-    moves = moves || !axis.zero_way(line.ends);
+    moves = moves || !axis.zero_displacement(line.ends);
   }
   if (part.empty) return no_passage;
   if (!moves) return {PassageRelation::hit, 0.0, 0.0};
@@ -93,13 +93,13 @@ Perhaps<PassageRelation> box_relation_on_lattice(const Line& line, const Box& bo
     const auto lattice = lattice_of(from, to, min, max);
     if (!lattice) return std::nullopt;
     const auto& n = lattice->at;
-    const std::int64_t way = line.ends ? n[1] - n[0] : n[1], to_min = n[2] - n[0], to_max = n[3] - n[0];
-    if (way == 0) {
+    const std::int64_t displacement = line.ends ? n[1] - n[0] : n[1], to_min = n[2] - n[0], to_max = n[3] - n[0];
+    if (displacement == 0) {
       if (to_min > 0 || to_max < 0) return PassageRelation::none;
       continue;
     }
-    const Time entry = way > 0 ? Time{to_min, way} : Time{-to_max, -way};
-    const Time exit = way > 0 ? Time{to_max, way} : Time{-to_min, -way};
+    const Time entry = displacement > 0 ? Time{to_min, displacement} : Time{-to_max, -displacement};
+    const Time exit = displacement > 0 ? Time{to_max, displacement} : Time{-to_min, -displacement};
     if (start < entry) start = entry;
     if (exit < end) end = exit;
   }

@@ -61,7 +61,7 @@ std::optional<Line> common_line(const Wall& v, const Wall& w) {
   if (v.has_edge_of(w) || v.on_one_side_of(w) || w.on_one_side_of(v)) return std::nullopt;
   const std::vector<HomogeneousPoint> ends = ends_of_common_part(v.corners, w.corners);
   for (const HomogeneousPoint& end : ends) {
-    if (zero(way(ends.front(), end))) continue;
+    if (zero(displacement(ends.front(), end))) continue;
     const HomogeneousPoint& first = ends.front();
     return Line{{times(first.p, end.w), times(end.p, first.w)},
                 mpz_class(first.w * end.w),
@@ -75,7 +75,8 @@ std::optional<Line> common_line(const Wall& v, const Wall& w) {
 struct Seen {
   Seen(const Wall& seen, const HomogeneousPoint& from)
       : wall(&seen),
-        corners{way(from, {wall->corners.a, 1}), way(from, {wall->corners.b, 1}), way(from, {wall->corners.c, 1})} {}
+        corners{displacement(from, {wall->corners.a, 1}), displacement(from, {wall->corners.b, 1}),
+                displacement(from, {wall->corners.c, 1})} {}
   const Wall* wall;
   std::array<Vector, 3> corners;
 };

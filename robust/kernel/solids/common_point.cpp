@@ -16,19 +16,19 @@ Vector quotients(const Vector3<mpz_class>& v) { return {mpq_class(v.x), mpq_clas
 
 /// The corners of the hull, counter-clockwise about the normal; two of a segment, or one. By chains from the first to
 /// the last point in lexicographic order and back, which is the order along some direction in the plane.
-std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_class>& normal) {
-  const auto before = [](const WholePoint& p, const WholePoint& q) {
+std::vector<Point> ring_of(std::vector<IntegerPoint> points, const Vector3<mpz_class>& normal) {
+  const auto before = [](const IntegerPoint& p, const IntegerPoint& q) {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   };
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  std::vector<WholePoint> ring;
+  std::vector<IntegerPoint> ring;
   if (points.size() == 1) ring = points;
   const auto chain = [&](const auto& list) {
     const std::size_t start = ring.size();
-    for (const WholePoint& p : list) {
+    for (const IntegerPoint& p : list) {
       const auto turns_left = [&] {
-        const WholePoint &q = ring[ring.size() - 2], &r = ring.back();
+        const IntegerPoint &q = ring[ring.size() - 2], &r = ring.back();
         return sgn(dot(normal, cross(r - q, p - r))) > 0;
       };
       while (ring.size() >= start + 2 && !turns_left()) ring.pop_back();
@@ -38,7 +38,7 @@ std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_cla
   };
   if (ring.empty()) chain(points), std::reverse(points.begin(), points.end()), chain(points);
   std::vector<Point> found;
-  for (const WholePoint& p : ring) found.push_back({mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)});
+  for (const IntegerPoint& p : ring) found.push_back({mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)});
   return found;
 }
 
@@ -53,9 +53,9 @@ struct HalfSpace {
 std::vector<HalfSpace> half_spaces(const std::vector<Point>& ring, const Vector& normal) {
   std::vector<HalfSpace> all;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vector way = ring[(i + 1) % ring.size()] - ring[i];
-    all.push_back({ring[i], cross(normal, way)});
-    if (ring.size() == 2) all.push_back({ring[i], way});
+    const Vector displacement = ring[(i + 1) % ring.size()] - ring[i];
+    all.push_back({ring[i], cross(normal, displacement)});
+    if (ring.size() == 2) all.push_back({ring[i], displacement});
   }
   return all;
 }
@@ -72,25 +72,25 @@ std::vector<Point> clipped(const std::vector<Point>& ring, const HalfSpace& kept
 }
 
 Point nearest_on_edge(const Point& p, const Point& q, const Point& to) {
-  const Vector way = q - p;
-  const mpq_class along = dot(way, to - p), length = dot(way, way);
+  const Vector displacement = q - p;
+  const mpq_class along = dot(displacement, to - p), length = dot(displacement, displacement);
   if (sgn(along) <= 0) return p;
-  return along >= length ? q : p + mpq_class(along / length) * way;
+  return along >= length ? q : p + mpq_class(along / length) * displacement;
 }
 
 QuotientPoint over_one_denominator(const Point& p) {
   mpz_class d;
   mpz_lcm(d.get_mpz_t(), p.x.get_den_mpz_t(), p.y.get_den_mpz_t());
   mpz_lcm(d.get_mpz_t(), d.get_mpz_t(), p.z.get_den_mpz_t());
-  const auto whole = [&d](const mpq_class& x) { return mpz_class(x.get_num() * (d / x.get_den())); };
-  return {{whole(p.x), whole(p.y), whole(p.z)}, d};
+  const auto integer = [&d](const mpq_class& x) { return mpz_class(x.get_num() * (d / x.get_den())); };
+  return {{integer(p.x), integer(p.y), integer(p.z)}, d};
 }
 
 }  // namespace
 
 /// The foot of the perpendicular, if both sets contain it; otherwise the point is on an edge of their intersection.
-QuotientPoint nearest_common_point(std::vector<WholePoint> a, std::vector<WholePoint> b,
-                                   const Vector3<mpz_class>& normal, const WholePoint& to) {
+QuotientPoint nearest_common_point(std::vector<IntegerPoint> a, std::vector<IntegerPoint> b,
+                                   const Vector3<mpz_class>& normal, const IntegerPoint& to) {
   const Vector n = quotients(normal);
   const Point target{mpq_class(to.x), mpq_class(to.y), mpq_class(to.z)};
   std::vector<Point> common = ring_of(std::move(a), normal);

@@ -39,28 +39,29 @@ using HullInPlane = SmallHull<Point2<Integer>>;
 /// The number of an axis x, y, z that is not in the plane spanned by the displacements from one point to others; or, if
 /// all are collinear, one along which that line does not lead.
 template <class Integer>
-std::size_t axis_to_look_along(std::span<const Vector3<Integer>> ways) {
-  const Vector3<Integer>* along = &ways[0];
-  for (const Vector3<Integer>& way : ways) {
-    if (sign_of(along->x) == 0 && sign_of(along->y) == 0 && sign_of(along->z) == 0) along = &way;
-    const Normal<Integer> normal(*along, way);
+std::size_t axis_to_look_along(std::span<const Vector3<Integer>> displacements) {
+  const Vector3<Integer>* along = &displacements[0];
+  for (const Vector3<Integer>& displacement : displacements) {
+    if (sign_of(along->x) == 0 && sign_of(along->y) == 0 && sign_of(along->z) == 0) along = &displacement;
+    const Normal<Integer> normal(*along, displacement);
     if (!normal.zero()) return sign_of(normal.x) != 0 ? 0 : sign_of(normal.y) != 0 ? 1 : 2;
   }
   return sign_of(along->x) != 0 ? 2 : sign_of(along->y) != 0 ? 0 : 1;
 }
 
 template <class Integer>
-Point2<Integer> seen_along(std::size_t axis, const Point3<Integer>& p) {
+Point2<Integer> projected_along(std::size_t axis, const Point3<Integer>& p) {
   if (axis == 0) return {p.y, p.z};
   if (axis == 1) return {p.z, p.x};
   return {p.x, p.y};
 }
 template <class Integer>
-HullInPlane<Integer> seen_along(std::size_t axis, const HullInSpace<Integer>& hull) {
-  HullInPlane<Integer> seen{{}, hull.count};
-  for (std::size_t k = 0; k < 3; ++k) seen.at[k] = seen_along(axis, hull[k]);
-  if (seen.count == 3 && turn(seen[0], seen[1], seen[2]) < 0) std::swap(seen.at[1], seen.at[2]);
-  return seen;
+HullInPlane<Integer> projected_along(std::size_t axis, const HullInSpace<Integer>& hull) {
+  HullInPlane<Integer> projected{{}, hull.count};
+  for (std::size_t k = 0; k < 3; ++k) projected.at[k] = projected_along(axis, hull[k]);
+  if (projected.count == 3 && turn(projected[0], projected[1], projected[2]) < 0)
+    std::swap(projected.at[1], projected.at[2]);
+  return projected;
 }
 
 /// Part of a line, from its least point to its greatest in lexicographic order.
@@ -120,10 +121,10 @@ int common_dimension(const HullInPlane<Integer>& a, const HullInPlane<Integer>& 
 /// The same for a ray.
 template <class Integer>
 int common_dimension(const Ray2<Integer>& ray, const HullInPlane<Integer>& hull) {
-  const auto& [origin, way] = ray;
+  const auto& [origin, displacement] = ray;
   for (std::size_t i = 0; hull.count > 1 && i < hull.count; ++i) {
     const Point2<Integer>&from = hull[i], &to = hull.next(i);
-    const int at_origin = turn(from, to, origin), rise = turn(to - from, way);
+    const int at_origin = turn(from, to, origin), rise = turn(to - from, displacement);
     if (at_origin > 0 || rise > 0) continue;
     if (at_origin < 0) return -1;
     PartOfLine<Integer> edge, touching;
@@ -133,7 +134,7 @@ int common_dimension(const Ray2<Integer>& ray, const HullInPlane<Integer>& hull)
   PartOfLine<Integer> on_line;
   bool left = false, right = false;
   for (std::size_t k = 0; k < hull.count; ++k) {
-    const int side = turn(way, hull[k] - origin);
+    const int side = turn(displacement, hull[k] - origin);
     left = left || side > 0, right = right || side < 0;
     if (side == 0) on_line.add(hull[k]);
   }

@@ -37,19 +37,19 @@ bool in_one_plane(const Point3<mpq_class>& a, const Point3<mpq_class>& b, const 
 }
 
 template <class Real>
-std::optional<SeenPolygon<Real>> SeenPolygon<Real>::of(const std::vector<Point3<Real>>& vertices,
-                                                       const std::vector<Index>& corners) {
+std::optional<ProjectedPolygon<Real>> ProjectedPolygon<Real>::of(const std::vector<Point3<Real>>& vertices,
+                                                                 const std::vector<Index>& corners) {
   using P = Point3<Real>;
-  const SeenPolygon along[]{{vertices, &P::x, &P::y}, {vertices, &P::y, &P::z}, {vertices, &P::z, &P::x}};
+  const ProjectedPolygon along[]{{vertices, &P::x, &P::y}, {vertices, &P::y, &P::z}, {vertices, &P::z, &P::x}};
   const Index a = corners[0];
   const auto b = std::find_if(corners.begin(), corners.end(), [&](Index v) { return !(vertices[v] == vertices[a]); });
   for (auto c = b; c != corners.end(); ++c) {
-    for (const SeenPolygon& seen : along) {
-      if (seen.turn_of(a, *b, *c) == 0) continue;
+    for (const ProjectedPolygon& projected : along) {
+      if (projected.turn_of(a, *b, *c) == 0) continue;
       const bool planar = std::all_of(corners.begin(), corners.end(), [&](Index d) {
         return d == a || d == *b || d == *c || in_one_plane(vertices[a], vertices[*b], vertices[*c], vertices[d]);
       });
-      return planar ? std::optional(seen) : std::nullopt;
+      return planar ? std::optional(projected) : std::nullopt;
     }
   }
   return along[0];  // all collinear
@@ -87,10 +87,10 @@ bool bounded_alike(const std::vector<Index>& corners, Triangles triangles) {
 /// True if all turns of triangles are positive with this sign.
 template <class Real>
 struct Cut {
-  const SeenPolygon<Real>& seen;
+  const ProjectedPolygon<Real>& projected;
   int sign;
 
-  int turn(Index p, Index q, Index r) const { return sign * seen.turn_of(p, q, r); }
+  int turn(Index p, Index q, Index r) const { return sign * projected.turn_of(p, q, r); }
   /// True if an edge of one has all of the other on its right.
   bool held_apart(const Face& one, const Face& other) const {
     const auto ring = ring_of(one);
@@ -101,15 +101,15 @@ struct Cut {
     return false;
   }
   bool holds(const Face& f, Index v) const {
-    const auto same = [&](Index corner) { return seen.in_one_position(corner, v); };
+    const auto same = [&](Index corner) { return projected.in_one_position(corner, v); };
     if (same(f.a) || same(f.b) || same(f.c)) return false;
     return turn(f.a, f.b, v) >= 0 && turn(f.b, f.c, v) >= 0 && turn(f.c, f.a, v) >= 0;
   }
 };
 
 template <class Real>
-bool cuts(const SeenPolygon<Real>& seen, const std::vector<Index>& corners, Triangles triangles) {
-  const Cut<Real> cut{seen, seen.turn_of(triangles[0].a, triangles[0].b, triangles[0].c)};
+bool cuts(const ProjectedPolygon<Real>& projected, const std::vector<Index>& corners, Triangles triangles) {
+  const Cut<Real> cut{projected, projected.turn_of(triangles[0].a, triangles[0].b, triangles[0].c)};
   const auto named = [&corners](Index v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); };
   for (const Face& f : triangles)
     if (!named(f.a) || !named(f.b) || !named(f.c) || cut.turn(f.a, f.b, f.c) <= 0) return false;
@@ -129,23 +129,23 @@ template <class Real>
 std::variant<std::vector<Face>, PolygonDefect> cut_polygon(const std::vector<Point3<Real>>& vertices,
                                                            const std::vector<Index>& corners) {
   struct Ring {
-    const SeenPolygon<Real>& seen;
+    const ProjectedPolygon<Real>& projected;
     const std::vector<Index>& corners;
     int sign;
     int turn(std::size_t i, std::size_t j, std::size_t k) const {
-      return sign * seen.turn_of(corners[i], corners[j], corners[k]);
+      return sign * projected.turn_of(corners[i], corners[j], corners[k]);
     }
-    bool same(std::size_t i, std::size_t j) const { return seen.in_one_position(corners[i], corners[j]); }
+    bool same(std::size_t i, std::size_t j) const { return projected.in_one_position(corners[i], corners[j]); }
   };
   const ControlWord ieee;
-  const auto seen = SeenPolygon<Real>::of(vertices, corners);
-  if (!seen) return PolygonDefect::askew;
+  const auto projected = ProjectedPolygon<Real>::of(vertices, corners);
+  if (!projected) return PolygonDefect::askew;
   for (const int sign : {1, -1}) {
-    const auto triangles = clipped_ears(Ring{*seen, corners, sign}, corners.size());
+    const auto triangles = clipped_ears(Ring{*projected, corners, sign}, corners.size());
     if (!triangles) continue;
     std::vector<Face> faces;
     for (const auto& [i, j, k] : *triangles) faces.push_back({corners[i], corners[j], corners[k]});
-    if (cuts(*seen, corners, Triangles(faces))) return faces;
+    if (cuts(*projected, corners, Triangles(faces))) return faces;
   }
   return PolygonDefect::no_ring;
 }
@@ -167,9 +167,9 @@ void validate_polygons(const std::string& field, const Meshd& mesh) {
       if (corners != std::vector<Index>{first.a, first.b, first.c}) validation::refuse_cut(field);
       continue;
     }
-    const auto seen = SeenPolygon<double>::of(mesh.vertices, corners);
-    if (!seen) validation::refuse_askew(field, i);
-    if (!cuts(*seen, corners, triangles)) validation::refuse_cut(field);
+    const auto projected = ProjectedPolygon<double>::of(mesh.vertices, corners);
+    if (!projected) validation::refuse_askew(field, i);
+    if (!cuts(*projected, corners, triangles)) validation::refuse_cut(field);
   }
 }
 

@@ -27,19 +27,20 @@ bool in_one_plane(const Point3<mpq_class>& a, const Point3<mpq_class>& b, const 
 /// A polygon with coplanar corners, seen along a coordinate axis that leads out of its plane. Vertices are named by
 /// their indices in the mesh. The mesh's vertices and the corners must outlive it.
 template <class Real>
-class SeenPolygon {
+class ProjectedPolygon {
  public:
   /// Returns nullopt if the corners are not coplanar.
-  static std::optional<SeenPolygon> of(const std::vector<Point3<Real>>& vertices, const std::vector<Index>& corners);
+  static std::optional<ProjectedPolygon> of(const std::vector<Point3<Real>>& vertices,
+                                            const std::vector<Index>& corners);
 
   /// Positive to the left, whatever the polygon's orientation.
-  int turn_of(Index p, Index q, Index r) const { return sign_of_turn(seen(p), seen(q), seen(r)); }
+  int turn_of(Index p, Index q, Index r) const { return sign_of_turn(projected(p), projected(q), projected(r)); }
   bool in_one_position(Index p, Index q) const { return vertices_[p] == vertices_[q]; }
 
  private:
   using Axis = Real Point3<Real>::*;
-  SeenPolygon(const std::vector<Point3<Real>>& vertices, Axis u, Axis v) : vertices_(vertices), u_(u), v_(v) {}
-  Point2<Real> seen(Index p) const { return {vertices_[p].*u_, vertices_[p].*v_}; }
+  ProjectedPolygon(const std::vector<Point3<Real>>& vertices, Axis u, Axis v) : vertices_(vertices), u_(u), v_(v) {}
+  Point2<Real> projected(Index p) const { return {vertices_[p].*u_, vertices_[p].*v_}; }
 
   const std::vector<Point3<Real>>& vertices_;
   Axis u_, v_;

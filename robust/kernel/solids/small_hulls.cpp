@@ -33,9 +33,9 @@ HullInSpace<Integer> hull_of(const Triangle3<Integer>& t) {
 /// The dimension of the intersection of coplanar hulls.
 template <class Integer>
 int in_plane(const HullInSpace<Integer>& a, const HullInSpace<Integer>& b) {
-  const std::array ways{a.at[1] - a[0], a.at[2] - a[0], b[0] - a[0], b.at[1] - a[0], b.at[2] - a[0]};
-  const std::size_t axis = axis_to_look_along<Integer>(ways);
-  return common_dimension(seen_along(axis, a), seen_along(axis, b));
+  const std::array displacements{a.at[1] - a[0], a.at[2] - a[0], b[0] - a[0], b.at[1] - a[0], b.at[2] - a[0]};
+  const std::size_t axis = axis_to_look_along<Integer>(displacements);
+  return common_dimension(projected_along(axis, a), projected_along(axis, b));
 }
 
 /// Decides whether the line from p along d, which crosses the plane of the triangle within its extent, meets the
@@ -107,16 +107,16 @@ int common_dimension(const HullInSpace<Integer>& a, const HullInSpace<Integer>& 
 
 template <class Integer>
 int common_dimension(const Ray3<Integer>& ray, const HullInSpace<Integer>& t) {
-  const auto& [p, way] = ray;
-  const Normal<Integer> normal(t.at[1] - t[0], t.count == 3 ? t[2] - t[0] : way);
-  const int at_origin = normal.along(p - t[0]), rise = normal.along(way);
+  const auto& [p, displacement] = ray;
+  const Normal<Integer> normal(t.at[1] - t[0], t.count == 3 ? t[2] - t[0] : displacement);
+  const int at_origin = normal.along(p - t[0]), rise = normal.along(displacement);
   if (at_origin == 0 && rise == 0) {
-    const std::array ways{way, t[0] - p, t.at[1] - p, t.at[2] - p};
-    const std::size_t axis = axis_to_look_along<Integer>(ways);
-    const Point2<Integer> ahead = seen_along(axis, p + way), from = seen_along(axis, p);
-    return common_dimension(Ray2<Integer>{from, ahead - from}, seen_along(axis, t));
+    const std::array displacements{displacement, t[0] - p, t.at[1] - p, t.at[2] - p};
+    const std::size_t axis = axis_to_look_along<Integer>(displacements);
+    const Point2<Integer> ahead = projected_along(axis, p + displacement), from = projected_along(axis, p);
+    return common_dimension(Ray2<Integer>{from, ahead - from}, projected_along(axis, t));
   }
-  return rise != 0 && at_origin != rise && crosses(p, way, t) ? 0 : -1;
+  return rise != 0 && at_origin != rise && crosses(p, displacement, t) ? 0 : -1;
 }
 
 /// Points by their coordinates, each axis over its own power of two: scaling space along an axis keeps the dimension of
@@ -145,15 +145,15 @@ int top_field(std::initializer_list<double> numbers) {
 
 /// The direction times 2^by, by its bits; unchanged if a number would not be normal.
 Vector3d shifted(const Vector3d& direction, int by) {
-  Vector3d way = direction;
-  for (double* const x : {&way.x, &way.y, &way.z}) {
+  Vector3d displacement = direction;
+  for (double* const x : {&displacement.x, &displacement.y, &displacement.z}) {
     if (validation::zero(*x)) continue;
     const auto bits = std::bit_cast<std::int64_t>(*x);
     const int field = static_cast<int>(bits >> 52 & 0x7ff);
     if (field == 0 || field + by < 1 || field + by > 0x7fe) return direction;
     *x = std::bit_cast<double>(bits + (static_cast<std::int64_t>(by) << 52));
   }
-  return way;
+  return displacement;
 }
 
 template <class Dimension, class... Points>

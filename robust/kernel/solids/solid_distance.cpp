@@ -13,7 +13,7 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-using Whole = Vector3<mpz_class>;
+using IntegerVector = Vector3<mpz_class>;
 
 /// A vertex of a and one of b: the displacement from the second to the first is a point of their Minkowski difference.
 struct Corners {
@@ -50,20 +50,22 @@ std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
   const int places = greatest > 0 ? std::ilogb(greatest) : 0;
   const std::vector<Point3d> points_of_a = near_one(a, places), points_of_b = near_one(b, places);
   std::vector<Corners> corners{{0, 0}};
-  std::vector<Vector3d> ways{points_of_a[0] - points_of_b[0]};
-  Vector3d normal = ways[0];
+  std::vector<Vector3d> displacements{points_of_a[0] - points_of_b[0]};
+  Vector3d normal = displacements[0];
   for (int step = 0; step < 64; ++step) {
     const Corners next{lowest(points_of_a, normal), lowest(points_of_b, -1.0 * normal)};
-    const Vector3d way = points_of_a[next.of_a] - points_of_b[next.of_b];
-    if (!(dot(normal, way - ways[0]) < 0) || std::find(corners.begin(), corners.end(), next) != corners.end()) break;
-    ways.push_back(way);
-    const auto nearest = nearest_to_origin(ways);
+    const Vector3d displacement = points_of_a[next.of_a] - points_of_b[next.of_b];
+    if (!(dot(normal, displacement - displacements[0]) < 0) ||
+        std::find(corners.begin(), corners.end(), next) != corners.end())
+      break;
+    displacements.push_back(displacement);
+    const auto nearest = nearest_to_origin(displacements);
     if (!nearest) break;
     corners.push_back(next);
     std::size_t kept = 0;
-    for (std::size_t k = 0; k < ways.size(); ++k)
-      if (nearest->weights[k] > 0) ways[kept] = ways[k], corners[kept++] = corners[k];
-    ways.resize(kept), corners.resize(kept), normal = nearest->normal;
+    for (std::size_t k = 0; k < displacements.size(); ++k)
+      if (nearest->weights[k] > 0) displacements[kept] = displacements[k], corners[kept++] = corners[k];
+    displacements.resize(kept), corners.resize(kept), normal = nearest->normal;
     if (kept == 4) break;
   }
   return corners;
@@ -73,9 +75,9 @@ std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
 struct Nearest {
   std::vector<Corners> corners;
   std::vector<mpz_class> weights;
-  std::vector<WholePoint> on_a, on_b;
-  mpz_class whole;
-  Whole normal;
+  std::vector<IntegerPoint> on_a, on_b;
+  mpz_class total;
+  IntegerVector normal;
   int exponent;
 };
 
@@ -83,10 +85,10 @@ Nearest nearest_of(const Meshd& a, const Meshd& b, const std::vector<Corners>& c
   Polygon3d used;
   for (const auto& [i, j] : corners) used.vertices.push_back(a.vertices[i]), used.vertices.push_back(b.vertices[j]);
   const auto [at, exponent] = integers_of(used);
-  std::vector<Whole> ways;
-  for (std::size_t k = 0; k < corners.size(); ++k) ways.push_back(at[2 * k] - at[2 * k + 1]);
-  const auto found = nearest_to_origin(ways).value();
-  Nearest nearest{{}, {}, {}, {}, found.whole, found.normal, exponent};
+  std::vector<IntegerVector> displacements;
+  for (std::size_t k = 0; k < corners.size(); ++k) displacements.push_back(at[2 * k] - at[2 * k + 1]);
+  const auto found = nearest_to_origin(displacements).value();
+  Nearest nearest{{}, {}, {}, {}, found.total, found.normal, exponent};
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (sgn(found.weights[k]) == 0) continue;
     nearest.corners.push_back(corners[k]), nearest.weights.push_back(found.weights[k]);
@@ -96,8 +98,8 @@ Nearest nearest_of(const Meshd& a, const Meshd& b, const std::vector<Corners>& c
 }
 
 /// The distinct indices of the points that are lowest along the direction.
-std::vector<Index> level(const std::vector<WholePoint>& points, const std::vector<Index>& indices,
-                         const Whole& direction) {
+std::vector<Index> level(const std::vector<IntegerPoint>& points, const std::vector<Index>& indices,
+                         const IntegerVector& direction) {
   std::vector<Index> found{indices[0]};
   std::size_t lowest = 0;
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -108,10 +110,10 @@ std::vector<Index> level(const std::vector<WholePoint>& points, const std::vecto
   return found;
 }
 
-WholePoint weighted(const Nearest& nearest, const std::vector<WholePoint>& points) {
-  WholePoint sum{0, 0, 0};
+IntegerPoint weighted(const Nearest& nearest, const std::vector<IntegerPoint>& points) {
+  IntegerPoint sum{0, 0, 0};
   for (std::size_t k = 0; k < points.size(); ++k)
-    sum = sum + nearest.weights[k] * Whole{points[k].x, points[k].y, points[k].z};
+    sum = sum + nearest.weights[k] * IntegerVector{points[k].x, points[k].y, points[k].z};
   return sum;
 }
 
@@ -119,50 +121,51 @@ WholePoint weighted(const Nearest& nearest, const std::vector<WholePoint>& point
 bool is_unique(const Meshd& a, const std::vector<Index>& of_a, const Meshd& b, const std::vector<Index>& of_b) {
   if (of_a.size() == 1 || of_b.size() == 1) return true;
   if (of_a.size() > 2 || of_b.size() > 2) return false;
-  const auto at = whole_points(a.vertices[of_a[0]], a.vertices[of_a[1]], b.vertices[of_b[0]], b.vertices[of_b[1]]).at;
-  const Whole across = cross(at[1] - at[0], at[3] - at[2]);
+  const auto at = integer_points(a.vertices[of_a[0]], a.vertices[of_a[1]], b.vertices[of_b[0]], b.vertices[of_b[1]]).at;
+  const IntegerVector across = cross(at[1] - at[0], at[3] - at[2]);
   return sgn(across.x) != 0 || sgn(across.y) != 0 || sgn(across.z) != 0;
 }
 
 /// The displacement between the points found, in units of 1 / whole: it moves b until it meets a in all nearest points.
 QuotientPoint first_of_many(const Meshd& a, const std::vector<Index>& of_a, const Meshd& b,
-                            const std::vector<Index>& of_b, const Nearest& nearest, const Whole& way, int& exponent) {
+                            const std::vector<Index>& of_b, const Nearest& nearest, const IntegerVector& displacement,
+                            int& exponent) {
   Polygon3d all{{a.vertices[0]}};
   for (const Index i : of_a) all.vertices.push_back(a.vertices[i]);
   for (const Index j : of_b) all.vertices.push_back(b.vertices[j]);
   auto points = integers_of(all);
   const auto down = [](int from, int to) { return mpz_class(mpz_class(1) << static_cast<unsigned long>(from - to)); };
   exponent = std::min(points.exponent, nearest.exponent);
-  const mpz_class unit = nearest.whole * down(points.exponent, exponent);
-  const Whole moved = down(nearest.exponent, exponent) * way;
+  const mpz_class unit = nearest.total * down(points.exponent, exponent);
+  const IntegerVector moved = down(nearest.exponent, exponent) * displacement;
   for (auto& p : points.at) p = {unit * p.x, unit * p.y, unit * p.z};
   const auto middle = points.at.begin() + 1 + static_cast<std::ptrdiff_t>(of_a.size());
-  std::vector<WholePoint> first(points.at.begin() + 1, middle), second(middle, points.at.end());
+  std::vector<IntegerPoint> first(points.at.begin() + 1, middle), second(middle, points.at.end());
   for (auto& p : second) p = p + moved;
   QuotientPoint found = nearest_common_point(std::move(first), std::move(second), nearest.normal, points.at[0]);
-  found.d *= nearest.whole;
+  found.d *= nearest.total;
   return found;
 }
 
 ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a, const Meshd& b,
                                  const std::vector<Index>& of_b, const Nearest& nearest) {
-  const WholePoint on_a = weighted(nearest, nearest.on_a), on_b = weighted(nearest, nearest.on_b);
-  const Whole way = on_a - on_b;
-  const mpz_class square = dot(way, way), unit = nearest.whole * nearest.whole;
+  const IntegerPoint on_a = weighted(nearest, nearest.on_a), on_b = weighted(nearest, nearest.on_b);
+  const IntegerVector displacement = on_a - on_b;
+  const mpz_class square = dot(displacement, displacement), unit = nearest.total * nearest.total;
   const int twice = 2 * nearest.exponent;
   ConvexDistance<double> answer{
       ConvexRelation::apart, {}, {}, round_quotient(square, unit, twice), round_square_root(square, unit, twice)};
   if (is_unique(a, of_a, b, of_b)) {
-    answer.on_a = rounded({on_a, nearest.whole}, nearest.exponent);
-    answer.on_b = rounded({on_b, nearest.whole}, nearest.exponent);
+    answer.on_a = rounded({on_a, nearest.total}, nearest.exponent);
+    answer.on_b = rounded({on_b, nearest.total}, nearest.exponent);
     return answer;
   }
   int exponent = 0;
-  const QuotientPoint first = first_of_many(a, of_a, b, of_b, nearest, way, exponent);
+  const QuotientPoint first = first_of_many(a, of_a, b, of_b, nearest, displacement, exponent);
   // first.d is a multiple of `whole`, in units of which the displacement is given.
-  const mpz_class parts = (first.d / nearest.whole) << static_cast<unsigned long>(nearest.exponent - exponent);
+  const mpz_class parts = (first.d / nearest.total) << static_cast<unsigned long>(nearest.exponent - exponent);
   answer.on_a = rounded(first, exponent);
-  answer.on_b = rounded({first.n + mpz_class(-parts) * way, first.d}, exponent);
+  answer.on_b = rounded({first.n + mpz_class(-parts) * displacement, first.d}, exponent);
   return answer;
 }
 
@@ -173,7 +176,7 @@ ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
   std::vector<Corners> corners = guessed(a, b);
   for (;;) {
     Nearest nearest = nearest_of(a, b, corners);
-    const Whole against = mpz_class(-1) * nearest.normal;
+    const IntegerVector against = mpz_class(-1) * nearest.normal;
     if (sgn(dot(nearest.normal, nearest.normal)) == 0) return {ConvexRelation::meeting, {}, {}, 0, 0};
     std::vector<Index> of_a, of_b;
     for (const auto& [i, j] : nearest.corners) of_a.push_back(i), of_b.push_back(j);
