@@ -17,8 +17,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "catalogue/shape/described_all.h"
 #include "catalogue/shape/encoded_value.h"
-#include "geometry/all.h"
 
 /// Records calls of your own functions, with their answers, in a log (docs/own_inputs.md). Header-only; links only
 /// POSIX threads. touchstone_record.h says what the log can lose, and when.

@@ -40,7 +40,7 @@ endif()
 function(touchstone_own target)
   if(NOT PROJECT_IS_TOP_LEVEL)
     # First, for the project around ours may have a geometry/ too.
-    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR})
+    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR} ${touchstone_generated})
   endif()
   target_compile_options(
     ${target} PRIVATE -ffp-contract=off -frounding-math -Wall -Wextra -Wconversion -Wno-sign-conversion

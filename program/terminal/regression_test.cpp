@@ -117,7 +117,7 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
         once(std::string(catch2 ? "#if __has_include(<catch2/catch_all.hpp>)\n#include <catch2/catch_all.hpp>\n#else\n"
                                   "#include <catch2/catch.hpp>\n#endif\n"
                                 : "#include <gtest/gtest.h>\n") +
-             "#include <touchstone/geometry/all.h>\n#include "
+             "#include <touchstone/catalogue/shape/described_all.h>\n#include "
              "<touchstone/catalogue/shape/encoded_value.h>\n\n#include <limits>\n#include <stdexcept>\n\n"
              "using namespace touchstone;\n");
     text += once("\n" + cpp.declaration + " {\n  throw std::logic_error(\"" + to_be_written + "\");\n}\n");
