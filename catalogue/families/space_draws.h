@@ -98,8 +98,8 @@ class Stretch {
   }
   template <class... Shapes>
   void operator()(Shapes&... shapes) const {
-    const auto [x, y, z] = exponents_;
-    (change_each(shapes, [x, y, z](auto& p) { p = scaled(p, x, y, z); }), ...);
+    const auto change = [this](auto& p) { p = scaled(p, exponents_[0], exponents_[1], exponents_[2]); };
+    (change_each(shapes, change), ...);
   }
 
  private:
