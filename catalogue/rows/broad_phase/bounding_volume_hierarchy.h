@@ -15,7 +15,7 @@ struct bounding_volume_hierarchy : broad_phase {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = broad_phase::metadata();
-      other.name = name;
+      other.name = "bounding_volume_hierarchy";
       other.pages = "58-61";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a hierarchy of boxes?";
       other.implementation_of = "broad_phase";

@@ -13,7 +13,7 @@ struct bsp_tree : broad_phase {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = broad_phase::metadata();
-      other.name = name;
+      other.name = "bsp_tree";
       other.pages = "63";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a tree of planes?";
       other.implementation_of = "broad_phase";

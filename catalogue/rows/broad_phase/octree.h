@@ -13,7 +13,7 @@ struct octree : broad_phase {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = broad_phase::metadata();
-      other.name = name;
+      other.name = "octree";
       other.pages = "62";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by an octree?";
       other.implementation_of = "broad_phase";

@@ -13,7 +13,7 @@ struct quadtree : broad_phase {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = broad_phase::metadata();
-      other.name = name;
+      other.name = "quadtree";
       other.pages = "62";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a quadtree?";
       other.implementation_of = "broad_phase";

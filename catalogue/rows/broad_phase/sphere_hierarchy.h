@@ -17,7 +17,7 @@ struct sphere_hierarchy : all_pairs {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = all_pairs::metadata();
-      other.name = name;
+      other.name = "sphere_hierarchy";
       other.pages = "58-61";
       other.question = "Which of these balls, or boxes, meet, by a hierarchy of spheres?";
       other.implementation_of = "all_pairs";

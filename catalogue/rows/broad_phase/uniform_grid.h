@@ -13,7 +13,7 @@ struct uniform_grid : broad_phase {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = broad_phase::metadata();
-      other.name = name;
+      other.name = "uniform_grid";
       other.pages = "62";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a uniform grid?";
       other.implementation_of = "broad_phase";

@@ -13,7 +13,7 @@ struct polygon_convexity_interior_angles : polygon_convexity {
   static const Metadata& metadata() {
     static const Metadata metadata = [] {
       Metadata other = polygon_convexity::metadata();
-      other.name = name;
+      other.name = "polygon_convexity_interior_angles";
       other.pages = "6";
       other.question = "Is the polygon convex, by its interior angles?";
       other.implementation_of = "polygon_convexity";
