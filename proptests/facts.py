@@ -217,7 +217,7 @@ def facts(operations):
         ("docs/vectors.md", "in at most {} lines",
          (max(lines_of(f"examples/vectors/consumer.{kind}") for kind in ("py", "mjs", "cpp")),)),
         ("docs/vectors.md", "({} per file;",
-         (word(constant("program/commands/vectors_check.cpp", r"usually_stated = (\d+);")),)),
+         (word(constant("program/commands/vectors_check.cpp", r"usually_shown = (\d+);")),)),
     ]
     return [(page, sentence.format(*(value if isinstance(value, float) else number(value) for value in numbers)))
             for page, sentence, numbers in found]
