@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// CGAL as a peer: the same decisions by the library that people use for them, kernels Epick and Epeck.
+// CGAL as peer: the same decisions by the library that people use for them, kernels Epick and Epeck.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

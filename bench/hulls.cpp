@@ -6,7 +6,7 @@
 // bench/hulls --verify compares the numbers of faces that robust and CGAL find (for points whose faces are triangles)
 // without timing.
 
-// CGAL as a peer: the same hulls by the library that people use for them.
+// CGAL as peer: the same hulls by the library that people use for them.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>

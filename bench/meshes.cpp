@@ -5,7 +5,7 @@
 //
 // bench/meshes --verify compares their answers without timing.
 
-// CGAL as a peer: the same question by the library that people use for it.
+// CGAL as peer: the same question by the library that people use for it.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,7 +7,7 @@
 // bench/pairs --verify compares the counts, checks the certificates and prints their size, without timing.
 // TOUCHSTONE_BOXES=FILE adds the boxes of a real scene: one a line, "min.x min.y min.z max.x max.y max.z".
 
-// CGAL as a peer: the same question by the library that people use for it.
+// CGAL as peer: the same question by the library that people use for it.
 #include <CGAL/box_intersection_d.h>
 #include <benchmark/benchmark.h>
 

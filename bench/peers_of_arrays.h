@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// CGAL as a peer: the questions of the arrays, one at a time.
+// CGAL as peer: the questions of the arrays, one at a time.
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>

@@ -4,7 +4,7 @@
 //
 // bench/polygons --verify compares every timed answer with the oracle, on every case, without timing.
 
-// CGAL as a peer: the same question to the library that people use for it.
+// CGAL as peer: the same question to the library that people use for it.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 

@@ -45,8 +45,8 @@ NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", 
 # cmake/generate.py refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
-MADE = {"audit/version.h", "catalogue/rows/all.h", "catalogue/rows/declared.h", "catalogue/shape/described_all.h",
-        "catalogue/signatures/all.h", "robust/c/array_forms.h", "touchstone_robust.h"}
+MADE = {"audit/version.h", "robust/c/array_forms.h", "touchstone_robust.h"} | {
+    f"catalogue/{made}.h" for made in ("rows/all", "rows/declared", "shape/described_all", "signatures/all")}
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
 LONGEST = 400
@@ -264,14 +264,10 @@ def defects(root, operations):
         yield "the program knows no operations"
         return
     tree = Tree(root)
-    yield from operation_files(tree, operations)
-    yield from evidence(tree, operations)
-    yield from directions(tree)
-    yield from cgal(tree)
-    yield from public_headers(tree)
-    yield from circles(tree)
-    yield from draws(tree)
-    yield from (*readers(tree), *lengths(tree))
+    for check in (operation_files, evidence):
+        yield from check(tree, operations)
+    for check in (directions, cgal, public_headers, circles, draws, readers, lengths):
+        yield from check(tree)
 
 
 CLAIM = '{"op":"touch"}\n'
