@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ class StoppingVerdicts {
     std::stringstream list(names == nullptr ? "" : names);
     for (std::string name; std::getline(list, name, ',');) {
       const auto found = std::find(verdict_names.begin() + 1, verdict_names.end(), name);
-      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts separated by commas, not " + name);
+      if (found == verdict_names.end())
+        throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts separated by commas, not " + name);
       named_.push_back(static_cast<Verdict>(found - verdict_names.begin()));
     }
   }
@@ -43,11 +45,23 @@ class StoppingVerdicts {
   std::vector<Verdict> named_;
 };
 
+/// An engine as it is fuzzed, once for each.
+struct FuzzedEngine {
+  StoppingVerdicts stopping = StoppingVerdicts::of_environment();
+  Served asked;
+
+  static const FuzzedEngine& of(const EngineMembers& engine) {
+    static std::map<const EngineMembers*, FuzzedEngine> all;
+    const auto found = all.find(&engine);
+    return found != all.end() ? found->second
+                              : all.emplace(&engine, FuzzedEngine{.asked = served(engine)}).first->second;
+  }
+};
+
 }  // namespace
 
 int fuzz_member(const EngineMembers& engine, const char* operation_name, const unsigned char* bytes, std::size_t size) {
-  static const StoppingVerdicts stopping = StoppingVerdicts::of_environment();
-  static const Served asked = served(engine);
+  const auto& [stopping, asked] = FuzzedEngine::of(engine);
   const Declaration& declaration = engine.declaration;
   const ServedOperation& member = asked.operations.at(operation_name);
   const Operation& operation = member.operation;

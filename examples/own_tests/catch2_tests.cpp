@@ -3,6 +3,7 @@
 #if !__has_include(<catch2/catch_all.hpp>)
 #define CATCH_CONFIG_MAIN
 #endif
+#include <touchstone/robust/lines/segment_segment.h>
 #include <touchstone/testing/audit.h>
 #include <touchstone/testing/catch2.h>
 
