@@ -179,7 +179,7 @@ struct Closest {
 
 }  // namespace
 
-constexpr Asking in_floats{.each = 200, .binary32 = true};
+const Asking in_floats{.each = 200, .binary32 = true};
 
 TEST_CASE("other formulas: momentum summed with compensation, backwards, fused, and in double for floats") {
   as_good<rows::momentum>(kahan);
