@@ -67,7 +67,7 @@ TEST_CASE("shards: a launcher that does not say how many there are, or of one pr
 TEST_CASE("shards: variables that name no part are refused") {
   const std::vector<std::pair<Variables, std::string>> refused{
       {{{"SLURM_ARRAY_TASK_ID", "x"}}, "SLURM_ARRAY_TASK_ID: expected an integer, got x"},
-      {{{"SLURM_ARRAY_TASK_ID", "1"}}, "SLURM_ARRAY_TASK_MAX: expected"},
+      {{{"SLURM_ARRAY_TASK_ID", "1"}}, "SLURM_ARRAY_TASK_MAX: required with SLURM_ARRAY_TASK_ID"},
       {{{"SLURM_ARRAY_TASK_ID", "9"},
         {"SLURM_ARRAY_TASK_MIN", "3"},
         {"SLURM_ARRAY_TASK_MAX", "9"},
