@@ -17,7 +17,7 @@ def main(vectors, source, command):
     if lines > LONGEST:
         sys.exit(f"{source}: {lines} lines, more than {LONGEST}")
     said = subprocess.run([*command, vectors], check=True, text=True, stdout=subprocess.PIPE).stdout
-    wrong = set(re.findall(r'^"?([a-z_]+/[0-9]+)\b', said, re.MULTILINE))
+    wrong = set(re.findall(r'^"?([a-z_]+/[0-9a-f]+)\b', said, re.MULTILINE))
     for operation in ("orientation", "line_point_at"):
         with open(pathlib.Path(vectors) / f"{operation}.jsonl", encoding="utf-8") as file:
             answered = [vector for vector in map(json.loads, file) if "refused" not in vector]
