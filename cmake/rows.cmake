@@ -81,11 +81,3 @@ using AllSignatures = SignatureList<
 
 }  // namespace touchstone::catalogue
 ]])
-file(GLOB shapes RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/geometry/*.h)
-list(TRANSFORM shapes REPLACE "(.+)" "#include \"\\1\"\n")
-list(JOIN shapes "" shapes)
-file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/shape/described_all.h @ONLY CONTENT [[
-// Made by cmake/rows.cmake from geometry/: every type of questions and answers.
-#pragma once
-
-@shapes@]])

@@ -46,7 +46,7 @@ NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", 
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
 MADE = {"audit/version.h", "robust/c/array_forms.h", "touchstone_robust.h"} | {
-    f"catalogue/{made}.h" for made in ("rows/all", "rows/declared", "shape/described_all", "signatures/all")}
+    f"catalogue/{made}.h" for made in ("rows/all", "rows/declared", "signatures/all")}
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
 LONGEST = 400
