@@ -25,12 +25,11 @@ HELD = [
     r"include/touchstone(_robust|_record(_log)?)?\.h",
     r"include/touchstone/record\.h",
     r"include/touchstone/geometry/\w+\.h",
-    rf"include/touchstone/(reference|robust|oracle|catalogue/rows|catalogue/signatures)/{CHAPTER}/\w+\.h",
+    rf"include/touchstone/(reference|robust|oracle|catalogue/signatures)/{CHAPTER}/\w+\.h",
     r"include/touchstone/reference/standard/\w+\.h",
     r"include/touchstone/robust/(masked_exceptions|(kernel/\w+|batch|batch/isa|structures)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact/\w+|rings)/\w+|certificates/(certificate|check))\.h",
     r"include/touchstone/catalogue/((shape|numbers|codec|draw|families(/\w+)?|judge|operation(/\w+)?)/)?\w+\.h",
-    r"include/touchstone/catalogue/rows/(all|declared)\.h",
     r"include/touchstone/catalogue/signatures/(all|signature)\.h",
     r"include/touchstone/audit/([\w/]+/)?\w+\.h",
     r"include/touchstone/program/(engine_main|terminal/uses)\.h",
@@ -102,7 +101,7 @@ def defects(source, prefix):
 def right_listing():
     config = "touchstone-config.cmake touchstone-robust-release.cmake components.cmake".split()
     include = """record.h geometry/points.h reference/lines/touch.h robust/kernel/filters/staged.h oracle/truth.h catalogue/operation/row.h
-        reference/standard/slabs.h catalogue/rows/all.h catalogue/signatures/all.h audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
+        reference/standard/slabs.h catalogue/signatures/all.h audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +
             [f"lib/cmake/touchstone/{file}" for file in config] + ["include/touchstone_robust.h"] + [f"include/touchstone/{file}" for file in include] +
