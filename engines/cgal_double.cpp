@@ -3,6 +3,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
+#include <gmpxx.h>
 #include <touchstone/program/engine_main.h>
 
 #include <boost/variant/get.hpp>
@@ -262,7 +263,7 @@ struct CgalDouble {
   }
 
   static bool exact_sum(double a, double b, double sum) {
-    return catalogue::exact_value(a) + catalogue::exact_value(b) == catalogue::exact_value(sum);
+    return mpq_class(a) + mpq_class(b) == mpq_class(sum);
   }
   static void contradiction(bool do_intersect, bool intersection) {
     if (do_intersect == intersection) return;

@@ -4,6 +4,7 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
+#include <gmpxx.h>
 #include <touchstone/program/engine_main.h>
 
 #include <cstdio>
@@ -47,7 +48,7 @@ class Run {
     std::vector<std::vector<mpq_class>> rows;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (i % dimension == 0) rows.emplace_back();
-      rows.back().push_back(catalogue::exact_value(points_[i]) - catalogue::exact_value(points_[i % dimension]));
+      rows.back().push_back(mpq_class(points_[i]) - mpq_class(points_[i % dimension]));
     }
     std::size_t found = 0;
     for (int column = 0; column < dimension; ++column) {
