@@ -8,8 +8,8 @@
 namespace touchstone {
 
 /// Input outside the contract: thrown by `robust` and `oracle` in every build type. Names the field as it is written in
-/// JSON ("a[0][1]", "ray.direction") and the rule that it breaks ("finite number"). This header includes neither <string>
-/// nor <stdexcept>, which would be most of what an operation's header includes.
+/// JSON ("a[0][1]", "ray.direction") and the rule that it breaks ("finite number"). This header includes neither
+/// <string> nor <stdexcept>, which would be most of what an operation's header includes.
 class InvalidInput : public std::exception {
  public:
   /// Each is a std::string, or characters up to a zero.

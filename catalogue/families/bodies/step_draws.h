@@ -306,8 +306,8 @@ inline Stepping many_walls(DrawStream& c) {
   return s;
 }
 
-/// A timestep that is not positive, a restitution beyond its ends, a wall without a normal, a body of a negative mass or
-/// radius, or a velocity of one that never moves.
+/// A timestep that is not positive, a restitution beyond its ends, a wall without a normal, a body of a negative mass
+/// or radius, or a velocity of one that never moves.
 inline void break_one_rule(std::vector<StepBodyd>& bodies, std::vector<Plane3d>& walls, double& timestep,
                            double& restitution, DrawStream& c) {
   const Vector3d n = zero_vector(c);

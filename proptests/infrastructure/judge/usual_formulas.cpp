@@ -102,7 +102,8 @@ TEST_CASE("usual formulas: boxes in any orientation, and a triangle in a box, by
 }
 
 TEST_CASE("usual formulas: a touch on which one of them is in doubt says nothing of the convention") {
-  // Down on an edge of a triangle with the determinant 3, whose reciprocal is rounded: u + v = 1 is in doubt, v = 0 not.
+  // Down on an edge of a triangle with the determinant 3, whose reciprocal is rounded: u + v = 1 is in doubt, v = 0
+  // is not.
   const auto ray_from = [](const char* origin) {
     const std::string question = std::string(R"({"ray":{"origin":)") + origin +
                                  R"(,"direction":[0,0,-1]},"triangle":[[0,0,0],[3,0,0],[0,1,0]]})";
