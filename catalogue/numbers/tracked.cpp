@@ -43,9 +43,8 @@ double over(double x, double y) { return x == 0 ? 0 : up(x / y); }
 /// The contribution of one rounding to the spread of its result; below the normal numbers the least one.
 double step(double result) { return std::fmax(format().unit * std::fabs(result), format().least); }
 double half_ulp(double x) {
-  const double size = std::fabs(x), next = format().binary32
-                                               ? std::nextafter(static_cast<float>(size), HUGE_VALF)
-                                               : std::nextafter(size, HUGE_VAL);
+  const double size = std::fabs(x), next = format().binary32 ? std::nextafter(static_cast<float>(size), HUGE_VALF)
+                                                             : std::nextafter(size, HUGE_VAL);
   const double gap = next - size;
   return gap == format().least ? gap : gap / 2;
 }
@@ -158,8 +157,7 @@ Tracked operator/(const Tracked& a, const Tracked& b) {
   const double quotient = Tracked::rounded(a.value_ / b.value_);
   if (a.undefined_ || b.undefined_) return Tracked::undefined(quotient);
   if (a.error_ == 0 && b.value_ == 0 && b.error_ == 0) return Tracked::undefined(quotient);
-  if (b.value_ != 0 &&
-      (Tracked::overflowed(a, b, quotient) || quotient_underflowed(a.value_, b.value_, quotient)))
+  if (b.value_ != 0 && (Tracked::overflowed(a, b, quotient) || quotient_underflowed(a.value_, b.value_, quotient)))
     Tracked::out_of_range() = true;
   const double least_divisor = down(size(b) - b.error_), least = size(b) - b.spread_;
   const double spread =
@@ -183,8 +181,8 @@ Tracked sqrt(const Tracked& a) {
   if (exact && a.error_ == 0) return {root, 0, spread};
   const double least = down(size(a) - a.error_);
   // Below the error the root is anything from 0 to sqrt(a + e).
-  const double propagated = least > 0 ? over(a.error_, down(std::sqrt(least)))
-                                      : std::nextafter(std::sqrt(plus(size(a), a.error_)), HUGE_VAL);
+  const double propagated =
+      least > 0 ? over(a.error_, down(std::sqrt(least))) : std::nextafter(std::sqrt(plus(size(a), a.error_)), HUGE_VAL);
   return {root, plus(propagated, half_ulp(root)), spread};
 }
 
@@ -202,8 +200,12 @@ Tracked Tracked::library(double result, const Tracked& argument) {
   const bool exact = argument.value_ == 0 && argument.error_ == 0;
   return {result, exact ? 0 : plus(argument.error_, 4 * half_ulp(result)), argument.spread_ + 4 * step(result)};
 }
-Tracked cos(const Tracked& a) { return Tracked::library(in_format([](auto x) { return std::cos(x); }, a.value_), a); }
-Tracked sin(const Tracked& a) { return Tracked::library(in_format([](auto x) { return std::sin(x); }, a.value_), a); }
+Tracked cos(const Tracked& a) {
+  return Tracked::library(in_format([](auto x) { return std::cos(x); }, a.value_), a);
+}
+Tracked sin(const Tracked& a) {
+  return Tracked::library(in_format([](auto x) { return std::sin(x); }, a.value_), a);
+}
 
 void Tracked::settled(const Tracked& a, const Tracked& b) {
   if (a.undefined_ || b.undefined_) return;

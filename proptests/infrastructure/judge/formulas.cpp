@@ -48,7 +48,8 @@ struct Run {
   /// Among the subnormals rounding a bound upwards is more than nothing.
   bool is_normal() const {
     const auto normal = [](const Tracked& x) {
-      return (x.value() == 0 || std::isnormal(static_cast<Float>(x.value()))) && (x.error() == 0 || x.error() > 0x1p-1000);
+      return (x.value() == 0 || std::isnormal(static_cast<Float>(x.value()))) &&
+             (x.error() == 0 || x.error() > 0x1p-1000);
     };
     return !Tracked::out_of_range() && std::all_of(tracked.begin(), tracked.end(), normal);
   }
@@ -137,18 +138,22 @@ void hold_roots_and_arc_cosines(std::uint64_t each) {
     roots += holds<Float>(root, T(std::fabs(x)), Exact(exact_value(std::fabs(x))));
     roots += holds<Float>(root, T(x) * T(y), Exact(exact_value(x)) * Exact(exact_value(y)));
     const Float less = std::nextafter(x, Float(0));
-    roots += holds<Float>(root, T(x) * T(x) - T(x) * T(less), Exact(exact_value(x) * (exact_value(x) - exact_value(less))));
+    roots +=
+        holds<Float>(root, T(x) * T(x) - T(x) * T(less), Exact(exact_value(x) * (exact_value(x) - exact_value(less))));
     if (x == 0 || y == 0) continue;
     const Float small = std::fmin(std::fabs(x), std::fabs(y)), large = std::fmax(std::fabs(x), std::fabs(y));
     const Float sign = draws.below(2) == 0 ? Float(1) : Float(-1);
-    angles += holds<Float>(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
+    angles +=
+        holds<Float>(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
     // Beside an end: n / (n + k) for a large n, rounded; and exact numbers there.
     const Float n = std::ldexp(Float(1), static_cast<int>(draws.below(std::numeric_limits<Float>::digits))),
                 k = static_cast<Float>(draws.below(4));
-    angles_near_ends += holds<Float>(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
+    angles_near_ends +=
+        holds<Float>(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
     const Float beside = sign - sign * k * std::numeric_limits<Float>::epsilon() / 2;
     angles_near_ends += holds<Float>(arc_cosine, T(beside), Exact(exact_value(beside)));
-    angles += holds<Float>(arc_cosine, T(beside * small) / T(small), Exact(exact_value(beside * small) / exact_value(small)));
+    angles +=
+        holds<Float>(arc_cosine, T(beside * small) / T(small), Exact(exact_value(beside * small) / exact_value(small)));
   }
   CHECK(roots > each);
   CHECK(angles > each);
