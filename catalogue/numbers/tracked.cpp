@@ -8,8 +8,8 @@
 namespace touchstone::catalogue {
 namespace {
 
-/// What the format decides. Products above `safe_product` are far enough from the subnormals that their error term is a
-/// number of the format.
+/// The numbers that a format consists of. Products above `safe_product` are far enough from the subnormals that their
+/// error term is a number of the format.
 struct Limits {
   bool binary32;
   double unit, least_normal, least, safe_product;
