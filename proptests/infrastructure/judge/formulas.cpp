@@ -393,7 +393,7 @@ TEST_CASE("formulas: -0 is not less than 0, so that what is clamped at 0 keeps i
   volatile double zero = -0.0;
   reference::RootsOfSphere<double> roots;
   roots.real = true, roots.smaller = zero, roots.greater = 1;
-  const double entry = reference::passage_of_ray(roots).entry.value();
+  const double entry = reference::passage_of_ray(roots).first.value();
   CHECK((entry == 0 && std::signbit(entry)));
 }
 
