@@ -24,7 +24,7 @@ MODULES = {
     "testing": {"geometry", "oracle", "robust", "catalogue", "audit", "testing"},
     "report": {"geometry", "oracle", "catalogue", "audit", "simulate", "report"},
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
-    "c": {"oracle", "robust", "catalogue", "program", "c"},
+    "c": {"oracle", "robust", "catalogue", "audit", "report", "c"},
     "python": {"robust", "c", "python"},
     "engines": {"geometry", "robust", "program", "engines"},
     **dict.fromkeys(("proptests", "fuzz", "bench", "coverage", "examples")),

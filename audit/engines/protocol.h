@@ -53,6 +53,9 @@ std::optional<QuestionLine> split_question_line(std::string_view line);
 /// answer or nothing else. Any other such line does not concern a question.
 bool meant_as_answer(std::string_view line);
 
+/// What an answer's object says, apart from its id; `failed` if it says nothing.
+Reply read_reply(Json object);
+
 /// One answer. Throws InvalidInput if the line is not an answer: not JSON, or without an id. If only the rest of it is
 /// wrong, the reply is `failed`.
 struct AnswerLine {
