@@ -83,7 +83,7 @@ int recorded_in_cpp(const Pair& s) {
 }
 
 template <int (*recorded)(const Pair&)>
-void time_recorder(benchmark::State& state, unsigned long one_in, const std::string& file = place()) {
+void time_recorder(benchmark::State& state, std::uint64_t one_in, const std::string& file = place()) {
   touchstone_record_options options{};
   options.one_in = one_in;
   time_calls(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -115,7 +116,7 @@ void only_answer(const Polygon2d& polygon, const IndexLists& expected, bool by_r
 inline bool beyond_margins(const Polygon2d& given) {
   const Polygon2d polygon = opened(given);
   const Rational u = unit();
-  const auto n = static_cast<unsigned long>(polygon.size());
+  const auto n = static_cast<std::uint64_t>(polygon.size());
   double area = 0;
   Rational sizes;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

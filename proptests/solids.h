@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "catalogue/families/meshes/cube_surface.h"
@@ -16,9 +17,9 @@ using catalogue::cube_surface;
 inline const Meshd cube = cube_surface({{0, 0, 0}}), angle = cube_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
                    edge_to_edge = cube_surface({{0, 0, 0}, {1, 1, 0}}),
                    corner_to_corner = cube_surface({{0, 0, 0}, {1, 1, 1}});
-inline Meshd but_the_middle(long height) {
+inline Meshd but_the_middle(std::int64_t height) {
   std::vector<catalogue::LatticePoint> cells;
-  for (long i = 0; i < 9 * height; ++i) {
+  for (std::int64_t i = 0; i < 9 * height; ++i) {
     if (i != 9 * height / 2) cells.push_back({i % 3, i / 3 % 3, i / 9});
   }
   return cube_surface(cells);

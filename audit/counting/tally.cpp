@@ -29,9 +29,9 @@ void add(double number, Length& sum) {
   const char* mark = std::find<const char*>(text, end, 'e');
   if (mark == end) return;
   const auto significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
-  const long exponent = std::atol(std::string(mark + 1, end).c_str());
+  const std::int64_t exponent = std::atoll(std::string(mark + 1, end).c_str());
   sum.digits += static_cast<std::uint64_t>(exponent < 0 ? significant - exponent : std::max(significant, exponent + 1));
-  sum.exponents += static_cast<std::uint64_t>(std::labs(exponent));
+  sum.exponents += static_cast<std::uint64_t>(std::abs(exponent));
 }
 
 Length length(const Question& question) {

@@ -97,12 +97,12 @@ Surface::Surface(const std::vector<Corners>& faces, std::size_t vertices_of_file
   std::vector<std::pair<std::size_t, std::size_t>> crowds;
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
     const Side& one = sides[first];
-    long along = 0;
+    std::int64_t along = 0;
     for (; last < sides.size() && sides[last].low == one.low && sides[last].high == one.high; ++last) {
       along += sides[last].along ? 1 : 0;
       fans.join(one.at(true), sides[last].at(true)), fans.join(one.at(false), sides[last].at(false));
     }
-    const long count = static_cast<long>(last - first);
+    const auto count = static_cast<std::int64_t>(last - first);
     const EdgeOfFile edge{one.low, one.high, one.face};
     ++edges;
     if (count % 2 != 0) open.push_back(edge);

@@ -15,7 +15,7 @@ namespace touchstone::catalogue {
 namespace {
 
 constexpr char typed_number_mark = '\x01';
-constexpr long most_decimal_exponent = 5000;
+constexpr std::int64_t most_decimal_exponent = 5000;
 /// Our deepest document, a tally's smallest finding, is nested a dozen deep.
 constexpr std::size_t most_nested = 64;
 /// Objects keep their fields in a list, so that finding a field takes linear time.
@@ -101,9 +101,9 @@ double nearest(const Token& token, const std::string& field, const Json& typed) 
   return *value;
 }
 
-mpq_class power(unsigned base, long exponent) {
+mpq_class power(unsigned base, std::int64_t exponent) {
   mpz_class result;
-  mpz_ui_pow_ui(result.get_mpz_t(), base, static_cast<unsigned long>(std::labs(exponent)));
+  mpz_ui_pow_ui(result.get_mpz_t(), base, static_cast<std::uint64_t>(std::abs(exponent)));
   return exponent < 0 ? mpq_class(1, result) : mpq_class(result);
 }
 
@@ -281,12 +281,12 @@ mpq_class read_exact(const Json& value, const std::string& field) {
   const std::size_t mark = text.find_first_of(token.hexadecimal ? "pP" : "eE");
   const std::string exponent_text = mark == std::string::npos ? "0" : text.substr(mark + 1);
   errno = 0;
-  long exponent = std::strtol(exponent_text.c_str(), nullptr, 10);
-  if (errno != 0 || std::labs(exponent) > most_decimal_exponent)
+  std::int64_t exponent = std::strtoll(exponent_text.c_str(), nullptr, 10);
+  if (errno != 0 || std::abs(exponent) > most_decimal_exponent)
     throw InvalidInput(field, "exponent between -5000 and 5000");
   std::string digits = text.substr(0, mark);
   if (const std::size_t point = digits.find('.'); point != std::string::npos) {
-    exponent -= static_cast<long>(digits.size() - point - 1) * (token.hexadecimal ? 4 : 1);
+    exponent -= static_cast<std::int64_t>(digits.size() - point - 1) * (token.hexadecimal ? 4 : 1);
     digits.erase(point, 1);
   }
   mpz_class whole;

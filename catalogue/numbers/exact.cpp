@@ -42,7 +42,7 @@ Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = preci
 }  // namespace
 
 mpq_class Exact::in_full() const {
-  mpq_class value(static_cast<long>(digits_));
+  mpq_class value(static_cast<std::int64_t>(digits_));
   if (power_ >= 0) value <<= static_cast<mp_bitcnt_t>(power_);
   else value >>= static_cast<mp_bitcnt_t>(-power_);
   return value;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/numbers/kept_digits.h"
 
+#include <cstdint>
+
 #include "catalogue/numbers/ulps.h"
 
 namespace touchstone::catalogue {
@@ -8,10 +10,10 @@ namespace touchstone::catalogue {
 Exact kept_digits(const Exact& number) {
   if (!number.defined() || number == Exact(0)) return number;
   const mpq_class value = number.value();
-  const auto digits = [](const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
+  const auto digits = [](const mpz_class& n) { return static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
   // Scaled to between 1/2 and 2, where doubles have 53 digits.
-  const long order = digits(value.get_num()) - digits(value.get_den());
-  const auto shifted = [](const mpq_class& x, long by) {
+  const std::int64_t order = digits(value.get_num()) - digits(value.get_den());
+  const auto shifted = [](const mpq_class& x, std::int64_t by) {
     mpq_class result;
     if (by >= 0) mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(by));
     else mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-by));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
@@ -18,9 +19,9 @@ std::array<std::uint8_t, degrees_of_nearness * outcomes>
     nearness;
 
 /// floor(log2 |x|) or one more; x is not zero.
-long magnitude(const mpq_class& x) {
-  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
-         static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+std::int64_t magnitude(const mpq_class& x) {
+  return static_cast<std::int64_t>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
+         static_cast<std::int64_t>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
 }
 
 int exponent(double x) { return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) - 1023; }
@@ -32,8 +33,9 @@ void report_margin(const mpq_class& margin, int degree, std::span<const double> 
   if (sgn(margin) != 0) {
     int greatest = -1023;
     for (const double number : numbers) greatest = std::max(greatest, exponent(number));
-    const long bits = static_cast<long>(degree) * greatest - magnitude(margin);  // about 53 if rounding decides
-    near = static_cast<std::size_t>(std::clamp(bits, 0L, static_cast<long>(degrees_of_nearness) - 2)) + 1;
+    const std::int64_t bits =
+        static_cast<std::int64_t>(degree) * greatest - magnitude(margin);  // about 53 if rounding decides
+    near = static_cast<std::size_t>(std::clamp<std::int64_t>(bits, 0, std::int64_t{degrees_of_nearness} - 2)) + 1;
   }
   nearness[std::min(outcome, outcomes - 1) * degrees_of_nearness + near] = 1;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -106,7 +107,7 @@ Certificate apart(const IntegerList& numbers, const IndexPair& pair, const Ball&
            {"squared_distance", {numbers.actual(Rational(squared_distance(a, b)), 2)}}}};
 }
 Certificate apart(const IntegerList&, const IndexPair& pair, const Box& a, const Box& b) {
-  long axis = 0;
+  std::int64_t axis = 0;
   while (a.max.*axes[static_cast<std::size_t>(axis)] >= b.min.*axes[static_cast<std::size_t>(axis)] &&
          b.max.*axes[static_cast<std::size_t>(axis)] >= a.min.*axes[static_cast<std::size_t>(axis)]) {
     ++axis;
@@ -175,7 +176,7 @@ Certificate certificate(const Scaled<Solid>& scaled) {
     }
   }
   return {"sweep",
-          {{"axis", {Rational(static_cast<long>(sweep.axis))}}, {"order", {order.begin(), order.end()}}},
+          {{"axis", {Rational(static_cast<std::int64_t>(sweep.axis))}}, {"order", {order.begin(), order.end()}}},
           {{"meet", std::move(meet)}, {"apart", std::move(asunder)}}};
 }
 

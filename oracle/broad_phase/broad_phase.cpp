@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/broad_phase/broad_phase.h"
 
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -110,7 +111,7 @@ struct Proofs {
       reply.kind = std::is_same_v<Reply, RayReply> ? "each_along" : "each_body";
     } else {
       if (trees.size() < world.trees()) trees.push_back(tree.certificate());
-      reply.facts = {{"tree", {Rational(static_cast<unsigned long>(trees.size() - 1))}}};
+      reply.facts = {{"tree", {Rational(static_cast<std::uint64_t>(trees.size() - 1))}}};
     }
     replies.push_back(std::move(reply));
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
+
 #include "oracle/certificates/check_space.h"
 #include "oracle/certificates/check_surd.h"
 
@@ -30,7 +32,7 @@ Triple middle_of_box(const Points& points) {
 Triple mean(const Points& points) {
   Triple sum{0, 0, 0};
   for (const Triple& p : points) sum = plus(sum, 1, p);
-  return along(Triple{0, 0, 0}, Rational(1, static_cast<unsigned long>(points.size())), sum);
+  return along(Triple{0, 0, 0}, Rational(1, static_cast<std::uint64_t>(points.size())), sum);
 }
 
 /// The combination of points with the weights of the certificate, which are not negative and add up to 1.

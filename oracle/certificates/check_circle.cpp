@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
 #include <string>
 
 #include "oracle/certificates/check_circular.h"
@@ -30,10 +31,10 @@ void add(Between& sum, const Between& term, bool minus) {
 }
 
 /// 1/q - 1/(3 q^3) + 1/(5 q^5) - ...: the remainder is smaller than the first term left out, at most one unit.
-Between arc_tangent_of_inverse(long q, long bits) {
+Between arc_tangent_of_inverse(std::int64_t q, std::int64_t bits) {
   const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
   Between power{floor_quotient(one, q), ceiling_quotient(one, q)}, sum{0, 0};
-  for (long odd = 1;; odd += 2) {
+  for (std::int64_t odd = 1;; odd += 2) {
     const Between term{floor_quotient(power.low, odd), ceiling_quotient(power.high, odd)};
     if (term.high <= 1) return {Integer(sum.low - 1), Integer(sum.high + 1)};
     add(sum, term, odd % 4 == 3);
@@ -42,18 +43,18 @@ Between arc_tangent_of_inverse(long q, long bits) {
 }
 
 /// Machin: pi/4 = 4 arctan(1/5) - arctan(1/239).
-Between pi(long bits) {
+Between pi(std::int64_t bits) {
   const Between fifth = arc_tangent_of_inverse(5, bits), small = arc_tangent_of_inverse(239, bits);
   return {Integer(16 * fifth.low - 4 * small.high), Integer(16 * fifth.high - 4 * small.low)};
 }
 
 /// Taylor's series of the sine (first = x, from = 2) or cosine (first = 1, from = 1) for x in [0, 1]: the terms fall
 /// and change sign, so what is left out is smaller than the first term left out, at most one unit.
-Between series(const Between& first, const Between& x, long from, long bits) {
+Between series(const Between& first, const Between& x, std::int64_t from, std::int64_t bits) {
   const Integer unit_squared = Integer(1) << static_cast<mp_bitcnt_t>(2 * bits);
   Between term = first, sum{0, 0};
   bool minus = false;
-  for (long k = from; term.high > 1; k += 2, minus = !minus) {
+  for (std::int64_t k = from; term.high > 1; k += 2, minus = !minus) {
     add(sum, term, minus);
     const Integer divisor(unit_squared * (k * (k + 1)));
     term = {floor_quotient(term.low * x.low * x.low, divisor), ceiling_quotient(term.high * x.high * x.high, divisor)};
@@ -62,8 +63,8 @@ Between series(const Between& first, const Between& x, long from, long bits) {
 }
 
 /// u - turns pi/2 in units of 2^-bits.
-Between rest_of_turn(const Rational& u, const Integer& turns, long bits) {
-  const long fine = bits + static_cast<long>(mpz_sizeinbase(turns.get_mpz_t(), 2));
+Between rest_of_turn(const Rational& u, const Integer& turns, std::int64_t bits) {
+  const std::int64_t fine = bits + static_cast<std::int64_t>(mpz_sizeinbase(turns.get_mpz_t(), 2));
   const Between circle = pi(fine);
   const Rational scale(Integer(1) << static_cast<mp_bitcnt_t>(bits)),
       finer(Integer(2) << static_cast<mp_bitcnt_t>(fine));
@@ -75,12 +76,12 @@ Between rest_of_turn(const Rational& u, const Integer& turns, long bits) {
 
 }  // namespace
 
-long integer_bits(const Rational& precision) {
+std::int64_t integer_bits(const Rational& precision) {
   expect(precision.get_den() == 1 && precision >= 1 && precision <= 8192, "certificate: bits is not from 1 to 8192");
   return precision.get_num().get_si();
 }
 
-CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, long bits) {
+CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, std::int64_t bits) {
   const Between rest = rest_of_turn(u, turns, bits);
   const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
   const bool negative = sgn(rest.high) <= 0;
@@ -96,7 +97,7 @@ CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, long bi
 
 namespace {
 
-void expect_encloses(const Pair& claimed, const Between& computed, long bits, const char* reason) {
+void expect_encloses(const Pair& claimed, const Between& computed, std::int64_t bits, const char* reason) {
   const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
   expect(claimed.x * one <= computed.low && claimed.y * one >= computed.high, reason);
 }
@@ -106,7 +107,7 @@ void expect_cosine_and_sine(const Rational& u, const Pair& cosine, const Pair& s
                             const Rational& precision) {
   expect(turns.get_den() == 1 && mpz_sizeinbase(turns.get_num_mpz_t(), 2) <= 1030,
          "certificate: quarter_turns is out of range");
-  const long bits = integer_bits(precision);
+  const std::int64_t bits = integer_bits(precision);
   const CosineAndSine computed = cosine_and_sine(u, turns.get_num(), bits);
   expect_encloses(cosine, computed.cosine, bits, "certificate: cosine is wrong");
   expect_encloses(sine, computed.sine, bits, "certificate: sine is wrong");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "oracle/certificates/check_reading.h"
 
 namespace touchstone::certify {
@@ -15,9 +17,9 @@ struct CosineAndSine {
 };
 
 /// For an angle u that is at most 1 away from this many quarter turns, and not exactly equal as far as the bits show.
-CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, long bits);
+CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, std::int64_t bits);
 
 /// The bits that a certificate states: 1 to 8192.
-long integer_bits(const Rational& precision);
+std::int64_t integer_bits(const Rational& precision);
 
 }  // namespace touchstone::certify

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,7 +17,7 @@ using Face = std::array<Vertex, 3>;
 using Edge = std::pair<Vertex, Vertex>;
 /// The number of faces that traverse an edge from its lesser vertex, and to it.
 struct Uses {
-  long forth = 0, back = 0;
+  std::int64_t forth = 0, back = 0;
   bool odd() const { return (forth + back) % 2 != 0; }
   bool turned() const { return forth - back > 1 || back - forth > 1; }
   bool crowded() const { return forth + back > 2; }
@@ -82,7 +83,7 @@ struct Counted {
   }
 };
 
-long common(const Face& s, const Face& t) {
+std::int64_t common(const Face& s, const Face& t) {
   return std::count_if(s.begin(), s.end(), [&t](Vertex v) { return has(t, v); });
 }
 
@@ -166,7 +167,7 @@ void expect_meeting(const Space& space, const Counted& counted, std::size_t i, s
   const auto point = [&](const Face& f, const Face& other, bool& beyond) {
     Rational sum;
     Triple combination{0, 0, 0};
-    long positive = 0;
+    std::int64_t positive = 0;
     for (const Vertex v : f) {
       const Rational& weight = weights.next();
       expect(sgn(weight) >= 0, "certificate: a weight is negative");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
 #include <string>
 
 #include "oracle/certificates/check_circular.h"
@@ -99,7 +100,7 @@ void check_polygon_convexity(const Claim& claim) {
 
 /// 1, -1: the vector lies counter-clockwise or clockwise of the angle u, by less than half a turn; 0 if the bits do not
 /// decide.
-int turn_from(const Rational& u, const Pair& vector, long bits) {
+int turn_from(const Rational& u, const Pair& vector, std::int64_t bits) {
   const Rational turns(u * 7 / 11 + Rational(1, 2));  // about 2 / pi
   const auto [cosine, sine] = cosine_and_sine(u, mpz_class(turns.get_num() / turns.get_den()), bits);
   // y cos u - x sin u
@@ -112,7 +113,7 @@ int turn_from(const Rational& u, const Pair& vector, long bits) {
 /// Requires that the angle in (0, 2 pi) of a vector, not along +x, lies between low and high: it is less than half a
 /// turn beyond low, and high less than half a turn beyond it; and they are on the vector's side of the x axis, or
 /// nearly, which excludes full turns.
-void expect_angle(const Pair& vector, const Rational& low, const Rational& high, long bits) {
+void expect_angle(const Pair& vector, const Rational& low, const Rational& high, std::int64_t bits) {
   const char* const reason = "certificate: an angle is not between low and high";
   expect(sgn(low) > 0 && low < high && high - low < 1, reason);
   expect(sgn(vector.y) < 0 ? low > 3 && high < 7 : high < 4, reason);
@@ -130,7 +131,7 @@ void check_interior_angles(const Claim& claim) {
   const std::size_t n = ring.size();
   expect(angles.is_array() && angles.size() == n, "truth.angles: one for each vertex");
   expect(low.size() == n && high.size() == n, "certificate: low and high for each vertex");
-  const long bits = integer_bits(claim.single("bits"));
+  const std::int64_t bits = integer_bits(claim.single("bits"));
   const bool ccw = std::string(winding(ring)) == "ccw";
   for (std::size_t i = 0; i < n; ++i) {
     const Pair next = ring[(i + 1) % n] - ring[i], previous = ring[(i + n - 1) % n] - ring[i];

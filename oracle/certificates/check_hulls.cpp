@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -58,7 +59,7 @@ void expect_extreme(const Claim& claim, Places used) {
   std::sort(listed.begin(), listed.end());
   std::sort(used.begin(), used.end());
   const bool same = std::equal(listed.begin(), listed.end(), used.begin(), used.end(),
-                               [](const Rational& n, std::size_t i) { return n == static_cast<unsigned long>(i); });
+                               [](const Rational& n, std::size_t i) { return n == static_cast<std::uint64_t>(i); });
   expect(same, "certificate: extreme are other points than in the truth");
 }
 

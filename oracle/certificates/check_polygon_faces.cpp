@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -39,8 +40,8 @@ struct Cut {
   }
   /// True if the triangles traverse each edge as often as the face does, forward minus backward.
   bool bounded_alike() const {
-    std::map<std::pair<std::size_t, std::size_t>, long> runs;
-    const auto run = [&runs](std::size_t from, std::size_t to, long times) {
+    std::map<std::pair<std::size_t, std::size_t>, std::int64_t> runs;
+    const auto run = [&runs](std::size_t from, std::size_t to, std::int64_t times) {
       runs[std::minmax(from, to)] += from < to ? times : -times;
     };
     for (const Triangle& t : triangles)

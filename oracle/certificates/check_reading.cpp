@@ -10,7 +10,7 @@
 namespace touchstone::certify {
 namespace {
 
-Rational times_power_of_two(const Rational& value, long exponent) {
+Rational times_power_of_two(const Rational& value, std::int64_t exponent) {
   Rational result;
   if (exponent >= 0) {
     mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
@@ -23,7 +23,7 @@ Rational times_power_of_two(const Rational& value, long exponent) {
 /// Reads the bits of a double, so that no floating-point environment matters.
 Rational from_double(double value, const std::string& what) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
-  const long field = static_cast<long>(bits >> 52 & 0x7ff);
+  const std::int64_t field = static_cast<std::int64_t>(bits >> 52 & 0x7ff);
   expect(field != 0x7ff, what + ": finite number");
   const std::uint64_t fraction = bits & 0xfffffffffffff;
   const Rational magnitude(mpz_class(field == 0 ? fraction : fraction | std::uint64_t{1} << 52));
@@ -36,9 +36,9 @@ bool binary64(const Rational& value) {
   if (sgn(value) == 0) return true;
   const mpz_class& numerator = value.get_num();
   const mpz_class& denominator = value.get_den();
-  const long low = static_cast<long>(mpz_scan1(numerator.get_mpz_t(), 0));
-  const long high = static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2));
-  const long scale = static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2)) - 1;
+  const std::int64_t low = static_cast<std::int64_t>(mpz_scan1(numerator.get_mpz_t(), 0));
+  const std::int64_t high = static_cast<std::int64_t>(mpz_sizeinbase(numerator.get_mpz_t(), 2));
+  const std::int64_t scale = static_cast<std::int64_t>(mpz_sizeinbase(denominator.get_mpz_t(), 2)) - 1;
   return high - low <= 53 && low - scale >= -1074 && high - scale <= 1024;
 }
 
@@ -54,17 +54,17 @@ Rational from_hexadecimal(const std::string& text, const std::string& what) {
   if (negative || rest.starts_with('+')) rest.erase(0, 1);
   expect(rest.starts_with("0x") || rest.starts_with("0X"), malformed);
   rest.erase(0, 2);
-  long exponent = 0;
+  std::int64_t exponent = 0;
   if (const auto p = rest.find_first_of("pP"); p != std::string::npos) {
     std::string power = rest.substr(p + 1);
     const bool below = power.starts_with('-');
     if (below || power.starts_with('+')) power.erase(0, 1);
     expect(digits(power, "0123456789") && power.size() <= 5, malformed);
-    exponent = below ? -std::stol(power) : std::stol(power);
+    exponent = below ? -std::stoll(power) : std::stoll(power);
     rest.erase(p);
   }
   if (const auto dot = rest.find('.'); dot != std::string::npos) {
-    exponent -= 4 * static_cast<long>(rest.size() - dot - 1);
+    exponent -= 4 * static_cast<std::int64_t>(rest.size() - dot - 1);
     rest.erase(dot, 1);
   }
   expect(digits(rest, "0123456789abcdefABCDEF") && rest.size() <= 1000, malformed);

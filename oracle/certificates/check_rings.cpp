@@ -2,6 +2,7 @@
 #include "oracle/certificates/check_rings.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace touchstone::certify {
 namespace {
@@ -71,7 +72,7 @@ void expect_simple(const Ring& ring, const std::string& what) {
 }
 
 std::size_t vertex(const Rational& index, const Ring& ring) {
-  expect(index.get_den() == 1 && sgn(index) >= 0 && index < static_cast<unsigned long>(ring.size()),
+  expect(index.get_den() == 1 && sgn(index) >= 0 && index < static_cast<std::uint64_t>(ring.size()),
          "certificate: not an index");
   return index.get_num().get_ui();
 }

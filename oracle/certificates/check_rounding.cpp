@@ -2,6 +2,7 @@
 #include "oracle/certificates/check_rounding.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace touchstone::certify {
 namespace {
@@ -9,14 +10,14 @@ namespace {
 using Integer = mpz_class;
 
 /// The exponent of the unit in the last place of a binary64 number near a value that is not 0.
-long ulp_exponent(const Rational& value) {
+std::int64_t ulp_exponent(const Rational& value) {
   const Rational size(abs(value));
-  long order = static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
-               static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
+  std::int64_t order = static_cast<std::int64_t>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
+                       static_cast<std::int64_t>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
   const Rational power = order >= 0 ? Rational(Integer(1) << static_cast<mp_bitcnt_t>(order))
                                     : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-order));
   if (size < power) --order;
-  return std::clamp(order - 52, -1074L, 971L);
+  return std::clamp<std::int64_t>(order - 52, -1074, 971);
 }
 
 /// The nearest integer, ties to even; everything from 2^53 on is infinite alike.
@@ -33,7 +34,7 @@ Integer nearest_integer(const Rational& ulps) {
 void expect_rounds_alike(const std::string& name, const Rational& claimed, const Rational& low, const Rational& high) {
   expect(sgn(claimed) != 0 && sgn(low) == sgn(claimed) && sgn(high) == sgn(claimed),
          "truth: the sign of " + name + " is not proved");
-  const long exponent = ulp_exponent(claimed);
+  const std::int64_t exponent = ulp_exponent(claimed);
   const Rational ulp = exponent >= 0 ? Rational(Integer(1) << static_cast<mp_bitcnt_t>(exponent))
                                      : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-exponent));
   const Rational close(ulp / Rational(Integer(1) << 60));

@@ -2,6 +2,7 @@
 #include "oracle/certificates/check_solids.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -9,7 +10,7 @@
 namespace touchstone::certify {
 
 std::size_t index(const Rational& value, std::size_t count) {
-  const bool there = value.get_den() == 1 && sgn(value) >= 0 && value < static_cast<unsigned long>(count);
+  const bool there = value.get_den() == 1 && sgn(value) >= 0 && value < static_cast<std::uint64_t>(count);
   expect(there, "certificate: not an index");
   return value.get_num().get_ui();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/certificates/check_space.h"
 
+#include <cstdint>
+
 namespace touchstone::certify {
 namespace {
 
@@ -97,7 +99,7 @@ Triple triple(const Claim& claim, const char* name) {
 std::vector<Triple> named(const Claim& claim, const char* fact, const std::vector<Triple>& points) {
   std::vector<Triple> found;
   for (const Rational& place : claim.list(fact)) {
-    const bool whole = place.get_den() == 1 && sgn(place) >= 0 && place < static_cast<unsigned long>(points.size());
+    const bool whole = place.get_den() == 1 && sgn(place) >= 0 && place < static_cast<std::uint64_t>(points.size());
     expect(whole, std::string("certificate.") + fact + ": places of points");
     found.push_back(points[place.get_num().get_ui()]);
   }
@@ -113,7 +115,7 @@ void expect_flat_axis(const Claim& claim, const Box& box) {
   const Rational axis = claim.single("axis");
   bool found = false;
   for (std::size_t k = 0; k < box.axes(); ++k)
-    found = found || (axis == static_cast<unsigned long>(k) && box.min[k] == box.max[k]);
+    found = found || (axis == static_cast<std::uint64_t>(k) && box.min[k] == box.max[k]);
   expect(found, "certificate: the box is not flat on the axis");
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
 #include <string>
 
 #include "oracle/certificates/check_space.h"
@@ -10,7 +11,7 @@ namespace {
 std::size_t axis_of(const Claim& claim, const Box& box) {
   const Rational axis = claim.single("axis");
   for (std::size_t k = 0; k < box.axes(); ++k)
-    if (axis == static_cast<unsigned long>(k)) return k;
+    if (axis == static_cast<std::uint64_t>(k)) return k;
   throw Refusal("certificate.axis: no axis of the boxes");
 }
 

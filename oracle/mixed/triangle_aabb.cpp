@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/validation.h"
@@ -79,7 +80,7 @@ Certificate certificate_triangle_aabb(const Scale& scale, const IntegerInput& q,
   if (sgn(found.depth) > 0) return {"common_interior_point", {{"weights", weights}}};
   for (std::size_t k = 0; k < 3; ++k)
     if (q.min[k] == q.max[k])
-      return {"flat_axis", {{"weights", weights}, {"axis", {Rational(static_cast<unsigned long>(k))}}}};
+      return {"flat_axis", {{"weights", weights}, {"axis", {Rational(static_cast<std::uint64_t>(k))}}}};
   Certificate touching = facts_of(*plane_between(triangle, box));
   touching.kind = "supporting_plane", touching.facts.emplace_back("weights", weights);
   return touching;

@@ -51,7 +51,7 @@ std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
 
 Certificate certificate_interior_angles(const std::vector<AngleBetween>& angles) {
   std::vector<Rational> low, high;
-  long bits = 0;
+  std::int64_t bits = 0;
   for (const AngleBetween& angle : angles) {
     low.push_back(angle.low), high.push_back(angle.high);
     bits = std::max(bits, 32 - binary_order(Rational(angle.high - angle.low)));

@@ -52,7 +52,7 @@ struct Ray {
 /// The first of (1, 1), (1, 2), (1, 3) ... that misses, or a quarter turn from these: each vertex rules out one at
 /// most.
 Ray missing_ray(const Ring& ring, bool quarter_turn) {
-  for (long slope = 1;; ++slope) {
+  for (std::int64_t slope = 1;; ++slope) {
     Ray ray{quarter_turn ? Vector2<Integer>{-slope, 1} : Vector2<Integer>{1, slope}, {}};
     for (const Point2<Integer>& vertex : ring.vertices) {
       ray.sides.push_back(cross(ray.direction, place(vertex)));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "geometry/answers.h"
 #include "oracle/truth.h"
 
@@ -22,7 +24,7 @@ Location location_by_winding(const Polygon2<Word>& around) {
   const auto quadrant = [&](const Point2<Word>& v) {
     return v.y > zero || (v.y == zero && v.x > zero) ? (v.x > zero ? 0 : 1) : (v.x < zero ? 2 : 3);
   };
-  long quarters = 0;
+  std::int64_t quarters = 0;
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Point2<Word>&a = around[i], &b = around.next(i);
     const Wide left = Wide(a.x) * Wide(b.y), right = Wide(a.y) * Wide(b.x);

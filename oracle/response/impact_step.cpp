@@ -2,6 +2,7 @@
 #include "oracle/response/impact_step.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <numeric>
@@ -34,7 +35,7 @@ void validate_all_impact_step(const std::vector<StepBody<Number>>& bodies, const
 /// The nearest number of 53 binary digits, ties to even.
 Rational of_53_digits(const Surd& x) {
   if (sgn(x) == 0) return 0;
-  for (long bits = 64;; bits *= 2) {
+  for (std::int64_t bits = 64;; bits *= 2) {
     const auto [low, high] = x.enclosure(bits);
     if (sgn(low) * sgn(high) <= 0) continue;
     const auto order = static_cast<int>(binary_order(low));

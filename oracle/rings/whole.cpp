@@ -20,7 +20,7 @@ IntegerRing::IntegerRing(const Polygon2d& polygon) {
   for (const Point2d& p : polygon.vertices) lower(p.x), lower(p.y);
   const auto integer = [&](double number) {
     const Dyadic part = decode(number);
-    Integer result(static_cast<long>(part.mantissa));
+    Integer result(static_cast<std::int64_t>(part.mantissa));
     const int up = part.exponent - least;
     if (up >= 0) {
       result <<= static_cast<mp_bitcnt_t>(up);

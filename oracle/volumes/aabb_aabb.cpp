@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include "geometry/validation.h"
@@ -85,7 +86,7 @@ Certificate certificate_aabb_aabb(const Scale& n, const Axes& axes, Contact cont
   const auto middle = [&n](const auto& axis) {
     return n.actual(Rational((rational(axis.low()) + rational(axis.high())) / 2), 1);
   };
-  const std::pair<std::string, std::vector<Rational>> axis{"axis", {Rational(static_cast<unsigned long>(least))}};
+  const std::pair<std::string, std::vector<Rational>> axis{"axis", {Rational(static_cast<std::uint64_t>(least))}};
   if (contact == Contact::disjoint) return {"separating_axis", {axis, {"value", {middle(axes[least])}}}};
   std::vector<Rational> point;
   for (const auto& each : axes) point.push_back(middle(each));

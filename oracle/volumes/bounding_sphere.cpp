@@ -2,6 +2,7 @@
 #include "oracle/volumes/bounding_sphere.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <utility>
@@ -87,7 +88,7 @@ IntegerBall around_middle(const IntegerPoints& points, SphereMethod method) {
     for (const Integer& x : along(axis, points)) total += x;
     return total;
   });
-  return reaching_farthest(sum, Integer(static_cast<unsigned long>(points.size())), points);
+  return reaching_farthest(sum, Integer(static_cast<std::uint64_t>(points.size())), points);
 }
 
 /// Binary digits of ritter's ball below the unit: the effect of a point near another, compared with a distant one, is
@@ -136,8 +137,8 @@ Truth<Sphere3<Surd>> truth_of_bounding_sphere(const std::vector<Point3<Number>>&
 Rational power_of_two(int exponent) { return scaled(Rational(1), exponent); }
 
 /// The number of units in the last place by which a ball of this method may be too large.
-long most_units(SphereMethod method, std::size_t points) {
-  const long n = static_cast<long>(points);
+std::int64_t most_units(SphereMethod method, std::size_t points) {
+  const std::int64_t n = static_cast<std::int64_t>(points);
   return method == SphereMethod::centroid ? n + 4 : method == SphereMethod::ritter ? 4 * n + 4 : 4;
 }
 

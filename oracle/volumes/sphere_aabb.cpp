@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include "geometry/validation.h"
@@ -108,7 +109,7 @@ Certificate certificate_sphere_aabb(const Scale& n, const Solids& solids) {
                                   : "common_interior_point";
   Certificate certificate{kind, {{"point", std::move(point)}}};
   if (depth > 0 && flat)
-    certificate.facts.push_back({"axis", {Rational(static_cast<long>(&narrowest - solids.axes.data()))}});
+    certificate.facts.push_back({"axis", {Rational(static_cast<std::int64_t>(&narrowest - solids.axes.data()))}});
   return certificate;
 }
 

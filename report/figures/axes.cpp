@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -17,23 +18,23 @@ constexpr std::size_t readable_digits = 6;
 constexpr std::size_t most_grid_lines = 40;
 constexpr double label_half = 3.2, room_right = 8;  // of a letter; beyond the frame
 
-mpq_class power_of_ten(long exponent) {
+mpq_class power_of_ten(std::int64_t exponent) {
   mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(exponent)));
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<std::uint64_t>(std::abs(exponent)));
   return exponent < 0 ? mpq_class(mpz_class(1), power) : mpq_class(power);
 }
 
 /// The least of 1, 2, 5 times a power of ten that divides the span into at most five steps.
 struct Step {
   mpz_class factor;
-  long exponent = 0;
+  std::int64_t exponent = 0;
   mpq_class size;
 };
 
 Step round_step(const mpq_class& span) {
   mp_exp_t digits = 0;
   mpf_class(span, 128).get_str(digits, 10, 1);
-  for (long exponent = static_cast<long>(digits) - 3;; ++exponent) {
+  for (std::int64_t exponent = static_cast<std::int64_t>(digits) - 3;; ++exponent) {
     for (const int factor : {1, 2, 5}) {
       const mpq_class size = factor * power_of_ten(exponent);
       if (5 * size >= span) return {factor, exponent, size};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include "catalogue/numbers/ulps.h"
@@ -119,7 +120,7 @@ std::string about(const mpq_class& value, std::size_t most) {
   std::string digits = mpf_class(value, 192).get_str(exponent, 10, most);
   const std::string sign = digits[0] == '-' ? "-" : "";
   digits.erase(0, sign.size());
-  const long power = static_cast<long>(exponent) - 1;
+  const std::int64_t power = static_cast<std::int64_t>(exponent) - 1;
   if (power < -4 || power > 5)
     return fmt::format("{}{}{}{}e{}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), power);
   if (power < 0) return sign + "0." + std::string(static_cast<std::size_t>(-power - 1), '0') + digits;

@@ -26,7 +26,7 @@ bool is_exact_value(const std::string& text) {
 
 /// The value of a text with a root, to enough digits for any reader; nullopt if it is not one.
 std::optional<mpq_class> number_with_root(const std::string& text) {
-  constexpr long bits = 1074 + 200;
+  constexpr std::int64_t bits = 1074 + 200;
   if (text.find("sqrt(") == std::string::npos) return std::nullopt;
   try {
     return oracle::surd_of(text).enclosure(bits).low;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/parametric_circle.h"
 
+#include <cstdint>
+
 #include "robust/kernel/enclosed/window.h"
 #include "robust/kernel/integers/enclosed_angles.h"
 #include "robust/kernel/integers/rounding.h"
@@ -30,14 +32,14 @@ Scaled<mpz_class> integer(double value) { return kernel::exact_sum<1>({kernel::t
 /// a + b
 Scaled<mpz_class> sum(const Scaled<mpz_class>& a, const Scaled<mpz_class>& b) {
   const int low = std::min(a.exponent, b.exponent);
-  return {(a.n << static_cast<unsigned long>(a.exponent - low)) + (b.n << static_cast<unsigned long>(b.exponent - low)),
+  return {(a.n << static_cast<std::uint64_t>(a.exponent - low)) + (b.n << static_cast<std::uint64_t>(b.exponent - low)),
           low};
 }
 
 /// center + radius * factor rounded, for a factor within error of n, both in units of 2^-bits; empty if that could be
 /// two doubles.
 std::optional<double> coordinate(const Scaled<mpz_class>& center, const Scaled<mpz_class>& radius, const mpz_class& n,
-                                 const mpz_class& error, unsigned long bits) {
+                                 const mpz_class& error, std::uint64_t bits) {
   const int exponent = radius.exponent - static_cast<int>(bits);
   const Scaled<mpz_class> low = sum(center, {radius.n * (n - error), exponent});
   const Scaled<mpz_class> high = sum(center, {radius.n * (n + error), exponent});
@@ -70,7 +72,7 @@ Point2d stages::parametric_circle::exact(const Circle2d& circle, double u) {
   std::optional<double> across, up;
   // A small angle has a small sine: its leading zeros are not significant digits.
   const kernel::Decoded angle = kernel::decode(u);
-  unsigned long bits = 128 + static_cast<unsigned long>(std::max(0, -angle.exponent - 53));
+  std::uint64_t bits = 128 + static_cast<std::uint64_t>(std::max(0, -angle.exponent - 53));
   for (; !across || !up; bits *= 2) {
     const kernel::SineCosine at = kernel::sine_cosine(u, bits);
     if (!across) across = coordinate(x, radius, at.cosine, at.error, bits);

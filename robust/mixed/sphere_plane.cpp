@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/sphere_plane.h"
 
+#include <cstdint>
+
 #include "robust/kernel/filters/height_filter.h"
 #include "robust/kernel/filters/plane_filter.h"
 #include "robust/kernel/integers/plane_terms.h"
@@ -40,8 +42,8 @@ Contact stages::sphere_plane::exact(const Sphere3d& sphere, const Plane3d& plane
   const mpz_class r = scaled(radius, 0);
   mpz_class distance = height.n * height.n, reach = normal.n * r * r;
   const int shift = 2 * height.exponent - normal.exponent - 2 * radius.exponent;
-  if (shift > 0) distance <<= static_cast<unsigned long>(shift);
-  else reach <<= static_cast<unsigned long>(-shift);
+  if (shift > 0) distance <<= static_cast<std::uint64_t>(shift);
+  else reach <<= static_cast<std::uint64_t>(-shift);
   const int sign = cmp(distance, reach);
   return sign > 0 ? Contact::disjoint : sign < 0 ? Contact::overlapping : Contact::touching;
 }

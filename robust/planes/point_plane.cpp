@@ -77,7 +77,7 @@ using kernel::Scaled;
 /// height / |N|, by the root of its square.
 double distance(const Scaled<mpz_class>& height, const Plane3d& plane) {
   const Scaled<mpz_class> length = kernel::exact_sum(kernel::squared_normal(plane));
-  const double size = kernel::round_square_root(height.n * height.n, length.n, 2L * height.exponent - length.exponent);
+  const double size = kernel::round_square_root(height.n * height.n, length.n, 2 * height.exponent - length.exponent);
   return kernel::with_sign(size, sgn(height.n));
 }
 

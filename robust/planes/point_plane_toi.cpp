@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/point_plane_toi.h"
 
+#include <cstdint>
+
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 #include "robust/kernel/filters/plane_filter.h"
 #include "robust/kernel/integers/plane_terms.h"
@@ -109,8 +111,8 @@ PointPlaneToi<double> stages::point_plane_toi::exact(const Plane3d& plane, const
   auto first = kernel::exact_sum(kernel::height_over(plane, start)),
        last = kernel::exact_sum(kernel::height_over(plane, end));
   const int exponent = std::min(first.exponent, last.exponent);
-  first.n <<= static_cast<unsigned long>(first.exponent - exponent);
-  last.n <<= static_cast<unsigned long>(last.exponent - exponent);
+  first.n <<= static_cast<std::uint64_t>(first.exponent - exponent);
+  last.n <<= static_cast<std::uint64_t>(last.exponent - exponent);
   return answer_of(first.n, last.n, start, kernel::integers_of(start.x, start.y, start.z, end.x, end.y, end.z));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/polygon_normal.h"
 
+#include <cstdint>
+
 #include "geometry/validation.h"
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 #include "robust/kernel/shapes/plane.h"
@@ -88,8 +90,8 @@ mpz_class integer_of(const kernel::Int192& n) {
   return negative ? mpz_class(-result) : result;
 }
 
-double rounded(const kernel::Int192& n, long exponent) { return kernel::round_quotient(n, 1, exponent); }
-double rounded(const mpz_class& n, long exponent) { return kernel::round_scaled(n, exponent); }
+double rounded(const kernel::Int192& n, std::int64_t exponent) { return kernel::round_quotient(n, 1, exponent); }
+double rounded(const mpz_class& n, std::int64_t exponent) { return kernel::round_scaled(n, exponent); }
 
 /// Newell's sum: the areas under the edges, seen along each axis.
 template <class Integer>
@@ -113,7 +115,7 @@ PolygonNormal<double> answer_of(const kernel::ScaledPoints<Integer>& points) {
   const auto unit = [&](const mpz_class& n) {
     return kernel::with_sign(kernel::round_square_root(n * n, squared_length), sgn(n));
   };
-  const long exponent = 2L * points.exponent;
+  const std::int64_t exponent = 2 * points.exponent;
   return {NormalClass::proper, Vector3d{rounded(sum.x, exponent), rounded(sum.y, exponent), rounded(sum.z, exponent)},
           Vector3d{unit(x), unit(y), unit(z)}};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/contact_state.h"
 
+#include <cstdint>
 #include <tuple>
 
 #include "robust/kernel/shapes/valid.h"
@@ -106,7 +107,7 @@ ContactState stages::contact_state::exact(const MovingBodyd& a, const MovingBody
   mpz_class straight = dot(straight_part(v.at), direction), turning = dot(turning_part(w.at, p.at), direction);
   const int finer = v.exponent - (w.exponent + p.exponent);
   mpz_class& coarser = finer > 0 ? straight : turning;
-  coarser <<= static_cast<unsigned long>(std::abs(finer));
+  coarser <<= static_cast<std::uint64_t>(std::abs(finer));
   return state(sgn(mpz_class(straight + turning)));
 }
 

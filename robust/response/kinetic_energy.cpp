@@ -40,7 +40,7 @@ double stages::kinetic_energy::exact(const std::vector<Bodyd>& bodies) {
   const kernel::IntegerBodies integers = kernel::integer_bodies(bodies);
   mpz_class doubled;
   for (const auto& [mass, velocity] : integers.at) doubled += mass * dot(velocity, velocity);
-  return kernel::round_scaled(doubled, integers.mass_exponent + 2L * integers.velocity_exponent - 1);
+  return kernel::round_scaled(doubled, integers.mass_exponent + 2 * integers.velocity_exponent - 1);
 }
 
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/momentum.h"
 
+#include <cstdint>
+
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/shapes/whole_bodies.h"
@@ -34,7 +36,7 @@ Vector3d stages::momentum::exact(const std::vector<Bodyd>& bodies) {
   const kernel::IntegerBodies integers = kernel::integer_bodies(bodies);
   Vector3<mpz_class> sum{};
   for (const auto& [mass, velocity] : integers.at) sum = sum + mass * velocity;
-  const long exponent = static_cast<long>(integers.mass_exponent) + integers.velocity_exponent;
+  const std::int64_t exponent = static_cast<std::int64_t>(integers.mass_exponent) + integers.velocity_exponent;
   const auto rounded = [exponent](const mpz_class& n) { return kernel::round_scaled(n, exponent); };
   return {rounded(sum.x), rounded(sum.y), rounded(sum.z)};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/penalty_force.h"
 
+#include <cstdint>
+
 #include "robust/kernel/contacts/along_normal.h"
 #include "robust/kernel/integers/dyadic.h"
 #include "robust/kernel/integers/plane_terms.h"
@@ -49,7 +51,7 @@ Vector3d stages::penalty_force::exact(const Point3d& p, const Vector3d& v, const
   const Dyadic force = -(dyadic(stiffness) * height + dyadic(damping) * dot(dyadic(v), n)), square = dot(n, n);
   const auto component = [&](const Dyadic& of_normal) {
     const Dyadic part = force * of_normal;
-    return round_quotient(part.n, square.n, static_cast<long>(part.exponent) - square.exponent);
+    return round_quotient(part.n, square.n, static_cast<std::int64_t>(part.exponent) - square.exponent);
   };
   return {component(n.x), component(n.y), component(n.z)};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/response/rigid_body_collision.h"
 
+#include <cstdint>
+
 #include "robust/kernel/contacts/along_normal.h"
 #include "robust/kernel/enclosed/enclosed_inertia.h"
 #include "robust/kernel/integers/dyadic.h"
@@ -87,7 +89,7 @@ struct Struck {
 Vector3d moved(const Vector3<Dyadic>& start, const Dyadic& of, const Vector3<Dyadic>& v, const Dyadic& below) {
   const auto component = [&](const Dyadic& from, const Dyadic& along) {
     const Dyadic n = from * below + of * along;
-    return kernel::round_quotient(n.n, below.n, static_cast<long>(n.exponent) - below.exponent);
+    return kernel::round_quotient(n.n, below.n, static_cast<std::int64_t>(n.exponent) - below.exponent);
   };
   return {component(start.x, v.x), component(start.y, v.y), component(start.z, v.z)};
 }

@@ -2,6 +2,7 @@
 #include "robust/response/simulation_step.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "geometry/validation.h"
 #include "robust/kernel/contacts/contact_system.h"
@@ -35,7 +36,7 @@ class Unit {
   int exponent() const { return least_ == INT_MAX ? 0 : least_; }
   mpz_class integer(const Dyadic& a) const {
     if (sign(a) == 0) return 0;
-    return a.n << static_cast<unsigned long>(a.exponent - least_);
+    return a.n << static_cast<std::uint64_t>(a.exponent - least_);
   }
   Vector3<mpz_class> integer(const Vector3<Dyadic>& v) const { return {integer(v.x), integer(v.y), integer(v.z)}; }
 
@@ -177,7 +178,7 @@ class SimulationStep {
   }
 
   static double quotient(const Dyadic& above, const Dyadic& below) {
-    return kernel::round_quotient(above.n, below.n, static_cast<long>(above.exponent) - below.exponent);
+    return kernel::round_quotient(above.n, below.n, static_cast<std::int64_t>(above.exponent) - below.exponent);
   }
   static Vector3d rounded(const Velocity& v) {
     return {quotient(v.above.x, v.below), quotient(v.above.y, v.below), quotient(v.above.z, v.below)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/sweeps/swept_sphere_plane.h"
 
+#include <cstdint>
+
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 #include "robust/kernel/filters/height_filter.h"
 #include "robust/kernel/integers/plane_terms.h"
@@ -69,7 +71,7 @@ struct Integers {
               halved = of_reach >= 0 ? of_reach / 2 : -((1 - of_reach) / 2);
     const int exponent = std::min({e.exponent, s.exponent, halved});
     const auto in_units = [](const mpz_class& number, int shift) {
-      return mpz_class(number << static_cast<unsigned long>(shift));
+      return mpz_class(number << static_cast<std::uint64_t>(shift));
     };
     height = in_units(e.n, e.exponent - exponent), rise = in_units(s.n, s.exponent - exponent);
     squared_reach = in_units(q.n * r * r, of_reach - 2 * exponent);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
@@ -54,10 +55,10 @@ Point3d centroid(const Points& points) {
       const kernel::Term term = kernel::term(p.*axis);
       if (term.magnitude == 0) continue;
       const int lower = sum.exponent - term.exponent;
-      if (lower > 0) sum.n <<= static_cast<unsigned long>(lower), sum.exponent = term.exponent;
+      if (lower > 0) sum.n <<= static_cast<std::uint64_t>(lower), sum.exponent = term.exponent;
       sum.n += kernel::scaled(term, term.exponent - sum.exponent);
     }
-    return kernel::round_quotient(sum.n, mpz_class(static_cast<unsigned long>(points.size())), sum.exponent);
+    return kernel::round_quotient(sum.n, mpz_class(static_cast<std::uint64_t>(points.size())), sum.exponent);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "catalogue/families/meshes/cube_surface.h"
@@ -19,7 +20,7 @@ constexpr std::array<Face, 4> tetrahedron{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 
 
 Meshd cube_in_hollow(DrawStream& draws) {
   std::vector<LatticePoint> cells;
-  for (long i = 0; i < 27; ++i)
+  for (std::int64_t i = 0; i < 27; ++i)
     if (i != 13) cells.push_back({i % 3, i / 3 % 3, i / 9});
   Meshd mesh = cube_surface(cells), inner = cube_surface({{0, 0, 0}});
   const double at = 12 + 3 * up_to(draws, 3), size = draws.coin() ? 1 : 0.25;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/families/meshes/cube_surface.h"
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -9,7 +10,7 @@ namespace touchstone::catalogue {
 namespace {
 
 /// The corners of a cell's square across an axis, counter-clockwise as seen from the greater side.
-std::array<LatticePoint, 4> square(const LatticePoint& cell, std::size_t axis, long side) {
+std::array<LatticePoint, 4> square(const LatticePoint& cell, std::size_t axis, std::int64_t side) {
   std::array<LatticePoint, 4> corners{cell, cell, cell, cell};
   for (LatticePoint& corner : corners) corner[axis] += side;
   for (const std::size_t k : {1, 2}) ++corners[k][(axis + 1) % 3];
@@ -25,13 +26,13 @@ Meshd cube_surface(const std::vector<LatticePoint>& cells) {
   Meshd mesh;
   const auto vertex = [&](const LatticePoint& p) {
     const auto [found, added] = places.emplace(p, static_cast<Index>(mesh.vertices.size()));
-    const auto coordinate = [](long n) { return static_cast<double>(12 * n); };
+    const auto coordinate = [](std::int64_t n) { return static_cast<double>(12 * n); };
     if (added) mesh.vertices.push_back({coordinate(p[0]), coordinate(p[1]), coordinate(p[2])});
     return found->second;
   };
   for (const LatticePoint& cell : taken) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (const long side : {0L, 1L}) {
+      for (const std::int64_t side : {0, 1}) {
         LatticePoint neighbour = cell;
         neighbour[axis] += 2 * side - 1;
         if (taken.contains(neighbour)) continue;

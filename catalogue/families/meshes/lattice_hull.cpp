@@ -18,7 +18,7 @@ std::vector<Index> corners(const std::vector<LatticePoint>& points, const std::v
     for (const Index m : members) {
       if (m == ring.back()) continue;
       const LatticePoint v = minus(points[next], points[ring.back()]), w = minus(points[m], points[ring.back()]);
-      const long turn = dot(normal, cross(v, w));
+      const std::int64_t turn = dot(normal, cross(v, w));
       if (turn < 0 || (turn == 0 && dot(w, w) > dot(v, v))) next = m;
     }
     ring.push_back(next);
@@ -46,7 +46,7 @@ Meshd lattice_hull(const std::vector<LatticePoint>& points) {
         std::vector<Index> members;
         bool front = false, back = false;
         for (Index m = 0; m < count && !(front && back); ++m) {
-          const long side = dot(normal, minus(points[m], points[i]));
+          const std::int64_t side = dot(normal, minus(points[m], points[i]));
           front = front || side > 0;
           back = back || side < 0;
           if (side == 0) members.push_back(m);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/polyhedra.h"
@@ -9,7 +10,7 @@
 namespace touchstone::catalogue {
 
 /// A lattice point or vector.
-using LatticePoint = std::array<long, 3>;
+using LatticePoint = std::array<std::int64_t, 3>;
 
 inline LatticePoint minus(const LatticePoint& p, const LatticePoint& q) {
   return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
@@ -17,7 +18,9 @@ inline LatticePoint minus(const LatticePoint& p, const LatticePoint& q) {
 inline LatticePoint cross(const LatticePoint& v, const LatticePoint& w) {
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
-inline long dot(const LatticePoint& v, const LatticePoint& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
+inline std::int64_t dot(const LatticePoint& v, const LatticePoint& w) {
+  return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
+}
 
 /// The points, and triangles over those that are corners of their hull; no faces where all points lie in one plane.
 /// Asks every plane through three points: for a hundred points, not for thousands. Coordinates of at most 14,000: the

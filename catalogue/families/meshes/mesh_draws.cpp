@@ -2,6 +2,7 @@
 #include "catalogue/families/meshes/mesh_draws.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "catalogue/families/meshes/lattice_hull.h"
 #include "catalogue/families/meshes/named_meshes.h"
@@ -15,7 +16,7 @@ std::vector<LatticePoint> drawn_points(DrawStream& draws) {
     case 0: return {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}};
     case 1: {
       std::vector<LatticePoint> cube;
-      for (long i = 0; i < 8; ++i) cube.push_back({12 * (i & 1), 12 * (i >> 1 & 1), 12 * (i >> 2)});
+      for (std::int64_t i = 0; i < 8; ++i) cube.push_back({12 * (i & 1), 12 * (i >> 1 & 1), 12 * (i >> 2)});
       return cube;
     }
     case 2: return {{12, 0, 0}, {-12, 0, 0}, {0, 12, 0}, {0, -12, 0}, {0, 0, 12}, {0, 0, -12}};
@@ -23,8 +24,8 @@ std::vector<LatticePoint> drawn_points(DrawStream& draws) {
   }
   std::vector<LatticePoint> points;
   for (std::uint64_t left = 5 + draws.below(5); left > 0; --left) {
-    const auto coordinate = [&draws] { return 12 * static_cast<long>(small_integer(draws, 4)); };
-    const long x = coordinate(), y = coordinate(), z = coordinate();
+    const auto coordinate = [&draws] { return 12 * static_cast<std::int64_t>(small_integer(draws, 4)); };
+    const std::int64_t x = coordinate(), y = coordinate(), z = coordinate();
     if (std::find(points.begin(), points.end(), LatticePoint{x, y, z}) == points.end()) points.push_back({x, y, z});
   }
   return points;

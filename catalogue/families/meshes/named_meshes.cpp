@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 #include "catalogue/families/meshes/cube_surface.h"
@@ -16,9 +17,9 @@ namespace {
 /// more than three corners, so that neighbouring triangles lie in one plane.
 std::vector<LatticePoint> lattice_sphere() {
   std::vector<LatticePoint> points;
-  for (long x = -5; x <= 5; ++x) {
-    for (long y = -5; y <= 5; ++y) {
-      for (long z = -5; z <= 5; ++z) {
+  for (std::int64_t x = -5; x <= 5; ++x) {
+    for (std::int64_t y = -5; y <= 5; ++y) {
+      for (std::int64_t z = -5; z <= 5; ++z) {
         if (x * x + y * y + z * z == 26) points.push_back({12 * x, 12 * y, 12 * z});
       }
     }
@@ -30,12 +31,14 @@ std::vector<LatticePoint> lattice_sphere() {
 /// multiples of 12. No two triangles of the hull lie in one plane.
 std::vector<LatticePoint> geodesic() {
   std::vector<LatticePoint> points;
-  for (long x = -4; x <= 4; ++x) {
-    for (long y = -4; y <= 4; ++y) {
-      for (long z = -4; z <= 4; ++z) {
-        if (std::labs(x) + std::labs(y) + std::labs(z) != 4) continue;
+  for (std::int64_t x = -4; x <= 4; ++x) {
+    for (std::int64_t y = -4; y <= 4; ++y) {
+      for (std::int64_t z = -4; z <= 4; ++z) {
+        if (std::abs(x) + std::abs(y) + std::abs(z) != 4) continue;
         const double distance = std::sqrt(static_cast<double>(x * x + y * y + z * z));
-        const auto rounded = [distance](long n) { return 12 * std::lround(1000 * static_cast<double>(n) / distance); };
+        const auto rounded = [distance](std::int64_t n) {
+          return 12 * std::lround(1000 * static_cast<double>(n) / distance);
+        };
         points.push_back({rounded(x), rounded(y), rounded(z)});
       }
     }
@@ -47,8 +50,8 @@ std::vector<LatticePoint> geodesic() {
 /// most 3 in each coordinate, twelve times as long: 30 triangles lie in each of two planes, in 32 others two.
 std::vector<LatticePoint> prism() {
   std::vector<LatticePoint> edges;
-  for (long x = -3; x <= 3; ++x) {
-    for (long y = -3; y <= 3; ++y) {
+  for (std::int64_t x = -3; x <= 3; ++x) {
+    for (std::int64_t y = -3; y <= 3; ++y) {
       if (std::gcd(x, y) == 1) edges.push_back({12 * x, 12 * y, 0});
     }
   }
@@ -75,8 +78,8 @@ Meshd stretched(Meshd mesh) {
 /// The outer cubes of a layer of five times five.
 std::vector<LatticePoint> ring_of_cells() {
   std::vector<LatticePoint> cells;
-  for (long x = 0; x < 5; ++x) {
-    for (long y = 0; y < 5; ++y) {
+  for (std::int64_t x = 0; x < 5; ++x) {
+    for (std::int64_t y = 0; y < 5; ++y) {
       if (x == 0 || x == 4 || y == 0 || y == 4) cells.push_back({x, y, 0});
     }
   }
@@ -86,7 +89,7 @@ std::vector<LatticePoint> ring_of_cells() {
 /// The 26 cubes around one.
 std::vector<LatticePoint> cells_around_one() {
   std::vector<LatticePoint> cells;
-  for (long i = 0; i < 27; ++i) {
+  for (std::int64_t i = 0; i < 27; ++i) {
     if (i != 13) cells.push_back({i % 3, i / 3 % 3, i / 9});
   }
   return cells;
@@ -95,7 +98,7 @@ std::vector<LatticePoint> cells_around_one() {
 /// A row of 63 cubes, and one more above every other: a comb of 32 teeth.
 std::vector<LatticePoint> comb_of_cells() {
   std::vector<LatticePoint> cells;
-  for (long x = 0; x < 63; ++x) {
+  for (std::int64_t x = 0; x < 63; ++x) {
     cells.push_back({x, 0, 0});
     if (x % 2 == 0) cells.push_back({x, 1, 0});
   }

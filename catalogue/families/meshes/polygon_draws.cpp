@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -40,7 +41,7 @@ Corners united(Corners a, Corners b, std::size_t first) {
 /// A cube, and perhaps others beside it in one layer, around a hole too.
 Meshd cubes_of_a_layer(DrawStream& draws) {
   std::vector<LatticePoint> cells{{0, 0, 0}};
-  for (long i = 1; i < 9; ++i) {
+  for (std::int64_t i = 1; i < 9; ++i) {
     if (draws.coin()) cells.push_back({i % 3, i / 3, 0});
   }
   return cube_surface(cells);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/families/meshes/solid_draws.h"
 
+#include <cstdint>
 #include <utility>
 
 #include "catalogue/families/meshes/cube_surface.h"
@@ -17,14 +18,14 @@ Point3d drawn_point(DrawStream& draws, int most) {
   return {12 * small_integer(draws, most), 12 * small_integer(draws, most), 12 * small_integer(draws, most)};
 }
 
-std::vector<LatticePoint> block(long x, long y, long z) {
+std::vector<LatticePoint> block(std::int64_t x, std::int64_t y, std::int64_t z) {
   std::vector<LatticePoint> cells;
-  for (long i = 0; i < x * y * z; ++i) cells.push_back({i % x, i / x % y, i / (x * y)});
+  for (std::int64_t i = 0; i < x * y * z; ++i) cells.push_back({i % x, i / x % y, i / (x * y)});
   return cells;
 }
 
 /// The cells of a block but for the one in the middle.
-std::vector<LatticePoint> around_the_middle(long height) {
+std::vector<LatticePoint> around_the_middle(std::int64_t height) {
   std::vector<LatticePoint> cells = block(3, 3, height);
   cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(cells.size() / 2));
   return cells;

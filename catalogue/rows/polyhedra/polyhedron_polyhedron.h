@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "catalogue/families/meshes/cube_surface.h"
@@ -235,7 +236,7 @@ struct polyhedron_polyhedron : signatures::polyhedron_polyhedron {
   static Meshd link(DrawStream& c) {
     std::vector<LatticePoint> of_cells;
     const bool ring = c.below(3) > 0;
-    for (long i = 0; i < 9; ++i)
+    for (std::int64_t i = 0; i < 9; ++i)
       if (ring ? i != 4 : i / 3 == 1) of_cells.push_back({i % 3, i / 3, 0});
     const double bar = 6 * static_cast<double>(2 - c.below(2)), height = 6 * one_to(c, 2);
     const auto narrowed = [bar](double n) { return n == 12 ? bar : n == 24 ? 36 - bar : n; };

@@ -4,6 +4,7 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <cstdint>
 
 namespace touchstone::oracle {
 namespace {
@@ -23,7 +24,7 @@ class Real {
 /// mpfr_set_d would compare doubles, which denormals-are-zero changes.
 void set(Real& real, double value) {
   const Dyadic parts = decode(value);
-  mpfr_set_si_2exp(*real, static_cast<long>(parts.mantissa), parts.exponent, MPFR_RNDN);
+  mpfr_set_si_2exp(*real, static_cast<std::int64_t>(parts.mantissa), parts.exponent, MPFR_RNDN);
 }
 
 /// `away` (the exponent of a power of two) bounds the distance of the function's value at the angle from that at u.

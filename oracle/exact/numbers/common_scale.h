@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -52,7 +53,7 @@ class CommonScale<double, N> {
   }
 
   Integer integer(std::size_t i) const {
-    Integer result(static_cast<long>(parts_[i].mantissa));
+    Integer result(static_cast<std::int64_t>(parts_[i].mantissa));
     if (parts_[i].mantissa != 0) result <<= static_cast<mp_bitcnt_t>(parts_[i].exponent - exponent_);
     return result;
   }
@@ -99,7 +100,7 @@ class CommonScale<Rational, N> {
 
   Rational actual(const Rational& value, int degree) const {
     Integer power;
-    mpz_pow_ui(power.get_mpz_t(), denominator_.get_mpz_t(), static_cast<unsigned long>(degree));
+    mpz_pow_ui(power.get_mpz_t(), denominator_.get_mpz_t(), static_cast<std::uint64_t>(degree));
     return Rational(value / Rational(power));
   }
 

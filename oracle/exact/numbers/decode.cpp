@@ -17,7 +17,7 @@ Rational scaled(const Integer& integer, int exponent) { return scaled(Rational(i
 
 Rational exact(double value) {
   const Dyadic parts = decode(value);
-  return scaled(Integer(static_cast<long>(parts.mantissa)), parts.exponent);
+  return scaled(Integer(static_cast<std::int64_t>(parts.mantissa)), parts.exponent);
 }
 
 }  // namespace touchstone::oracle

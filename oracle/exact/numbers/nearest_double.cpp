@@ -12,9 +12,9 @@ namespace {
 
 const std::uint64_t infinity_bits = std::uint64_t{0x7ff} << 52;
 
-long bit_length(mpz_srcptr value) { return static_cast<long>(mpz_sizeinbase(value, 2)); }
+std::int64_t bit_length(mpz_srcptr value) { return static_cast<std::int64_t>(mpz_sizeinbase(value, 2)); }
 
-bool power_of_two(mpz_srcptr value) { return static_cast<long>(mpz_scan1(value, 0)) == bit_length(value) - 1; }
+bool power_of_two(mpz_srcptr value) { return static_cast<std::int64_t>(mpz_scan1(value, 0)) == bit_length(value) - 1; }
 
 /// |value| = (whole + rest / unit) * 2^exponent, 0 <= rest < unit.
 struct Ulps {
@@ -33,7 +33,7 @@ struct Ulps {
 };
 
 /// The 64 bits of |value| from `at` on.
-std::uint64_t bits_from(mpz_srcptr value, long at) {
+std::uint64_t bits_from(mpz_srcptr value, std::int64_t at) {
   const std::uint64_t low = mpz_getlimbn(value, at / 64) >> at % 64;
   return at % 64 == 0 ? low : low | mpz_getlimbn(value, at / 64 + 1) << (64 - at % 64);
 }
@@ -49,16 +49,16 @@ Parts in_ulps(const Rational& value, int exponent) {
     const Ulps ulps(value, exponent);
     return {ulps.integer.get_ui(), cmp(Integer(2 * ulps.rest), ulps.unit)};
   }
-  const long dropped = exponent + bit_length(denominator) - 1;  // bits of the numerator below the last place
+  const std::int64_t dropped = exponent + bit_length(denominator) - 1;  // bits of the numerator below the last place
   if (dropped <= 0) return {mpz_get_ui(numerator) << -dropped, -1};
   const bool half = bits_from(numerator, dropped - 1) % 2 == 1;
-  const bool more = static_cast<long>(mpz_scan1(numerator, 0)) < dropped - 1;
+  const bool more = static_cast<std::int64_t>(mpz_scan1(numerator, 0)) < dropped - 1;
   return {bits_from(numerator, dropped), half ? more : -1};
 }
 
 /// In the interior of a binade, and with the fraction of an ulp in `dropped` bits: the distance from there to the
 /// middle.
-Rational dyadic_margin(mpz_srcptr numerator, long dropped) {
+Rational dyadic_margin(mpz_srcptr numerator, std::int64_t dropped) {
   const auto bits = static_cast<mp_bitcnt_t>(dropped);
   Integer rest, middle;
   mpz_tdiv_r_2exp(rest.get_mpz_t(), numerator, bits);
@@ -70,9 +70,9 @@ Rational dyadic_margin(mpz_srcptr numerator, long dropped) {
 
 }  // namespace
 
-long binary_order(const Rational& value) {
+std::int64_t binary_order(const Rational& value) {
   mpz_srcptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
-  const long guess = bit_length(numerator) - bit_length(denominator);  // the order is guess or guess - 1
+  const std::int64_t guess = bit_length(numerator) - bit_length(denominator);  // the order is guess or guess - 1
   if (power_of_two(denominator)) return guess;
   Integer above(abs(value.get_num())), below(value.get_den());
   if (guess > 0) {
@@ -85,7 +85,7 @@ long binary_order(const Rational& value) {
 
 int ulp_exponent(const Rational& value) {
   if (sgn(value) == 0) return -1074;
-  return static_cast<int>(std::clamp(binary_order(value) - 52, -1074L, 971L));
+  return static_cast<int>(std::clamp<std::int64_t>(binary_order(value) - 52, -1074, 971));
 }
 
 double nearest_double(const Rational& value) {
@@ -103,7 +103,7 @@ double nearest_double(const Rational& value) {
 Rational rounding_margin(const Rational& value) {
   const int exponent = ulp_exponent(value);
   if (mpz_srcptr denominator = value.get_den_mpz_t(); power_of_two(denominator)) {
-    const long dropped = exponent + bit_length(denominator) - 1;
+    const std::int64_t dropped = exponent + bit_length(denominator) - 1;
     mpz_srcptr numerator = value.get_num_mpz_t();
     const bool in_range = bit_length(numerator) - dropped <= 53;
     if (dropped > 0 && in_range && (exponent == -1074 || bits_from(numerator, dropped) != std::uint64_t{1} << 52)) {

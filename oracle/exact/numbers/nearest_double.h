@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// e with 2^e <= |value| < 2^(e+1); value is not zero.
-long binary_order(const Rational& value);
+std::int64_t binary_order(const Rational& value);
 
 /// The exponent k of the unit in the last place at a value: doubles near it are the multiples of 2^k. -1074 at zero and
 /// in the subnormal range; 971 and everything beyond the largest double is counted in 2^971.

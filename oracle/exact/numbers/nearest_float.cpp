@@ -13,9 +13,9 @@ namespace touchstone::oracle {
 float nearest_float(const Rational& value) {
   if (sgn(value) == 0) return 0.0F;
   const std::uint32_t sign = sgn(value) < 0 ? std::uint32_t{1} << 31 : 0, infinite = std::uint32_t{0xff} << 23;
-  const long order = binary_order(value);
+  const std::int64_t order = binary_order(value);
   if (order >= 128) return std::bit_cast<float>(sign | infinite);
-  const int exponent = static_cast<int>(std::max(order - 23, -149L));
+  const int exponent = static_cast<int>(std::max<std::int64_t>(order - 23, -149));
   const Rational ulps = scaled(Rational(abs(value)), -exponent);
   Integer integer(ulps.get_num() / ulps.get_den());
   const int to_half = cmp(Rational(ulps - Rational(integer)), Rational(1, 2));

@@ -38,7 +38,7 @@ struct Split {
 /// Takes squares out, as defined in the contract of Surd; number > 0.
 Split split(Integer number) {
   Integer root(1), odd(1), prime, power;
-  for (const unsigned long small : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47}) {
+  for (const std::uint64_t small : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47}) {
     prime = small;
     const mp_bitcnt_t times = mpz_remove(number.get_mpz_t(), number.get_mpz_t(), prime.get_mpz_t());
     mpz_ui_pow_ui(power.get_mpz_t(), small, times / 2);
@@ -112,11 +112,11 @@ const Integer& Surd::radicand() const {
   return rational() ? none : root_->radicand;
 }
 
-RationalInterval Surd::enclosure(long bits) const {
+RationalInterval Surd::enclosure(std::int64_t bits) const {
   if (rational()) return {rational_part_, rational_part_};
   // |q| sqrt(r) = sqrt(m^2 r) / d, and d >= 2^(its digits - 1).
   const Integer &m = root_->coefficient.get_num(), &d = root_->coefficient.get_den();
-  const long shift = bits - static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2)) + 1;
+  const std::int64_t shift = bits - static_cast<std::int64_t>(mpz_sizeinbase(d.get_mpz_t(), 2)) + 1;
   Integer number(m * m * root_->radicand);
   if (shift >= 0) number <<= static_cast<mp_bitcnt_t>(2 * shift);
   else number >>= static_cast<mp_bitcnt_t>(-2 * shift);
@@ -216,9 +216,9 @@ template <class Float, class Bits>
 Float nearest(const Surd& value, Float (*round)(const Rational&)) {
   if (value.rational()) return round(value.rational_part());
   // |value| < 2^(top + 1)
-  const long of_root = binary_order(Rational(square(value.coefficient()) * value.radicand())) / 2 + 1;
-  const long of_rational = sgn(value.rational_part()) == 0 ? of_root : binary_order(value.rational_part()) + 1;
-  for (long bits = 64 - std::max(of_root, of_rational), more = 64;; bits += more, more *= 2) {
+  const std::int64_t of_root = binary_order(Rational(square(value.coefficient()) * value.radicand())) / 2 + 1;
+  const std::int64_t of_rational = sgn(value.rational_part()) == 0 ? of_root : binary_order(value.rational_part()) + 1;
+  for (std::int64_t bits = 64 - std::max(of_root, of_rational), more = 64;; bits += more, more *= 2) {
     const auto [low, high] = value.enclosure(bits);
     const Float result = round(low);
     if (std::bit_cast<Bits>(result) == std::bit_cast<Bits>(round(high))) return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -33,7 +34,7 @@ class Surd {
   const Integer& radicand() const;
 
   /// low <= number <= high, high - low <= 2^-bits; bits may be negative. Rational: both are the number.
-  RationalInterval enclosure(long bits) const;
+  RationalInterval enclosure(std::int64_t bits) const;
 
   /// surd     = rational | [rational] root
   /// root     = [sign] [fraction "*"] "sqrt(" digits ")"     + is left out where nothing stands before it

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -33,7 +34,7 @@ class BoxBesideBox {
   const Rational& lack() const { return *lack_; }
   bool met() const { return sgn(*lack_) <= 0; }
   Certificate proof() const {
-    if (apart_) return {"gap", {{"axis", {Rational(static_cast<long>(*apart_))}}}};
+    if (apart_) return {"gap", {{"axis", {Rational(static_cast<std::int64_t>(*apart_))}}}};
     return {"common_point", {{"point", corner_}}};
   }
 
@@ -85,7 +86,7 @@ class BoxOnRay {
       return {"apart", {{"below", weights[0]}, {"above", weights[1]}}};
     }
     if (sgn(*entry_) <= 0) return {"start", {}};
-    return {"entry", {{"first", {*entry_}}, {"axis", {Rational(static_cast<long>(entered_ / 2))}}}};
+    return {"entry", {{"first", {*entry_}}, {"axis", {Rational(static_cast<std::int64_t>(entered_ / 2))}}}};
   }
 
  private:

@@ -19,7 +19,7 @@ IntegerList integer_list(const std::vector<double>& numbers) {
   for (const double number : numbers) {
     const Dyadic part = decode(number);
     const int last = part.mantissa == 0 ? 0 : zeros(part);
-    Integer integer(static_cast<long>(part.mantissa >> last));
+    Integer integer(static_cast<std::int64_t>(part.mantissa >> last));
     if (part.mantissa != 0) integer <<= static_cast<mp_bitcnt_t>(part.exponent + last - least);
     result.integers.push_back(std::move(integer));
   }

@@ -2,6 +2,7 @@
 #include "oracle/exact/solids/polygon_faces.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
@@ -73,7 +74,7 @@ bool overlap(const Piece& one, const Piece& other) {
 }
 
 /// The count of each edge's traversals, forward minus backward.
-using Boundary = std::map<std::pair<Index, Index>, long>;
+using Boundary = std::map<std::pair<Index, Index>, std::int64_t>;
 
 void run(Boundary& boundary, Index from, Index to) {
   const auto [edge, fresh] = boundary.try_emplace(std::minmax(from, to), 0);

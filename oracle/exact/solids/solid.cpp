@@ -2,6 +2,7 @@
 #include "oracle/exact/solids/solid.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -179,7 +180,7 @@ bool Solid::along(Ray& ray, const Seen& seen) const {
 /// meets at most twice, or a line: all but finitely many k work.
 template <class Direction>
 Solid::Ray Solid::missing_all_edges(const Seen& seen, const Direction& direction) const {
-  for (long k = 1;; ++k) {
+  for (std::int64_t k = 1;; ++k) {
     Ray ray{direction(k), {}};
     if (along(ray, seen)) return ray;
   }
@@ -192,13 +193,13 @@ Truth<Location> Solid::located(const Point3<Rational>& p, bool by_three_rays) co
       return {Location::boundary, Rational(0), [i, weights = std::move(*weights)] { return on_face(i, weights); }};
   }
   seen.span(*this);
-  Ray ray = missing_all_edges(seen, [](long k) { return IntegerTriple{1, k, k * k}; });
+  Ray ray = missing_all_edges(seen, [](std::int64_t k) { return IntegerTriple{1, k, k * k}; });
   if (by_three_rays) {
     const Ray second = missing_all_edges(seen,
-                                         [](long k) {
+                                         [](std::int64_t k) {
                                            return IntegerTriple{-k * k, -1, k};
                                          }),
-              third = missing_all_edges(seen, [](long k) {
+              third = missing_all_edges(seen, [](std::int64_t k) {
                 return IntegerTriple{k, -k * k, -1};
               });
     if (second.odd() != ray.odd() || third.odd() != ray.odd())

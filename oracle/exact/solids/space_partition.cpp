@@ -104,9 +104,9 @@ Point point_within(const Path& path) {
 /// The leading bits of a number.
 Rational shortened(const Rational& value, mp_bitcnt_t bits) {
   if (sgn(value) == 0) return value;
-  const auto size = [](const Integer& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
-  const long last = size(value.get_num()) - size(value.get_den()) - static_cast<long>(bits);
-  const auto shift = static_cast<mp_bitcnt_t>(std::labs(last));
+  const auto size = [](const Integer& n) { return static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2)); };
+  const std::int64_t last = size(value.get_num()) - size(value.get_den()) - static_cast<std::int64_t>(bits);
+  const auto shift = static_cast<mp_bitcnt_t>(std::abs(last));
   const Integer first = last > 0 ? Integer(value.get_num() / (value.get_den() << shift))
                                  : Integer((value.get_num() << shift) / value.get_den());
   return last > 0 ? Rational(Integer(first << shift)) : quotient(first, Integer(Integer(1) << shift));
@@ -127,7 +127,7 @@ Point shortest_within(const Path& path, const Point& p) {
 }
 
 /// A point that is nearer for greater k, and on any line through p for at most one k.
-Point near(const Point& p, long k) {
+Point near(const Point& p, std::int64_t k) {
   const Rational step(Integer(1), Integer(1) << static_cast<mp_bitcnt_t>(k));
   return {Rational(p.x + step), Rational(p.y + k * step), Rational(p.z + k * k * step)};
 }
@@ -190,7 +190,7 @@ class Cutting {
   /// decides. A face without area may contain that point, but not all of those near it.
   bool is_outside(const Path& path, const Pieces& pieces) {
     const Point first = shortest_within(path, point_within(path));
-    for (long k = 0;; ++k) {
+    for (std::int64_t k = 0;; ++k) {
       within_ = k == 0 ? first : near(first, k);
       bool on_face = !strictly_in(path, within_);
       for (const std::size_t solid : {0, 1}) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 namespace touchstone::oracle {
@@ -16,9 +17,9 @@ using ContactPlaces = std::vector<std::size_t>;
 class GuessedPivots {
  public:
   explicit GuessedPivots(const Complementary& problem) : n_(problem.constants.size()), solves_for_z_(n_) {
-    std::vector<long> units;
+    std::vector<std::int64_t> units;
     for (std::size_t i = 0; i < n_; ++i) units.push_back(exponent_of(problem.matrix[i][i]) / 2);
-    std::optional<long> most;
+    std::optional<std::int64_t> most;
     for (std::size_t i = 0; i < n_; ++i) {
       std::vector<double>& row = matrix_.emplace_back();
       for (std::size_t j = 0; j < n_; ++j) row.push_back(in_unit(problem.matrix[i][j], units[i] + units[j]));
@@ -42,11 +43,13 @@ class GuessedPivots {
  private:
   static constexpr double tiny = 0x1p-40;
 
-  static long exponent_of(const Integer& number) { return static_cast<long>(mpz_sizeinbase(number.get_mpz_t(), 2)); }
-  static double in_unit(const Integer& number, long unit) {
-    long exponent = 0;
+  static std::int64_t exponent_of(const Integer& number) {
+    return static_cast<std::int64_t>(mpz_sizeinbase(number.get_mpz_t(), 2));
+  }
+  static double in_unit(const Integer& number, std::int64_t unit) {
+    std::int64_t exponent = 0;
     const double part = mpz_get_d_2exp(&exponent, number.get_mpz_t());
-    return std::ldexp(part, static_cast<int>(std::clamp(exponent - unit, -2000L, 2000L)));
+    return std::ldexp(part, static_cast<int>(std::clamp<std::int64_t>(exponent - unit, -2000, 2000)));
   }
 
   bool raised(std::size_t raise) {

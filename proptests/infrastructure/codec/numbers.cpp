@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 
 #include "catalogue/codec/json.h"
@@ -46,11 +47,11 @@ TEST_CASE("numbers: a decimal is read as exactly what was typed, and as the doub
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < 30000; ++i) {
     DrawStream draws = DrawStream::seeded(seed_of(2, "typed", i));
-    const auto digits = static_cast<unsigned long>(draws.below(std::uint64_t{1} << (1 + draws.below(63))));
-    const long exponent = static_cast<long>(draws.below(640)) - 340;
+    const std::uint64_t digits = draws.below(std::uint64_t{1} << (1 + draws.below(63)));
+    const std::int64_t exponent = static_cast<std::int64_t>(draws.below(640)) - 340;
     const bool negative = draws.below(2) == 1;
     mpz_class power;
-    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(exponent)));
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<std::uint64_t>(std::abs(exponent)));
     mpq_class expected = exponent < 0 ? mpq_class(mpz_class(digits), power) : mpq_class(mpz_class(digits) * power);
     expected.canonicalize();
     if (negative) expected = -expected;

@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "catalogue/families/draw_stream.h"
 #include "catalogue/numbers/ulps.h"
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t cases = 120000;  // for each of the two formats
 
-mpq_class power_of_two(long exponent) {
+mpq_class power_of_two(std::int64_t exponent) {
   mpq_class result(1);
   exponent < 0 ? mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent))
                : mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
@@ -39,12 +40,12 @@ double by_mpfr(const mpq_class& truth, bool binary32) {
 
 /// A unit in the last place of the binade that holds the truth.
 mpq_class ulp_by_mpfr(const mpq_class& truth, bool binary32) {
-  const long least = binary32 ? -149 : -1074;
+  const std::int64_t least = binary32 ? -149 : -1074;
   if (sgn(truth) == 0) return power_of_two(least);
   mpfr_t towards_zero;
   mpfr_init2(towards_zero, 64);
   mpfr_set_q(towards_zero, truth.get_mpq_t(), MPFR_RNDZ);
-  const long exponent = mpfr_get_exp(towards_zero) - (binary32 ? 24 : 53);
+  const std::int64_t exponent = mpfr_get_exp(towards_zero) - (binary32 ? 24 : 53);
   mpfr_clear(towards_zero);
   return power_of_two(std::max(exponent, least));
 }
@@ -52,28 +53,28 @@ mpq_class ulp_by_mpfr(const mpq_class& truth, bool binary32) {
 /// A rational of one of many kinds: any quotient, ties between two numbers of the format (subnormal ones too), and such
 /// a tie or such a number and a little more or less, from below the range to beyond it.
 mpq_class drawn(DrawStream& draws, bool binary32) {
-  const long digits = binary32 ? 24 : 53, low = binary32 ? -149 : -1074, high = binary32 ? 104 : 971;
+  const std::int64_t digits = binary32 ? 24 : 53, low = binary32 ? -149 : -1074, high = binary32 ? 104 : 971;
   const bool quotient = draws.below(3) == 0;
   const std::uint64_t kind = draws.below(4);
-  mpz_class size(static_cast<unsigned long>(
+  mpz_class size(static_cast<std::uint64_t>(
       draws.below(std::uint64_t{1} << (1 + draws.below(static_cast<std::uint64_t>(digits))))));
   if (kind != 0) size |= mpz_class(1) << static_cast<mp_bitcnt_t>(digits - 1);
   if (kind == 3) size = (mpz_class(1) << static_cast<mp_bitcnt_t>(digits)) - 1;
-  long exponent = 0;
+  std::int64_t exponent = 0;
   switch (draws.below(4)) {
     case 0: exponent = low; break;
     case 1: exponent = high; break;
-    case 2: exponent = low - 60 + static_cast<long>(draws.below(130)); break;
-    default: exponent = low + static_cast<long>(draws.below(static_cast<std::uint64_t>(high - low + 4)));
+    case 2: exponent = low - 60 + static_cast<std::int64_t>(draws.below(130)); break;
+    default: exponent = low + static_cast<std::int64_t>(draws.below(static_cast<std::uint64_t>(high - low + 4)));
   }
   mpq_class result(size);
   if (quotient) {
-    result /= mpq_class(static_cast<unsigned long>(1 + draws.below(std::uint64_t{1} << (1 + draws.below(62)))));
+    result /= mpq_class(1 + draws.below(std::uint64_t{1} << (1 + draws.below(62))));
   } else if (draws.below(2) == 1) {
     result += mpq_class(1, 2);
   }
-  if (draws.below(3) == 0) result += power_of_two(-1 - static_cast<long>(draws.below(200)));
-  if (draws.below(3) == 0) result -= power_of_two(-1 - static_cast<long>(draws.below(200)));
+  if (draws.below(3) == 0) result += power_of_two(-1 - static_cast<std::int64_t>(draws.below(200)));
+  if (draws.below(3) == 0) result -= power_of_two(-1 - static_cast<std::int64_t>(draws.below(200)));
   result *= power_of_two(exponent);
   if (draws.below(2) == 1) result = -result;
   return result;

@@ -26,7 +26,7 @@ Integer pi(int bits) {
   mpfr_t value;
   mpfr_init2(value, bits + 64);
   mpfr_const_pi(value, MPFR_RNDN);
-  mpfr_mul_2ui(value, value, static_cast<unsigned long>(bits), MPFR_RNDN);
+  mpfr_mul_2ui(value, value, static_cast<std::uint64_t>(bits), MPFR_RNDN);
   Integer result;
   mpfr_get_z(result.get_mpz_t(), value, MPFR_RNDD);
   mpfr_clear(value);
@@ -113,7 +113,7 @@ TEST_CASE("certificates: no enclosure of a sine or cosine is accepted that leave
     DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "sharp enclosures", i));
     const double u = draws.below(2) == 0 ? catalogue::ordinary(draws) * 100 : catalogue::mixed_exponent(draws);
     if (u == 0) continue;
-    const auto bits = static_cast<unsigned long>(4 + draws.below(200));
+    const std::uint64_t bits = 4 + draws.below(200);
     mpfr_set_d(angle, u, MPFR_RNDN);
     mpfr_sin_cos(sine, cosine, angle, MPFR_RNDN);
     nlohmann::json claim{{"op", "parametric_circle"}, {"truth", {{"point", {"1", "1"}}}}};

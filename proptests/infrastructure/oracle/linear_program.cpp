@@ -13,11 +13,11 @@ using namespace touchstone::oracle;
 /// SplitMix64: the same small programs on every machine.
 struct Stream {
   std::uint64_t state;
-  long below(long n) {
+  std::int64_t below(std::int64_t n) {
     std::uint64_t z = state += 0x9e3779b97f4a7c15;
     z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
     z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    return static_cast<long>((z ^ z >> 31) % static_cast<std::uint64_t>(n));
+    return static_cast<std::int64_t>((z ^ z >> 31) % static_cast<std::uint64_t>(n));
   }
 };
 
@@ -27,20 +27,20 @@ struct Drawn {
   using Program = LinearProgram<Value>;
   int variables = 0;
   std::vector<typename Program::Row> rows;
-  std::vector<std::vector<long>> a;
-  std::vector<long> b;
+  std::vector<std::vector<std::int64_t>> a;
+  std::vector<std::int64_t> b;
 
   explicit Drawn(Stream& from) : variables(static_cast<int>(1 + from.below(4))) {
-    const long height = 1 + from.below(5);
-    for (long i = 0; i < height; ++i) {
-      std::vector<long> row;
+    const std::int64_t height = 1 + from.below(5);
+    for (std::int64_t i = 0; i < height; ++i) {
+      std::vector<std::int64_t> row;
       for (int j = 0; j < variables; ++j) row.push_back(from.below(7) - 3);
       if (i > 0 && from.below(4) == 0) row = a[static_cast<std::size_t>(from.below(i))];  // dependent rows
       add(from.below(3) == 0 ? Program::Row::equal : Program::Row::at_most, row, from.below(9) - 3);
     }
   }
 
-  void add(typename Program::Row kind, const std::vector<long>& row, long right) {
+  void add(typename Program::Row kind, const std::vector<std::int64_t>& row, std::int64_t right) {
     rows.push_back(kind), a.push_back(row), b.push_back(right);
   }
 
@@ -80,8 +80,8 @@ struct Drawn {
   }
 };
 
-long number(const Integer& value) { return value.get_si(); }
-long number(Int128 value) { return static_cast<long>(value); }
+std::int64_t number(const Integer& value) { return value.get_si(); }
+std::int64_t number(Int128 value) { return static_cast<std::int64_t>(value); }
 
 }  // namespace
 
@@ -89,7 +89,7 @@ TEMPLATE_TEST_CASE(
     "linear program: a vertex satisfies every row, a Farkas vector contradicts them, an optimum cannot be beaten", "",
     Integer, Int128) {
   Stream stream{20240601};
-  long infeasible = 0, optimal = 0, unbounded = 0, wrong = 0;
+  std::int64_t infeasible = 0, optimal = 0, unbounded = 0, wrong = 0;
   for (int k = 0; k < 40000; ++k) {
     const Drawn<TestType> drawn(stream);
     auto program = drawn.program();
@@ -98,7 +98,7 @@ TEMPLATE_TEST_CASE(
       continue;
     }
     wrong += !drawn.satisfied(program);
-    std::vector<long> cost;
+    std::vector<std::int64_t> cost;
     std::vector<TestType> exact_cost;
     for (int j = 0; j < drawn.variables; ++j)
       cost.push_back(stream.below(7) - 3), exact_cost.push_back(TestType(cost.back()));
@@ -106,9 +106,9 @@ TEMPLATE_TEST_CASE(
     wrong += !drawn.satisfied(program);
     Drawn<TestType> better = drawn;
     if (bounded) {  // cost . x <= least - 1/1000 of a unit of the denominator is contradicted
-      long least = 0;
+      std::int64_t least = 0;
       for (int j = 0; j < drawn.variables; ++j) least += cost[j] * number(program.numerator(j));
-      for (long& c : cost) c *= 1000 * number(program.denominator());
+      for (std::int64_t& c : cost) c *= 1000 * number(program.denominator());
       better.add(LinearProgram<TestType>::Row::at_most, cost, 1000 * least - 1);
       auto beaten = better.program();
       ++optimal, wrong += beaten.feasible() || !better.contradicts(beaten.farkas());

@@ -45,13 +45,13 @@ Rational drawn(DrawStream& draws) {
     case 1: return Rational(value + ulp / 2);
     case 2: return Rational(value + ulp / 2 + times_power(ulp, -static_cast<int>(draws.below(200))));
     case 3: return Rational(value + ulp / 2 - times_power(ulp, -static_cast<int>(draws.below(200))));
-    case 4: return Rational(value + ulp * Rational(1, 1 + static_cast<long>(draws.below(1000))));
+    case 4: return Rational(value + ulp * Rational(1, 1 + static_cast<std::int64_t>(draws.below(1000))));
     case 5: {  // around 2^1024 - 2^970, from where on the nearest is infinite
       const Rational end(times_power(Rational(1), 1024) - times_power(Rational(1), 970));
-      return Rational(end + times_power(Rational(static_cast<long>(draws.below(7)) - 3), 969));
+      return Rational(end + times_power(Rational(static_cast<std::int64_t>(draws.below(7)) - 3), 969));
     }
     default:
-      return times_power(Rational(value / (1 + static_cast<long>(draws.below(1000)))),
+      return times_power(Rational(value / (1 + static_cast<std::int64_t>(draws.below(1000)))),
                          static_cast<int>(draws.below(200)) - 100);
   }
 }

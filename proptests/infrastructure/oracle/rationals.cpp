@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
+#include <cstdint>
 
 #include "catalogue/operation/operation.h"
 #include "catalogue/rows/lines/implicit_circle.h"
@@ -162,12 +163,11 @@ TEMPLATE_TEST_CASE(
     DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "words", 0));
     // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere
     // within.
-    const unsigned long bits = 58 + draws.below(8);
+    const std::uint64_t bits = 58 + draws.below(8);
     std::array<mpz_class, 4> values;
     for (mpz_class& value : values) {
       value = (mpz_class(1) << bits) - 1;
-      value -= draws.below(3) != 0 ? mpz_class(static_cast<unsigned long>(draws.below(4)))
-                                   : mpz_class(static_cast<unsigned long>(draws.any_bits() >> 2)) % value;
+      value -= draws.below(3) != 0 ? mpz_class(draws.below(4)) : mpz_class(draws.any_bits() >> 2) % value;
     }
     const auto question = catalogue::converted<Rational>(shape, [&](double) {
       const mpz_class& value = values[draws.below(4)];

@@ -23,7 +23,7 @@ using catalogue::DrawStream;
 using oracle::Integer, oracle::Rational, oracle::Surd, oracle::surd_of;
 
 constexpr int digits = 6000;
-constexpr long indistinguishable = -5000;  ///< an exponent: those compared are near 1
+constexpr std::int64_t indistinguishable = -5000;  ///< an exponent: those compared are near 1
 
 Rational power_of_two(int exponent) { return oracle::scaled(Rational(1), exponent); }
 Surd root(const Rational& r) { return Surd(Rational(0), Rational(1), r); }
@@ -70,13 +70,13 @@ bool alike(const Mpfr& a, const Mpfr& b) { return Mpfr(mpfr_sub, a, b).negligibl
 Integer random_integer(DrawStream& draws, int most_bits) {
   Integer n = 0;
   for (auto left = 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits))); left > 0; left -= 32)
-    n = (n << 32) + static_cast<unsigned long>(draws.below(std::uint64_t{1} << 32));
+    n = (n << 32) + draws.below(std::uint64_t{1} << 32);
   return n;
 }
 
 Rational small_fraction(DrawStream& draws, int most) {
   const double n = catalogue::small_integer(draws, most);
-  Rational q(static_cast<long>(n), 1 + static_cast<long>(draws.below(12)));
+  Rational q(static_cast<std::int64_t>(n), 1 + static_cast<std::int64_t>(draws.below(12)));
   q.canonicalize();
   return q;
 }
@@ -93,11 +93,11 @@ Parts small(DrawStream& draws) {
 
 /// (a +- sqrt(s)) / d 2^e: small numbers and large ones, squares, and roots that nearly cancel a.
 Parts large(DrawStream& draws) {
-  Integer a = draws.below(3) == 0 ? Integer(static_cast<long>(draws.below(10))) : random_integer(draws, 300);
-  Integer s = draws.below(4) == 0 ? Integer(static_cast<long>(draws.below(31))) : random_integer(draws, 400);
+  Integer a = draws.below(3) == 0 ? Integer(static_cast<std::int64_t>(draws.below(10))) : random_integer(draws, 300);
+  Integer s = draws.below(4) == 0 ? Integer(static_cast<std::int64_t>(draws.below(31))) : random_integer(draws, 400);
   const Integer d = random_integer(draws, 200) + 1;
   if (draws.below(4) == 0) s = s * s;
-  if (draws.below(3) == 0) s = abs(Integer(a * a + static_cast<long>(catalogue::small_integer(draws, 2))));
+  if (draws.below(3) == 0) s = abs(Integer(a * a + static_cast<std::int64_t>(catalogue::small_integer(draws, 2))));
   if (draws.below(2) == 1) a = -a;
   const int e =
       draws.below(3) == 0 ? static_cast<int>(draws.below(2400)) - 1250 : static_cast<int>(draws.below(120)) - 60;
@@ -215,7 +215,7 @@ TEST_CASE("surds: a factor taken out of the root gives the same number and text,
   cases("canonical surds", 6000, [](DrawStream& draws) {
     const auto [p, q, r] = draws.below(2) == 1 ? small(draws) : large(draws);
     const Surd x(p, q, r);
-    const Rational k(1 + static_cast<long>(draws.below(400)), 1 + static_cast<long>(draws.below(400)));
+    const Rational k(1 + static_cast<std::int64_t>(draws.below(400)), 1 + static_cast<std::int64_t>(draws.below(400)));
     Rational factor = k;
     factor.canonicalize();
     const Surd same(p, Rational(q * factor), Rational(r / (factor * factor)));

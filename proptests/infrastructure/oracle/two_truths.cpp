@@ -14,9 +14,9 @@ using namespace oracle;
 using catalogue::DrawStream;
 
 /// Every pair of segments with all ends on a side x side grid of integers.
-long differences(int side, long (&seen)[3]) {
+std::int64_t differences(int side, std::int64_t (&seen)[3]) {
   const int points = side * side;
-  long different = 0;
+  std::int64_t different = 0;
   const auto integer = [side](int i) { return Point2<std::int64_t>{i % side, i / side}; };
   const auto real = [side](int i) { return Point2d{static_cast<double>(i % side), static_cast<double>(i / side)}; };
   for (int i = 0; i < points * points; ++i) {
@@ -48,10 +48,11 @@ double within_bits(DrawStream& draws, int bits) {
 
 TEST_CASE("segment_segment: linear program and elimination agree on the whole 3x3 and 4x4 grids") {
   for (const int side : {3, 4}) {
-    long seen[3] = {};
+    std::int64_t seen[3] = {};
     CHECK(differences(side, seen) == 0);
-    CHECK(seen[0] + seen[1] + seen[2] == static_cast<long>(side) * side * side * side * side * side * side * side);
-    for (const long count : seen) CHECK(count > 0);
+    CHECK(seen[0] + seen[1] + seen[2] ==
+          static_cast<std::int64_t>(side) * side * side * side * side * side * side * side);
+    for (const std::int64_t count : seen) CHECK(count > 0);
   }
 }
 

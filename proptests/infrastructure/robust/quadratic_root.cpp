@@ -27,7 +27,7 @@ struct Root {
   mpz_class n;
   int sign = 1;
   mpz_class square, d = 1;
-  long exponent = 0;
+  std::int64_t exponent = 0;
 
   double rounded() const { return kernel::round_quadratic_root(n, sign, square, d, exponent); }
 };
@@ -52,9 +52,8 @@ double by_mpfr(const Root& root) {
 mpz_class random_integer(DrawStream& draws, int most_bits) {
   mpz_class n = 0;
   const int bits = 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits)));
-  for (int left = bits; left > 0; left -= 32)
-    n = (n << 32) + static_cast<unsigned long>(draws.below(std::uint64_t{1} << 32));
-  return n >> static_cast<unsigned long>((32 - bits % 32) % 32);
+  for (int left = bits; left > 0; left -= 32) n = (n << 32) + draws.below(std::uint64_t{1} << 32);
+  return n >> static_cast<std::uint64_t>((32 - bits % 32) % 32);
 }
 
 /// Small and large parts; squares; roots that nearly or just cancel n; roots beside a double or beside the middle
@@ -62,20 +61,20 @@ mpz_class random_integer(DrawStream& draws, int most_bits) {
 Root drawn(DrawStream& draws) {
   Root root;
   const auto integer = [&](int bits) {
-    return draws.below(3) == 0 ? mpz_class(static_cast<long>(draws.below(30))) : random_integer(draws, bits);
+    return draws.below(3) == 0 ? mpz_class(static_cast<std::int64_t>(draws.below(30))) : random_integer(draws, bits);
   };
   root.n = integer(300), root.square = integer(400), root.d = integer(200) + 1;
   switch (draws.below(4)) {
     case 0: root.square = root.square * root.square; break;
     case 1:
-      root.square = abs(mpz_class(root.n * root.n + static_cast<long>(catalogue::small_integer(draws, 2))));
+      root.square = abs(mpz_class(root.n * root.n + static_cast<std::int64_t>(catalogue::small_integer(draws, 2))));
       break;
     case 2: {
       // 54 digits, the last one set or not, times d; what is taken off comes back as a root, or a little more or less.
-      const mpz_class m = random_integer(draws, 200), off = m * static_cast<long>(draws.below(3));
-      root.d = mpz_class(1) << static_cast<unsigned long>(draws.below(600));
+      const mpz_class m = random_integer(draws, 200), off = m * static_cast<std::int64_t>(draws.below(3));
+      root.d = mpz_class(1) << draws.below(600);
       root.n = random_integer(draws, 54) * root.d * m - off;
-      root.square = abs(mpz_class(off * off + static_cast<long>(catalogue::small_integer(draws, 2))));
+      root.square = abs(mpz_class(off * off + static_cast<std::int64_t>(catalogue::small_integer(draws, 2))));
       root.d *= m + (m == 0 ? 1 : 0);
       break;
     }
@@ -84,8 +83,8 @@ Root drawn(DrawStream& draws) {
   if (draws.below(2) == 1) root.n = -root.n;
   if (draws.below(2) == 1) root.d = -root.d;
   root.sign = draws.below(2) == 1 ? 1 : -1;
-  root.exponent =
-      draws.below(3) == 0 ? static_cast<long>(draws.below(120)) - 60 : static_cast<long>(draws.below(2600)) - 1300;
+  root.exponent = draws.below(3) == 0 ? static_cast<std::int64_t>(draws.below(120)) - 60
+                                      : static_cast<std::int64_t>(draws.below(2600)) - 1300;
   return root;
 }
 
@@ -101,8 +100,8 @@ void cases(const char* name, int usual, const Check& check) {
 }
 
 mpz_class integer_of(UInt128 n) {
-  mpz_class high(static_cast<unsigned long>(n >> 64));
-  return (high << 64) + static_cast<unsigned long>(n);
+  mpz_class high(static_cast<std::uint64_t>(n >> 64));
+  return (high << 64) + static_cast<std::uint64_t>(n);
 }
 
 }  // namespace
@@ -146,7 +145,7 @@ TEST_CASE("quadratic roots: well known ones, and one that all but cancels") {
 
 TEST_CASE("quadratic roots: zero is +0 whatever the signs") {
   for (const int sign : {1, -1}) {
-    for (const long d : {7L, -7L}) {
+    for (const std::int64_t d : {7, -7}) {
       CHECK(same_bits(Root{-3 * sign, sign, 9, d}.rounded(), 0.0));
       CHECK(same_bits(Root{0, sign, 0, d, 1000}.rounded(), 0.0));
     }
@@ -161,7 +160,7 @@ TEST_CASE("quadratic roots: a square makes ties, which go to even; an irrational
   CHECK(Root{-even, -1, 1}.rounded() == -0x1p53);
   // (2^53 m + sqrt(m^2 + 1)) / m: 2^53 + 1 and about 1 / (2 m^2) more.
   for (const int digits : {1, 60, 200, 1000}) {
-    const mpz_class m = mpz_class(1) << static_cast<unsigned long>(digits);
+    const mpz_class m = mpz_class(1) << static_cast<std::uint64_t>(digits);
     CHECK(Root{even * m, 1, m * m + 1, m}.rounded() == 0x1p53 + 2);
     CHECK(Root{even * m, 1, m * m - 1, m}.rounded() == 0x1p53);
     CHECK(Root{(even + 2) * m, -1, m * m + 1, m}.rounded() == 0x1p53);

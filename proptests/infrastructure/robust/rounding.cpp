@@ -42,9 +42,8 @@ bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == s
 
 mpz_class random_integer(DrawStream& draws, int bits) {
   mpz_class n = 0;
-  for (int left = bits; left > 0; left -= 32)
-    n = (n << 32) + static_cast<unsigned long>(draws.below(std::uint64_t{1} << 32));
-  return n >> static_cast<unsigned long>((32 - bits % 32) % 32);
+  for (int left = bits; left > 0; left -= 32) n = (n << 32) + draws.below(std::uint64_t{1} << 32);
+  return n >> static_cast<std::uint64_t>((32 - bits % 32) % 32);
 }
 
 /// A numerator and a denominator whose quotient is a double, the middle between two, or a little more or less than
@@ -60,7 +59,7 @@ std::pair<mpz_class, mpz_class> fraction(DrawStream& draws, int most_bits) {
   return {draws.below(2) == 0 ? n : mpz_class(-n), d};
 }
 
-mpq_class times_power(const mpz_class& n, const mpz_class& d, long exponent) {
+mpq_class times_power(const mpz_class& n, const mpz_class& d, std::int64_t exponent) {
   mpq_class q(n, d);
   q.canonicalize();
   if (exponent >= 0) {
@@ -72,12 +71,12 @@ mpq_class times_power(const mpz_class& n, const mpz_class& d, long exponent) {
 }
 
 /// Mostly where the result is near one end of the range, or in the subnormals.
-long exponent_of(DrawStream& draws) {
+std::int64_t exponent_of(DrawStream& draws) {
   switch (draws.below(4)) {
-    case 0: return static_cast<long>(draws.below(200)) - 1180;
-    case 1: return static_cast<long>(draws.below(120)) + 920;
-    case 2: return static_cast<long>(draws.below(5000)) - 2500;
-    default: return static_cast<long>(draws.below(100)) - 50;
+    case 0: return static_cast<std::int64_t>(draws.below(200)) - 1180;
+    case 1: return static_cast<std::int64_t>(draws.below(120)) + 920;
+    case 2: return static_cast<std::int64_t>(draws.below(5000)) - 2500;
+    default: return static_cast<std::int64_t>(draws.below(100)) - 50;
   }
 }
 
@@ -105,7 +104,7 @@ TEST_CASE("rounding: a million quotients of integers of any size are MPFR's") {
   Mpfr mpfr;
   cases("quotients", 1000000, [&](DrawStream& draws) {
     const auto [n, d] = fraction(draws, 200);
-    const long exponent = exponent_of(draws);
+    const std::int64_t exponent = exponent_of(draws);
     const mpq_class q = times_power(n, d, exponent);
     return same_bits(kernel::round_quotient(n, d, exponent),
                      mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); }));
@@ -116,7 +115,7 @@ TEST_CASE("rounding: a million quotients of 128-bit integers are MPFR's") {
   Mpfr mpfr;
   cases("short quotients", 1000000, [&](DrawStream& draws) {
     const auto [n, d] = fraction(draws, 70);
-    const long exponent = exponent_of(draws);
+    const std::int64_t exponent = exponent_of(draws);
     const mpq_class q = times_power(n, d, exponent);
     return same_bits(kernel::round_quotient(wide(n), wide(d), exponent),
                      mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); }));
@@ -133,7 +132,7 @@ TEST_CASE("rounding: quotients of 192 by 128 bits are MPFR's, whatever remainder
     if (draws.below(4) != 0) rest >>= 10 + draws.below(10);
     n += draws.below(8) == 0 ? mpz_class(0) : rest;
     if (draws.below(2) == 1) n = -n;
-    const long exponent = exponent_of(draws);
+    const std::int64_t exponent = exponent_of(draws);
     const mpq_class q = times_power(n, d, exponent);
     const mpz_class size = abs(n);
     kernel::Int192 limbs{};
@@ -149,9 +148,9 @@ TEST_CASE("rounding: integers times powers of two are MPFR's, in 128 bits and in
   cases("scaled integers", 500000, [&](DrawStream& draws) {
     mpz_class n = random_integer(draws, 1 + static_cast<int>(draws.below(124)));
     if (draws.below(3) == 0)
-      n = (random_integer(draws, 54) << 60) + static_cast<long>(catalogue::small_integer(draws, 2));
+      n = (random_integer(draws, 54) << 60) + static_cast<std::int64_t>(catalogue::small_integer(draws, 2));
     if (draws.below(2) == 1) n = -n;
-    const long exponent = exponent_of(draws);
+    const std::int64_t exponent = exponent_of(draws);
     const mpq_class q = times_power(n, 1, exponent);
     const double expected = mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); });
     return same_bits(kernel::round_scaled(n, exponent), expected) &&
@@ -169,9 +168,9 @@ TEST_CASE("rounding: square roots of fractions are MPFR's") {
     if (draws.below(2) == 1) {
       // The square of a double, of a middle, or just beside it.
       const mpz_class root = random_integer(draws, 54);
-      n = root * root * d + static_cast<long>(std::fabs(catalogue::small_integer(draws, 1)));
+      n = root * root * d + static_cast<std::int64_t>(std::fabs(catalogue::small_integer(draws, 1)));
     }
-    const long exponent = exponent_of(draws);
+    const std::int64_t exponent = exponent_of(draws);
     // A root has two exact neighbours that MPFR cannot miss: q lies between two squares, so 2400 bits of the quotient
     // are enough.
     const mpq_class q = times_power(n, d, exponent);
@@ -219,12 +218,12 @@ TEST_CASE("rounding: one bit anywhere below a tie decides it") {
   int wrong = 0;
   for (int dropped = 2; dropped < 73; ++dropped) {
     const auto tie = [&](const mpz_class& kept) {
-      return mpz_class((kept << static_cast<unsigned long>(dropped)) +
-                       (mpz_class(1) << static_cast<unsigned long>(dropped - 1)));
+      return mpz_class((kept << static_cast<std::uint64_t>(dropped)) +
+                       (mpz_class(1) << static_cast<std::uint64_t>(dropped - 1)));
     };
     for (int at = 0; at + 1 < dropped; ++at) {
-      const mpz_class above = tie(even) + (mpz_class(1) << static_cast<unsigned long>(at));
-      const mpz_class below = tie(even + 1) - (mpz_class(1) << static_cast<unsigned long>(at));
+      const mpz_class above = tie(even) + (mpz_class(1) << static_cast<std::uint64_t>(at));
+      const mpz_class below = tie(even + 1) - (mpz_class(1) << static_cast<std::uint64_t>(at));
       for (const mpz_class& n : {above, below}) {
         wrong +=
             kernel::round_scaled(n, -dropped) != 0x1p52 + 1 || kernel::round_scaled(wide(n), -dropped) != 0x1p52 + 1;
@@ -240,17 +239,17 @@ TEST_CASE("rounding: one bit anywhere below a tie decides it") {
 
 TEST_CASE("rounding: ties, subnormals and the ends of the range, by hand") {
   using kernel::round_quotient, kernel::round_scaled;
-  const auto scaled_by = [](long n, long exponent) { return round_scaled(mpz_class(n), exponent); };
-  CHECK(scaled_by((1L << 53) + 1, 0) == 0x1p53);                // a tie: to even
-  CHECK(scaled_by((1L << 53) + 3, 0) == 0x1.0000000000002p53);  // the other way
-  CHECK(same_bits(scaled_by(1, -1075), 0.0));                   // half the least number: to even
-  CHECK(same_bits(scaled_by(-1, -1075), -0.0));                 // and its sign stays
-  CHECK(scaled_by(3, -1076) == 0x1p-1074);                      // three quarters
-  CHECK(scaled_by(3, -1075) == 0x1p-1073);                      // one and a half: to even
-  CHECK(scaled_by((1L << 53) - 1, -1075) == 0x1p-1022);         // the greatest subnormal and a half
-  CHECK(scaled_by((1L << 54) - 1, 970) == std::numeric_limits<double>::infinity());
-  CHECK(scaled_by((1L << 55) - 3, 969) == std::numeric_limits<double>::max());
-  CHECK(scaled_by(-((1L << 54) - 1), 970) == -std::numeric_limits<double>::infinity());
+  const auto scaled_by = [](std::int64_t n, std::int64_t exponent) { return round_scaled(mpz_class(n), exponent); };
+  CHECK(scaled_by((std::int64_t{1} << 53) + 1, 0) == 0x1p53);                // a tie: to even
+  CHECK(scaled_by((std::int64_t{1} << 53) + 3, 0) == 0x1.0000000000002p53);  // the other way
+  CHECK(same_bits(scaled_by(1, -1075), 0.0));                                // half the least number: to even
+  CHECK(same_bits(scaled_by(-1, -1075), -0.0));                              // and its sign stays
+  CHECK(scaled_by(3, -1076) == 0x1p-1074);                                   // three quarters
+  CHECK(scaled_by(3, -1075) == 0x1p-1073);                                   // one and a half: to even
+  CHECK(scaled_by((std::int64_t{1} << 53) - 1, -1075) == 0x1p-1022);         // the greatest subnormal and a half
+  CHECK(scaled_by((std::int64_t{1} << 54) - 1, 970) == std::numeric_limits<double>::infinity());
+  CHECK(scaled_by((std::int64_t{1} << 55) - 3, 969) == std::numeric_limits<double>::max());
+  CHECK(scaled_by(-((std::int64_t{1} << 54) - 1), 970) == -std::numeric_limits<double>::infinity());
   CHECK(same_bits(scaled_by(0, 5), 0.0));
   CHECK(round_quotient(mpz_class(1), mpz_class(3)) == 0x1.5555555555555p-2);
   CHECK(round_quotient(mpz_class(2), mpz_class(-3)) == -0x1.5555555555555p-1);

@@ -14,7 +14,7 @@ namespace {
 namespace kernel = robust::kernel;
 
 /// floor(pi * 2^bits) by MPFR.
-mpz_class floor_of_pi(unsigned long bits) {
+mpz_class floor_of_pi(std::uint64_t bits) {
   mpfr_t value;
   mpfr_init2(value, static_cast<mpfr_prec_t>(bits + 64));
   mpfr_const_pi(value, MPFR_RNDN);
@@ -26,7 +26,7 @@ mpz_class floor_of_pi(unsigned long bits) {
 }
 
 /// Off by less than 1: the whole number below pi * 2^bits, or the one above.
-int wrong_digits(unsigned long bits) {
+int wrong_digits(std::uint64_t bits) {
   const mpz_class least = floor_of_pi(bits), found = kernel::pi(bits);
   return found != least && found != least + 1;
 }
@@ -38,8 +38,8 @@ TEST_CASE("pi: off by less than 1 in the last of any number of bits, whatever wa
   // A thread of its own has nothing kept yet: what is kept first ends at 1280 bits, then at three more than were asked
   // for.
   std::thread([&] {
-    for (unsigned long bits = 32; bits < 1400; bits += bits < 1260 ? 61 : 1) wrong += wrong_digits(bits);
-    for (const unsigned long bits : {3000, 2997, 2998, 2999, 3000, 3001, 3002, 3003, 100, 3006})
+    for (std::uint64_t bits = 32; bits < 1400; bits += bits < 1260 ? 61 : 1) wrong += wrong_digits(bits);
+    for (const std::uint64_t bits : {3000, 2997, 2998, 2999, 3000, 3001, 3002, 3003, 100, 3006})
       wrong += wrong_digits(bits);
     mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);
   }).join();
@@ -59,7 +59,7 @@ TEST_CASE("sine and cosine: within their error of MPFR's, at any size and sign o
   for (std::uint64_t i = 0; i < 4000; ++i) {
     catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, "sine and cosine", i));
     const double u = draws.below(2) == 1 ? catalogue::ordinary(draws) * 8 : catalogue::any_finite(draws);
-    const unsigned long bits = 32 + draws.below(300);
+    const std::uint64_t bits = 32 + draws.below(300);
     const kernel::SineCosine found = kernel::sine_cosine(u, bits);
     mpfr_set_d(angle, u, MPFR_RNDN);
     mpfr_sin_cos(sine, cosine, angle, MPFR_RNDN);

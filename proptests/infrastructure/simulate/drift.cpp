@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
+
 #include "proptests/infrastructure/simulate/scene_text.h"
 #include "simulate/simulation.h"
 
@@ -117,8 +119,8 @@ TEST_CASE("drift: momentum is exact: what a bounce of two balls changes of it is
   simulation.advance();
   REQUIRE(simulation.run(0).now().impacts.size() == 1);
   const auto& [x, y, z] = simulation.run(0).now().momentum;
-  CHECK(abs(x - 4) < mpq_class(1, 1L << 50));
-  CHECK(abs(z - mpq_class(1, 2)) < mpq_class(1, 1L << 50));
+  CHECK(abs(x - 4) < mpq_class(1, std::int64_t{1} << 50));
+  CHECK(abs(z - mpq_class(1, 2)) < mpq_class(1, std::int64_t{1} << 50));
 }
 
 TEST_CASE("drift: what a spring holds is energy") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -198,7 +199,8 @@ TEST_CASE("scenes: along parabolas each bounce rises to the square of the factor
 }
 
 TEST_CASE("scenes: a ball among boxes loses no energy by its scheme but what contacts of one step round") {
-  at_the_end("ball_and_boxes", [](const Run& run) { CHECK(abs(run.drift().scheme) < mpq_class(1, 1L << 40)); });
+  at_the_end("ball_and_boxes",
+             [](const Run& run) { CHECK(abs(run.drift().scheme) < mpq_class(1, std::int64_t{1} << 40)); });
   CHECK(contacts_in("ball_and_boxes", "robust") > 20);
 }
 
@@ -252,14 +254,14 @@ TEST_CASE(
     "and float's runs of contacts part") {
   const Scene scene = shipped("billiard_break");
   Simulation simulation(scene, every);
-  unsigned long pairs = 0;
+  std::uint64_t pairs = 0;
   while (simulation.step() < scene.settings.steps) {
     simulation.advance();
     for (const auto& impact : simulation.run(2).now().impacts) pairs += impact.touch.wall ? 0 : 1;
   }
   CHECK(pairs > 20);
   // A number of 53 digits is off by 2^-53 of itself at most, and an energy by little more than twice that.
-  const mpq_class once = simulation.run(2).now().energy / (1L << 51);
+  const mpq_class once = simulation.run(2).now().energy / (std::int64_t{1} << 51);
   for (std::size_t i = 0; i < every.size(); ++i) CHECK(abs(simulation.run(i).drift().scheme) < pairs * once);
   REQUIRE(!simulation.partings().empty());
   CHECK(simulation.partings()[0].first == "float");
@@ -322,7 +324,7 @@ TEST_CASE("scenes: a row of boxes hands on three quarters of each speed") {
        [&](const Run& run) {
          for (std::size_t box = 0; box < 8; ++box)
            if (first_speed[box] == 0) first_speed[box] = vx_of(run, box);
-         CHECK(run.now().momentum[0] - 2 < mpq_class(1, 1L << 48));
+         CHECK(run.now().momentum[0] - 2 < mpq_class(1, std::int64_t{1} << 48));
        },
        {"robust"});
   double expected = 2;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstdint>
+
 #include "proptests/infrastructure/simulate/scene_text.h"
 #include "simulate/simulation.h"
 
@@ -158,7 +160,7 @@ TEST_CASE("step: option 2: what the exact step carries from moment to moment kee
   const mpq_class& scheme = simulation.run(0).now().drift.scheme;
   CHECK(scheme != 0);
   // A number of 53 digits is off by 2^-53 of itself at most, and an energy by little more than twice that.
-  CHECK(abs(scheme) < 29 * simulation.run(0).now().energy / (1L << 51));
+  CHECK(abs(scheme) < 29 * simulation.run(0).now().energy / (std::int64_t{1} << 51));
   // The last contact has two centers and two velocities of 53 digits: its numbers have some hundreds, not millions.
   CHECK(mpz_sizeinbase(scheme.get_den_mpz_t(), 2) < 10'000);
 }

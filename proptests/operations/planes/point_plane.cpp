@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/planes/point_plane.h"
 
+#include <cstdint>
+
 #include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
@@ -154,7 +156,7 @@ CONTRACT("point_plane: the formula in double has the distance within the bound o
   const double q = dot(plane.normal, plane.normal), length = std::sqrt(q);
   if (e.overflow || !(q >= 0x1p-960) || !finite(q, answer.signed_distance)) return true;
   const Rational u = unit();
-  const long bits = 1200;  // the root is not rational
+  const std::int64_t bits = 1200;  // the root is not rational
   const Rational distance = truth.answer.signed_distance.enclosure(bits).low;
   return within(answer.signed_distance, distance,
                 (1 + 8 * u) * e.error / exact(length) + 5 * u * size(answer.signed_distance) + power_of_two(-1074) -

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/planes/polygon_normal.h"
 
+#include <cstdint>
+
 #include "proptests/closed_rings.h"
 #include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
@@ -178,7 +180,7 @@ CONTRACT("polygon_normal: the formula in double keeps its contract for the first
       (of_three.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
     return false;
   if (!of_three.unit || !answer.unit) return true;
-  const long bits = 1200;  // the roots are not rational
+  const std::int64_t bits = 1200;  // the roots are not rational
   const auto close = [&](double computed, const oracle::Surd& right) {
     return within(computed, right.enclosure(bits).low,
                   5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074) - power_of_two(-bits));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polygons/interior_angles.h"
 
+#include <cstdint>
+
 #include "proptests/closed_rings.h"
 #include "proptests/forward_error.h"
 #include "proptests/rounded_answers.h"
@@ -78,7 +80,7 @@ LAW("interior_angles: the angles lie in (0, 2 pi) and add up to (n - 2) pi") {
   }
   // A double below 8 is off by at most 2^-51, the oracle's rational by less than 2^-60 of twice that, and the digits
   // of pi by 10^-49.
-  const auto n = static_cast<unsigned long>(angles.size());
+  const auto n = static_cast<std::uint64_t>(angles.size());
   return abs(sum - (Rational(n) - 2) * digits_of_pi()) <=
          Rational(n) * (power_of_two(rounded ? -51 : -110) + power_of_two(-160));
 }

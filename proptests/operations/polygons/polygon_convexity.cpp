@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polygons/polygon_convexity.h"
 
+#include <cstdint>
 #include <numeric>
 
 #include "catalogue/families/rings.h"
@@ -223,7 +224,7 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
       if (!finite(area)) return true;
       products += size(v.x * w.y) + size(v.y * w.x);
     }
-    const auto n = static_cast<unsigned long>(ring.size());
+    const auto n = static_cast<std::uint64_t>(ring.size());
     const bool certain = size(area) > Rational(n + 2) * u * products + Rational(n) * power_of_two(-1073);
     return !certain || answer.orientation == truth.answer.orientation;
   });

@@ -132,7 +132,7 @@ TEST_CASE("polyhedron_polyhedron: no vertex is within the other") {
   worked({ring, shifted(stick, {15, 19, -3})}, crossing, 9);               // (15, 25, -3) and (12, 24, 0)
   // Two rings of sixteen cubes as in a chain, 12 from each other everywhere.
   std::vector<catalogue::LatticePoint> cells;
-  for (long i = 0; i < 25; ++i)
+  for (std::int64_t i = 0; i < 25; ++i)
     if (i % 5 % 4 == 0 || i / 5 % 4 == 0) cells.push_back({i % 5, i / 5, 0});
   const Meshd chain = cube_surface(cells);
   worked({chain, shifted(turned(chain), {24, 24, -24})}, clear, 144);
@@ -177,7 +177,7 @@ TEST_CASE("polyhedron_polyhedron: huge, subnormal, and an ulp apart") {
 TEST_CASE("polyhedron_polyhedron: meshes of many faces, in trees") {
   // Layers of 16 x 16 cubes: 1,152 faces each.
   std::vector<catalogue::LatticePoint> cells;
-  for (long i = 0; i < 256; ++i) cells.push_back({i % 16, i / 16, 0});
+  for (std::int64_t i = 0; i < 256; ++i) cells.push_back({i % 16, i / 16, 0});
   const Meshd layer = cube_surface(cells);
   const auto answer = [](const Meshd& a, const Meshd& b) { return robust::polyhedron_polyhedron(a, b); };
   CHECK(equal(answer(layer, shifted(layer, {193, 0, 0})), apart));

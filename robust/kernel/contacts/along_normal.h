@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "robust/kernel/enclosed/enclosed_shapes.h"
 #include "robust/kernel/enclosed/push.h"
 #include "robust/kernel/filters/staged.h"
@@ -72,7 +74,7 @@ inline Integers<3> integers_of(const Vector3d& v) { return integers_of(v.x, v.y,
 
 /// v + (a / b) n times 2^exponent, rounded.
 inline Vector3d pushed(const Vector3<mpz_class>& v, const mpz_class& a, const mpz_class& b, const Vector3<mpz_class>& n,
-                       long exponent) {
+                       std::int64_t exponent) {
   const auto component = [&](const mpz_class& from, const mpz_class& step) {
     return round_quotient(mpz_class(b * from + a * step), b, exponent);
   };

@@ -15,21 +15,23 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-using Bits = unsigned long;
+using Bits = std::uint64_t;
 
-long size(const mpz_class& n) { return sgn(n) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+std::int64_t size(const mpz_class& n) {
+  return sgn(n) == 0 ? 0 : static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2));
+}
 
 /// n / 2^shift truncated towards zero: a double with at most 60 binary digits before the point.
-double shortened(const mpz_class& n, long shift) {
+double shortened(const mpz_class& n, std::int64_t shift) {
   mpz_class cut;
-  mpz_tdiv_q_2exp(cut.get_mpz_t(), n.get_mpz_t(), static_cast<Bits>(std::max(shift, 0L)));
+  mpz_tdiv_q_2exp(cut.get_mpz_t(), n.get_mpz_t(), static_cast<Bits>(std::max<std::int64_t>(shift, 0)));
   return cut.get_d();
 }
 
 /// An approximation of the angle, in (-pi, pi]; exactly 0 if the vector is within 2^-50 of +x.
 double guess(const mpz_class& x, const mpz_class& y) {
   const ControlWord ieee;
-  const long shift = std::max(size(x), size(y)) - 60;
+  const std::int64_t shift = std::max(size(x), size(y)) - 60;
   const double along = shortened(x, shift), across = shortened(y, shift);
   if (along > 0 && std::fabs(across) < along * 0x1p-50) return 0;
   return std::atan2(across, along);
@@ -70,7 +72,7 @@ std::optional<Turned> beyond(double start, const mpz_class& x, const mpz_class& 
 /// start in units of 2^-bits, cut below.
 mpz_class fixed(double start, Bits bits) {
   const Decoded part = decode(start);
-  const long shift = part.exponent + static_cast<long>(bits);
+  const std::int64_t shift = part.exponent + static_cast<std::int64_t>(bits);
   mpz_class n = scaled(Decoded{part.magnitude, 0, part.negative}, 0);
   if (shift >= 0) return n << static_cast<Bits>(shift);
   return n >> static_cast<Bits>(-shift);
@@ -82,7 +84,7 @@ double angle_rounded(const mpz_class& x, const mpz_class& y) {
   const double guessed = guess(x, y);
   // The binary expansion of so small an angle has leading zeros, which give no precision; below 2^-1075 there is
   // nothing else.
-  const long zeros = guessed == 0 ? std::clamp(size(x) - size(y), 0L, 1100L) : 0;
+  const std::int64_t zeros = guessed == 0 ? std::clamp<std::int64_t>(size(x) - size(y), 0, 1100) : 0;
   for (Bits bits = 192 + static_cast<Bits>(zeros);; bits *= 2) {
     double start = guessed;
     std::optional<Turned> rest = beyond(start, x, y, bits);
@@ -95,8 +97,8 @@ double angle_rounded(const mpz_class& x, const mpz_class& y) {
     const mpz_class error = rest->error + 2;  // `start` and 2 pi cut
     mpz_class low = angle - error, high = angle + error;
     if (sgn(y) > 0 && sgn(low) < 0) low = 0;  // the angle is positive
-    const double below = round_scaled(low, -static_cast<long>(bits)),
-                 above = round_scaled(high, -static_cast<long>(bits));
+    const double below = round_scaled(low, -static_cast<std::int64_t>(bits)),
+                 above = round_scaled(high, -static_cast<std::int64_t>(bits));
     if (std::bit_cast<std::uint64_t>(below) == std::bit_cast<std::uint64_t>(above)) return below;
   }
 }

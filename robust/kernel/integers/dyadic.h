@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
 #include "robust/kernel/integers/term_sum.h"
@@ -26,7 +27,7 @@ inline Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   if (sgn(a.n) == 0) return b;
   if (sgn(b.n) == 0) return a;
   if (a.exponent < b.exponent) return b + a;
-  mpz_class sum = a.n << static_cast<unsigned long>(a.exponent - b.exponent);
+  mpz_class sum = a.n << static_cast<std::uint64_t>(a.exponent - b.exponent);
   sum += b.n;
   return {std::move(sum), b.exponent};
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/rounding.h"
@@ -15,16 +16,16 @@ constexpr int steps = 256;              // per radian
 constexpr int last = 202;               // steps in an eighth of a turn, rounded up
 constexpr double half_step = 0x1.1p-9;  // and a sixteenth more, because j and k come from rounded numbers
 constexpr double u53 = 0x1p-53;
-using Bits = unsigned long;
+using Bits = std::uint64_t;
 constexpr Bits digits = 192;
 
 /// n / 2^digits, rounded.
-double number(const mpz_class& n) { return round_scaled(n, -static_cast<long>(digits)); }
+double number(const mpz_class& n) { return round_scaled(n, -static_cast<std::int64_t>(digits)); }
 /// The same number as an integer, truncated below 2^-digits.
 mpz_class integer(double x) {
   const Decoded part = decode(x);
   const mpz_class n = scaled(Decoded{part.magnitude, 0, part.negative}, 0);
-  const long shift = part.exponent + static_cast<long>(digits);
+  const std::int64_t shift = part.exponent + static_cast<std::int64_t>(digits);
   return shift >= 0 ? mpz_class(n << static_cast<Bits>(shift)) : mpz_class(n >> static_cast<Bits>(-shift));
 }
 /// Off by u^2 of it, plus the error of n.

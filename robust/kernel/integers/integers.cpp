@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/kernel/integers/integers.h"
 
+#include <cstdint>
+
 #include "robust/kernel/integers/term_sum.h"
 
 namespace touchstone::robust::kernel {
 namespace {
 
-static_assert(sizeof(unsigned long) == sizeof(std::uint64_t), "a GMP word holds a significand");
-
 mpz_class shifted(mpz_class n, int shift, bool negative) {
-  n <<= static_cast<unsigned long>(shift);
+  n <<= static_cast<std::uint64_t>(shift);
   if (negative) mpz_neg(n.get_mpz_t(), n.get_mpz_t());
   return n;
 }
@@ -17,13 +17,13 @@ mpz_class shifted(mpz_class n, int shift, bool negative) {
 }  // namespace
 
 mpz_class scaled(const Decoded& part, int shift) {
-  return shifted(mpz_class(static_cast<unsigned long>(part.magnitude)), shift, part.negative);
+  return shifted(mpz_class(static_cast<std::uint64_t>(part.magnitude)), shift, part.negative);
 }
 
 mpz_class scaled(const Term& t, int shift) {
-  mpz_class n(static_cast<unsigned long>(t.magnitude >> 64));
+  mpz_class n(static_cast<std::uint64_t>(t.magnitude >> 64));
   n <<= 64;
-  n += static_cast<unsigned long>(t.magnitude);
+  n += static_cast<std::uint64_t>(t.magnitude);
   return shifted(n, shift, t.negative);
 }
 

@@ -14,7 +14,7 @@ namespace {
 const mpq_class& square_of(const OneRoot& a, const OneRoot& b) { return a.rational() ? b.d : a.d; }
 
 /// number * 2^exponent
-mpq_class times_power(const mpq_class& number, long exponent) {
+mpq_class times_power(const mpq_class& number, std::int64_t exponent) {
   mpq_class result;
   if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), number.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
   else mpq_div_2exp(result.get_mpq_t(), number.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
@@ -23,7 +23,7 @@ mpq_class times_power(const mpq_class& number, long exponent) {
 
 /// a * 2^exponent, rounded. With p = a / b, q = e / f and d = g / h, the number is a f h plus the root of b^2 e^2 g h,
 /// over b f h.
-double rounded(const OneRoot& a, long exponent) {
+double rounded(const OneRoot& a, std::int64_t exponent) {
   if (a.rational()) return round_quotient(a.p.get_num(), a.p.get_den(), exponent);
   const mpz_class &f = a.q.get_den(), &h = a.d.get_den(), &b = a.p.get_den();
   const mpz_class whole = a.p.get_num() * f * h, of_root = b * a.q.get_num(), below = b * f * h;
@@ -59,7 +59,7 @@ int sign(const OneRoot& a) {
 mpq_class of_53_digits(const OneRoot& a) {
   if (sign(a) == 0) return 0;
   // Scaled into the range in which doubles have 53 digits. The steps are shorter than that range.
-  for (long exponent = 0;;) {
+  for (std::int64_t exponent = 0;;) {
     const double number = rounded(a, exponent);
     const int field = static_cast<int>(std::bit_cast<std::uint64_t>(number) >> 52 & 0x7ff);
     if (field > 1 && field < 0x7ff) {  // with a field of 1 it may have been a subnormal number that was rounded up

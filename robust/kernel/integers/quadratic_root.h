@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "robust/kernel/integers/rounding.h"
 
 /// Roots of quadratic polynomials, by integers alone: the same in every floating-point environment.
@@ -14,6 +16,6 @@ int sign_with_root(const mpz_class& n, int sign, const mpz_class& square);
 
 /// (n + sign sqrt(square)) / d * 2^exponent, rounded as in rounding.h; square >= 0, sign 1 or -1, d != 0.
 double round_quadratic_root(const mpz_class& n, int sign, const mpz_class& square, const mpz_class& d,
-                            long exponent = 0);
+                            std::int64_t exponent = 0);
 
 }  // namespace touchstone::robust::kernel

@@ -38,7 +38,7 @@ Division divide(std::uint64_t n2, std::uint64_t n1, std::uint64_t n0, UInt128 d)
 }
 
 /// n / d * 2^exponent for magnitudes, n and d not zero.
-double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d, long exponent) {
+double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d, std::int64_t exponent) {
   const int d_shift = d >> 64 ? std::countl_zero(static_cast<std::uint64_t>(d >> 64))
                               : 64 + std::countl_zero(static_cast<std::uint64_t>(d));
   d <<= d_shift;
@@ -58,7 +58,7 @@ double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d
   const Division q = divide(n[2], n[1], n[0], d);
   const int zeros = std::countl_zero(q.digits);
   const bool tail = q.remainder || lost;
-  const long scale = exponent - n_shift + d_shift;
+  const std::int64_t scale = exponent - n_shift + d_shift;
   if (zeros == 0) return round_leading(negative, q.digits, tail, scale);
   // At most one leading zero. The digit shifted in is 0, and the tail may reach it without effect on the rounding,
   // which examines 54 digits and whether anything follows.
@@ -68,28 +68,28 @@ double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d
 struct Leading {
   std::uint64_t digits;
   bool tail;
-  long shift;
+  std::int64_t shift;
 };
 
 /// The upper 64 digits of n > 0: n = (digits + tail) * 2^shift.
 Leading leading_of(const mpz_class& n) {
-  const auto length = static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2));
+  const auto length = static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2));
   mpz_class top;
   if (length <= 64) {
-    top = n << static_cast<unsigned long>(64 - length);
+    top = n << static_cast<std::uint64_t>(64 - length);
     return {mpz_get_ui(top.get_mpz_t()), false, length - 64};
   }
-  const auto shift = static_cast<unsigned long>(length - 64);
+  const auto shift = static_cast<std::uint64_t>(length - 64);
   top = n >> shift;
   return {mpz_get_ui(top.get_mpz_t()), mpz_scan1(n.get_mpz_t(), 0) < shift, length - 64};
 }
 
 }  // namespace
 
-double round_leading(bool negative, std::uint64_t leading, bool tail, long exponent) {
-  const long top = exponent + 63;  // the number lies in [2^top, 2^(top + 1))
+double round_leading(bool negative, std::uint64_t leading, bool tail, std::int64_t exponent) {
+  const std::int64_t top = exponent + 63;  // the number lies in [2^top, 2^(top + 1))
   if (top > max_exponent) return assemble(negative, infinity_bits);
-  const long digits = top >= min_exponent ? precision : top - least_exponent + 1;
+  const std::int64_t digits = top >= min_exponent ? precision : top - least_exponent + 1;
   if (digits < 0) return assemble(negative, 0);
   const auto drop = static_cast<int>(64 - digits);  // 11 to 64
   const std::uint64_t kept = drop == 64 ? 0 : leading >> drop;
@@ -101,7 +101,7 @@ double round_leading(bool negative, std::uint64_t leading, bool tail, long expon
   return assemble(negative, field + kept + up);
 }
 
-double round_scaled(Int128 n, long exponent) {
+double round_scaled(Int128 n, std::int64_t exponent) {
   if (n == 0) return assemble(false, 0);
   const UInt128 size = magnitude_of(n);
   const auto high = static_cast<std::uint64_t>(size >> 64), low = static_cast<std::uint64_t>(size);
@@ -115,14 +115,14 @@ double round_scaled(Int128 n, long exponent) {
                        exponent + 64 - zeros);
 }
 
-double round_scaled(const mpz_class& n, long exponent) {
+double round_scaled(const mpz_class& n, std::int64_t exponent) {
   if (sgn(n) == 0) return assemble(false, 0);
   const mpz_class size = abs(n);
   const Leading top = leading_of(size);
   return round_leading(sgn(n) < 0, top.digits, top.tail, exponent + top.shift);
 }
 
-double round_quotient(Int128 n, Int128 d, long exponent) {
+double round_quotient(Int128 n, Int128 d, std::int64_t exponent) {
   if (n == 0) return assemble(false, 0);
   const UInt128 size = magnitude_of(n);
   return round_magnitudes((n < 0) != (d < 0),
@@ -130,34 +130,34 @@ double round_quotient(Int128 n, Int128 d, long exponent) {
                           magnitude_of(d), exponent);
 }
 
-double round_quotient(const Int192& n, Int128 d, long exponent) {
+double round_quotient(const Int192& n, Int128 d, std::int64_t exponent) {
   const int sign = sign_of(n);
   if (sign == 0) return assemble(false, 0);
   return round_magnitudes((sign < 0) != (d < 0), (sign < 0 ? -n : n).limb, magnitude_of(d), exponent);
 }
 
-double round_quotient(const mpz_class& n, const mpz_class& d, long exponent) {
+double round_quotient(const mpz_class& n, const mpz_class& d, std::int64_t exponent) {
   if (sgn(n) == 0) return assemble(false, 0);
   mpz_class above = abs(n), below = abs(d), remainder;
-  const auto shift =
-      65 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) + static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
-  if (shift >= 0) above <<= static_cast<unsigned long>(shift);
-  else below <<= static_cast<unsigned long>(-shift);
+  const auto shift = 65 - static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2)) +
+                     static_cast<std::int64_t>(mpz_sizeinbase(d.get_mpz_t(), 2));
+  if (shift >= 0) above <<= static_cast<std::uint64_t>(shift);
+  else below <<= static_cast<std::uint64_t>(-shift);
   mpz_tdiv_qr(above.get_mpz_t(), remainder.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
   const Leading top = leading_of(above);
   return round_leading((sgn(n) < 0) != (sgn(d) < 0), top.digits, top.tail || sgn(remainder) != 0,
                        exponent - shift + top.shift);
 }
 
-double round_square_root(const mpz_class& n, const mpz_class& d, long exponent) {
+double round_square_root(const mpz_class& n, const mpz_class& d, std::int64_t exponent) {
   if (sgn(n) == 0) return assemble(false, 0);
   mpz_class above = abs(n), below = abs(d), division_rest, root_rest;
   // The root of a number of at least 131 digits has at least 66.
-  long shift =
-      131 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) + static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
+  std::int64_t shift = 131 - static_cast<std::int64_t>(mpz_sizeinbase(n.get_mpz_t(), 2)) +
+                       static_cast<std::int64_t>(mpz_sizeinbase(d.get_mpz_t(), 2));
   shift += (exponent - shift) & 1;
-  if (shift >= 0) above <<= static_cast<unsigned long>(shift);
-  else below <<= static_cast<unsigned long>(-shift);
+  if (shift >= 0) above <<= static_cast<std::uint64_t>(shift);
+  else below <<= static_cast<std::uint64_t>(-shift);
   mpz_tdiv_qr(above.get_mpz_t(), division_rest.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
   // The integer part of a root is the root of the integer part.
   mpz_sqrtrem(above.get_mpz_t(), root_rest.get_mpz_t(), above.get_mpz_t());

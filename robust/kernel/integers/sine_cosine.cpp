@@ -8,13 +8,13 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-using Bits = unsigned long;
+using Bits = std::uint64_t;
 
 /// atan(1 / q) * 2^bits by its alternating series. Every power and every term is truncated once, so the sum is off by
 /// less than two units a term, and by the first term left out, which is 0.
-mpz_class inverse_tangent(unsigned long q, Bits bits) {
+mpz_class inverse_tangent(std::uint64_t q, Bits bits) {
   mpz_class power = (mpz_class(1) << bits) / q, sum = 0, term;
-  for (unsigned long k = 0; sgn(power) != 0; ++k) {
+  for (std::uint64_t k = 0; sgn(power) != 0; ++k) {
     term = power / (2 * k + 1);
     if (k % 2 == 0) sum += term;
     else sum -= term;
@@ -35,11 +35,11 @@ mpz_class machin(Bits bits) {
 
 /// u * 2^bits, truncated towards zero.
 mpz_class fixed_point(const Decoded& u, Bits bits) {
-  const long shift = u.exponent + static_cast<long>(bits);
+  const std::int64_t shift = u.exponent + static_cast<std::int64_t>(bits);
   if (shift >= 0) return scaled(u, static_cast<int>(shift));
   const mpz_class n = scaled(u, 0);
   mpz_class cut;
-  mpz_tdiv_q_2exp(cut.get_mpz_t(), n.get_mpz_t(), static_cast<unsigned long>(-shift));
+  mpz_tdiv_q_2exp(cut.get_mpz_t(), n.get_mpz_t(), static_cast<std::uint64_t>(-shift));
   return cut;
 }
 
@@ -85,18 +85,18 @@ SineCosine sine_cosine(double u, Bits bits) {
   // after a zero term (below one unit) shrink by a third each: 16 units cover it.
   const mpz_class square = product(angle, angle, bits);
   mpz_class cosine = mpz_class(1) << bits, sine = angle, term = cosine;
-  unsigned long terms = 2;
-  for (unsigned long n = 0; sgn(term) != 0; n += 2, ++terms) {
+  std::uint64_t terms = 2;
+  for (std::uint64_t n = 0; sgn(term) != 0; n += 2, ++terms) {
     term = -product(term, square, bits) / ((n + 1) * (n + 2));
     cosine += term;
   }
   term = angle;
-  for (unsigned long n = 1; sgn(term) != 0; n += 2, ++terms) {
+  for (std::uint64_t n = 1; sgn(term) != 0; n += 2, ++terms) {
     term = -product(term, square, bits) / ((n + 1) * (n + 2));
     sine += term;
   }
   const mpz_class error = 16 * (terms + 2);
-  const unsigned long quadrant = mpz_fdiv_ui(turns.get_mpz_t(), 4);
+  const std::uint64_t quadrant = mpz_fdiv_ui(turns.get_mpz_t(), 4);
   if (quadrant % 2 == 1) {
     std::swap(sine, cosine);
     cosine = -cosine;

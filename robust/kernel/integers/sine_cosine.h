@@ -3,6 +3,8 @@
 
 #include <gmpxx.h>
 
+#include <cstdint>
+
 #include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust::kernel {
@@ -11,14 +13,14 @@ namespace touchstone::robust::kernel {
 struct SineCosine {
   mpz_class sine, cosine;
   mpz_class error;
-  unsigned long bits;
+  std::uint64_t bits;
 };
 
 /// Accepts every finite u and uses only integers. The error is below 16 units for each term of the series, of which
 /// there are fewer than bits; so it becomes arbitrarily small with more bits. bits >= 32.
-SineCosine sine_cosine(double u, unsigned long bits);
+SineCosine sine_cosine(double u, std::uint64_t bits);
 
 /// pi * 2^bits, off by less than 1; cached for each thread with the most digits requested so far.
-mpz_class pi(unsigned long bits);
+mpz_class pi(std::uint64_t bits);
 
 }  // namespace touchstone::robust::kernel

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 
 #include "robust/kernel/integers/rounding.h"
@@ -176,8 +177,8 @@ double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
   mpz_class rounded = scaled(Decoded{root.magnitude, 0, false}, 0), exact = square;
   rounded *= rounded;
   const int more = 2 * (root.exponent - unit);
-  if (more > 0) rounded <<= static_cast<unsigned long>(more);
-  else exact <<= static_cast<unsigned long>(-more);
+  if (more > 0) rounded <<= static_cast<std::uint64_t>(more);
+  else exact <<= static_cast<std::uint64_t>(-more);
   return rounded < exact ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(radius) + 1) : radius;
 }
 

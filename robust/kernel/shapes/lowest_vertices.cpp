@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "robust/kernel/shapes/points_in_space.h"
 
@@ -11,12 +12,12 @@ namespace {
 
 /// The direction with its greatest coordinate in [1/2, 1): each off by less than 2^-52 of itself, or by 2^-1022.
 Vector3d in_doubles(const Vector3<mpz_class>& direction) {
-  long x_place = 0, y_place = 0, z_place = 0;
+  std::int64_t x_place = 0, y_place = 0, z_place = 0;
   const double x = mpz_get_d_2exp(&x_place, direction.x.get_mpz_t());
   const double y = mpz_get_d_2exp(&y_place, direction.y.get_mpz_t());
   const double z = mpz_get_d_2exp(&z_place, direction.z.get_mpz_t());
-  const long top = std::max({x_place, y_place, z_place});
-  const auto placed = [top](double part, long place) {
+  const std::int64_t top = std::max({x_place, y_place, z_place});
+  const auto placed = [top](double part, std::int64_t place) {
     return place - top < -1000 ? 0.0 : std::ldexp(part, static_cast<int>(place - top));
   };
   return {placed(x, x_place), placed(y, y_place), placed(z, z_place)};

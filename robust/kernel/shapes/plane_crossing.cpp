@@ -2,6 +2,7 @@
 #include "robust/kernel/shapes/plane_crossing.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "robust/kernel/integers/rounding.h"
 
@@ -10,7 +11,7 @@ namespace touchstone::robust::kernel {
 void to_one_unit(Scaled<mpz_class>& a, Scaled<mpz_class>& b) {
   const int exponent = std::min(a.exponent, b.exponent);
   for (Scaled<mpz_class>* number : {&a, &b}) {
-    number->n <<= static_cast<unsigned long>(number->exponent - exponent);
+    number->n <<= static_cast<std::uint64_t>(number->exponent - exponent);
     number->exponent = exponent;
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <utility>
@@ -227,7 +228,7 @@ class Walls {
       if (holds) add_steps(around.steps, {walls_[i], inside}, around.along);
       else if (walls_[i].box.reaches(line.box)) around.others.emplace_back(walls_[i], inside);
     }
-    for (long k = 1;; ++k) {  // upwards along each axis; a plane has at most two of these directions
+    for (std::int64_t k = 1;; ++k) {  // upwards along each axis; a plane has at most two of these directions
       if (const auto any = around.any_of_both({1, k, k * k})) return *any;
     }
   }

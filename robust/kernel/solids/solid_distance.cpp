@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "robust/kernel/integers/rounding.h"
@@ -134,7 +135,7 @@ QuotientPoint first_of_many(const Meshd& a, const std::vector<Index>& of_a, cons
   for (const Index i : of_a) all.vertices.push_back(a.vertices[i]);
   for (const Index j : of_b) all.vertices.push_back(b.vertices[j]);
   auto points = integers_of(all);
-  const auto down = [](int from, int to) { return mpz_class(mpz_class(1) << static_cast<unsigned long>(from - to)); };
+  const auto down = [](int from, int to) { return mpz_class(mpz_class(1) << static_cast<std::uint64_t>(from - to)); };
   exponent = std::min(points.exponent, nearest.exponent);
   const mpz_class unit = nearest.total * down(points.exponent, exponent);
   const IntegerVector moved = down(nearest.exponent, exponent) * displacement;
@@ -163,7 +164,7 @@ ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a,
   int exponent = 0;
   const QuotientPoint first = first_of_many(a, of_a, b, of_b, nearest, displacement, exponent);
   // first.d is a multiple of `whole`, in units of which the displacement is given.
-  const mpz_class parts = (first.d / nearest.total) << static_cast<unsigned long>(nearest.exponent - exponent);
+  const mpz_class parts = (first.d / nearest.total) << static_cast<std::uint64_t>(nearest.exponent - exponent);
   answer.on_a = rounded(first, exponent);
   answer.on_b = rounded({first.n + mpz_class(-parts) * displacement, first.d}, exponent);
   return answer;
