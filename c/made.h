@@ -6,7 +6,7 @@
 #include "catalogue/operation/operation.h"
 #include "robust/c/answered.h"
 
-/// What the functions of touchstone.h share.
+/// Shared by the functions of touchstone.h.
 namespace touchstone::c {
 
 using namespace catalogue;

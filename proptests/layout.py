@@ -25,6 +25,7 @@ MODULES = {
     "report": {"geometry", "oracle", "catalogue", "audit", "simulate", "report"},
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
     "c": {"oracle", "robust", "catalogue", "audit", "report", "c"},
+    "js": {"c", "js"},
     "python": {"robust", "c", "python"},
     "engines": {"geometry", "robust", "program", "engines"},
     **dict.fromkeys(("proptests", "fuzz", "bench", "coverage", "examples")),

@@ -206,7 +206,7 @@ void read_json(const Shape& shape, const Json& json, const std::string& path, En
 
 namespace {
 
-/// What stands for a number: "number", or its meaning.
+/// The text that stands for a number: "number", or its meaning.
 using NameNumber = const char* (*)(Meaning);
 
 Json described(const Shape& shape, NameNumber name) {
