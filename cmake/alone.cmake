@@ -40,7 +40,7 @@ set_target_properties(touchstone_alone PROPERTIES OUTPUT_NAME touchstone RUNTIME
 
 # The notices of what is linked, as the Debian packages that it came from have them.
 set(notices "")
-foreach(package libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libexpat1-dev libfmt-dev nlohmann-json3-dev libcli11-dev libcgal-dev libboost-dev
+foreach(package libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libexpat1-dev libfmt-dev nlohmann-json3-dev libcli11-dev
         gcc-12-base gcc-13-base gcc-14-base)
   if(EXISTS /usr/share/doc/${package}/copyright)
     list(APPEND notices ${package})

@@ -182,8 +182,6 @@ touchstone_links(reference PUBLIC touchstone_geometry)
 touchstone_links(robust PUBLIC touchstone_geometry)
 touchstone_links(robust PRIVATE MPFR::mpfr GMP::gmp)
 if(robust_sources AND TARGET touchstone_robust)
-  # The installed library takes nothing of CGAL that is under the GPL: its headers refuse to compile with this.
-  target_compile_definitions(touchstone_robust PRIVATE CGAL_LICENSE_ERROR)
   touchstone_chapters_are_units(touchstone_robust ${robust_sources})
   if(TOUCHSTONE_PCH)
     target_precompile_headers(touchstone_robust PRIVATE ${headers_of_chapters})

@@ -8,7 +8,6 @@
 #include <png.h>
 #include <zlib.h>
 
-#include <boost/version.hpp>
 #include <nlohmann/json.hpp>
 
 #include "program/documentation.h"
@@ -41,9 +40,6 @@ std::string version() {
   add(std::string("zlib ") + ZLIB_VERSION, "Zlib", "https://zlib.net");
   add(fmt::format("Expat {}.{}.{}", XML_MAJOR_VERSION, XML_MINOR_VERSION, XML_MICRO_VERSION), "MIT",
       "https://libexpat.github.io");
-  add("headers of CGAL's kernel", "LGPL-3.0-or-later", "https://www.cgal.org");
-  add(fmt::format("Boost {}.{} (headers)", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000), "BSL-1.0",
-      "https://www.boost.org");
   add("the C++ runtime library of the compiler", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org");
   return text;
 }

@@ -13,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 
+from draw_order import unordered_draws
+
 MODULES = {
     "geometry": {"geometry"},
     "reference": {"geometry", "reference"},
@@ -58,10 +60,8 @@ FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
 CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
 CGAL_MAY_BE_PEER = ("proptests/", "bench/", "engines/")
 # They refuse subnormals, or obey the locale.
+LIBRARY_FUNCTION = re.compile(r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p)?|pow|cbrt)(?= *\()")
 OTHER_READER = re.compile(r"\b(?:sto(?:d|f|ld)|strto(?:d|f|ld)|atof)\b(?= *\()")
-# A family draws its choices from `c`: handed on, or a member called.
-CALL = re.compile(r"\b(?!(?:for|if|while|switch|return)\b)\w+(?:<[\w:]+>)?\(")
-DRAW = re.compile(r"[(,] *c *[,)]|\bc\.\w+\(")
 
 
 class Tree:
@@ -155,10 +155,10 @@ def directions(tree):
 
 def cgal(tree):
     for name, text in tree.text.items():
-        if name.startswith("robust/kernel/") or not any(t.startswith("CGAL/") for _, t in tree.includes(name)):
+        if not any(t.startswith("CGAL/") for _, t in tree.includes(name)):
             continue
         if not name.startswith(CGAL_MAY_BE_PEER):
-            yield f"{name}: CGAL belongs in robust/kernel/"
+            yield f"{name}: CGAL belongs in tests, benchmarks and engines"
         elif not CGAL_AS_PEER.search(text):
             yield f"{name}: includes CGAL without saying why (// CGAL as peer: ..., // CGAL as second opinion: ...)"
 
@@ -190,30 +190,15 @@ def public_headers(tree):
             yield f"{name}: InvalidInput without geometry/invalid_input.h"
 
 
-def arguments_of(text, start):
-    """Returns the texts between the commas of the call whose parenthesis opens at start."""
-    depth, found = 0, [""]
-    for character in text[start:]:
-        depth += (character in "([{") - (character in ")]}")
-        if depth == 0:
-            break
-        if character == "," and depth == 1:
-            found.append("")
-        else:
-            found[-1] += character
-    return found
-
-
 def draws(tree):
-    """C++ leaves the order of arguments open: with two draws in one call, compilers make different questions."""
+    """The same seed gives the same questions, whatever compiler built them and whatever C library they are linked with."""
     for name, text in tree.text.items():
-        if not name.startswith("catalogue/"):
-            continue
-        code = COMMENT.sub(lambda comment: "\n" * comment.group(0).count("\n"), text)
-        for call in CALL.finditer(code):
-            passed = arguments_of(code, call.end() - 1)
-            if sum(bool(DRAW.search(a)) for a in passed if not re.match(r"\(?\s*\[", a)) > 1:
-                yield f"{name}:{code[:call.start()].count(chr(10)) + 1}: two draws in one call, in unspecified order"
+        if name.endswith((".h", ".cpp")):
+            for line, what in unordered_draws(text):
+                yield f"{name}:{line}: {what}"
+        found = LIBRARY_FUNCTION.search(COMMENT.sub("", text))
+        if found and name.startswith(("catalogue/rows/", "catalogue/families/", "catalogue/draw/")):
+            yield f"{name}: {found.group(0)}, which no two C libraries round alike; robust's are correctly rounded"
 
 
 def circles(tree):
@@ -278,13 +263,19 @@ FALSE_CLAIM = '{"op":"touch","refused":"truth: side is wrong"}\n'
 def right_tree():
     files = {f"{place}/lines/touch{suffix}": "#pragma once\n" for place, suffixes in PLACES.items() for suffix in suffixes}
     files["geometry/points.h"] = "#pragma once\n"
-    files["robust/kernel/filter.h"] = "#include <CGAL/version.h>\n#include <gmpxx.h>\nmpq_class exact();\n"
+    files["robust/kernel/filter.h"] = "#include <gmpxx.h>\nmpq_class exact();\n"
     files["robust/lines/touch.cpp"] = '#include "robust/lines/touch.h"\n#include "robust/kernel/filter.h"\n'
     files["reference/lines/touch.h"] = '#include "geometry/points.h"\n// not even mpq_class in a comment\n'
     files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
-    files["catalogue/hull.h"] = "turn(box(c), 1, c); Box{box(c), box(c)}; turn([](C& c) { return box(c); }, box(c));\n"
+    files["catalogue/hull.h"] = """Box hull(DrawStream& c) {
+  const auto side = [&c](double size) { return size * one_to(c, 3); }, point = [&c] { return small_integer(c); };
+  if (c.coin()) *place += up_to(c, 2);
+  edges[c.below(3)] = turn(box(c), 1, c), edges[0] = 1 + (c.coin() ? up_to(c, 2) : side(1));
+  return turn([](DrawStream& d) { return box(d); }, Box{box(c), box(c)}) << point() << point();  // a(c) + b(c)
+}
+"""
     files["catalogue/operation/row.h"] = ('#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
                                           '#include "catalogue/shape/shape.h"\n')
     files["catalogue/shape/shape.h"] = "#pragma once\n"
@@ -320,19 +311,22 @@ PLANTED = [
     ("engines/touch.cpp", '#include "geometry/points.h"\n', 'engines/ is a project of its own and has no "geometry/points.h"'),
     ("engines/touch.cpp", "#include <touchstone/catalogue/hull.h>\n", "engines must not include catalogue"),
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
-    ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
+    ("robust/kernel/filter.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in tests"),
     ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
     ("robust/lines/touch.h", "inline Side touch_side(int);\n", "no row evaluates robust::touch_side"),
     ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
-    ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
+    ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <gmpxx.h>"),
     ("robust/lines/touch.h", "namespace stages {\nstruct touch;\n}\n", "no row evaluates robust::stages::touch"),
     ("robust/lines/touch.h", '#include "robust/rings/simple.h"\n', "rings/simple.h, which is not installed"),
     ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
     ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
     ("robust/lines/touch.h", "/// Throws InvalidInput.\n", "touch.h: InvalidInput without geometry/invalid_input.h"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
-    ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
-    ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
+    ("catalogue/rows/lines/touch.h", "f(DrawStream& c) {\n turn(box(c), c.below(2));\n", "touch.h:2: two draws in one call"),
+    ("catalogue/rows/lines/touch.h", "f(DrawStream& c) { turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:2: two draws in one call"),
+    ("fuzz/touch.cpp", "f(DrawStream& draws) { x = a(draws) - b(1, draws); }\n", "touch.cpp:1: two draws in one expression"),
+    ("proptests/touch.h", "f(DrawStream& draws) { auto a = [&](int k) { return b(k, draws); }; turn(a(1), a(2)); }\n", "touch.h:1: two draws in one call"),
+    ("catalogue/rows/lines/touch.h", "const double x = std::cos(u);\n", "touch.h: std::cos, which no two C libraries"),
     ("catalogue/shape/shape.h", '#include "catalogue/operation/row.h"\n', "catalogue/shape: a circle"),
     ("program/main.cpp", "double x = std::stod(text);\n", "program/main.cpp: stod, reads numbers"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),

@@ -40,7 +40,7 @@ inline Program many_answers(DrawStream& c) {
 /// same double, or their products with reciprocals do. An index that is greater may come first.
 inline Program met_nearly_at_once(DrawStream& c) {
   Programming p(c);
-  const double n = power_of_two(c, 2, 49) + up_to(c, 7);
+  const double power = power_of_two(c, 2, 49), n = power + up_to(c, 7);
   const Point3d origin = lattice_point_of_box(c, 2);
   struct Axis {
     double Point3d::*position;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
+#include <stdexcept>
 
 #include "catalogue/families/numbers.h"
 
@@ -16,7 +18,7 @@ using Draw = std::function<double(DrawStream&)>;
 /// fit into 32 or 64 bits, signed or not, or into a double.
 Draw integers_at_a_seam(DrawStream& draws) {
   static constexpr int seams[]{16, 31, 32, 53};
-  const int bits = seams[draws.below(4)] - static_cast<int>(draws.below(2));
+  const int seam = seams[draws.below(4)], bits = seam - static_cast<int>(draws.below(2));
   return [bits](DrawStream& c) {
     const double most = std::ldexp(1, bits), beside = small_integer(c, 2);
     const double size = c.below(4) == 3 ? most + beside : static_cast<double>(c.below(std::uint64_t{1} << bits));
@@ -115,6 +117,8 @@ Families::Families(const RowFunctions& row) : row_(row) {
     names_.push_back(row.hard_cases[which].name + "+ulp");
   }
   for (const Derived& derived : derived_families) names_.emplace_back(derived.name);
+  const std::set<std::string> different(names_.begin(), names_.end());
+  if (different.size() != names_.size()) throw std::logic_error("two families of an operation have one name");
 }
 
 Question Families::draw(DrawStream& draws, std::size_t family) const {

@@ -12,6 +12,7 @@ namespace touchstone::catalogue {
 /// from its types.
 class Families {
  public:
+  /// Throws std::logic_error if two have one name: questions are drawn and asked for by names.
   explicit Families(const RowFunctions& row);
 
   const std::vector<std::string>& names() const { return names_; }

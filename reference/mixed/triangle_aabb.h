@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-
 #include "geometry/answers.h"
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
@@ -61,7 +59,13 @@ Contact triangle_aabb(const Triangle3<Real>& triangle, const Aabb3<Real>& aabb) 
   const auto magnitude = [](const Real& x) { return x < Real(0) ? Real(Real(0) - x) : x; };
   bool touching = false;
   const auto separates = [&](const Vector3<Real>& n) {
-    const auto [least, greatest] = std::minmax({Real(dot(n, a)), Real(dot(n, b)), Real(dot(n, c))});
+    Real least = dot(n, a), greatest = least;
+    for (const Vector3<Real>* corner :
+         {&b, &c}) {  // not by std::minmax, whose order of what is not a number is undefined
+      const Real height = dot(n, *corner);
+      if (height < least) least = height;
+      if (height > greatest) greatest = height;
+    }
     const Real reach = Real(magnitude(n.x) * h.x + magnitude(n.y) * h.y + magnitude(n.z) * h.z);
     const Real opposite = Real(Real(0) - reach);
     if (least == reach || greatest == opposite) touching = true;

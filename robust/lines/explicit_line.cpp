@@ -31,7 +31,7 @@ Perhaps<Height> stages::explicit_line::lattice(double slope, double intercept, c
 }
 
 Height stages::explicit_line::exact(double slope, double intercept, const Point2d& point) {
-  return height(kernel::sign_by_cgal(kernel::exact_sum(elevation(slope, intercept, point)).n));
+  return height(sgn(kernel::exact_sum(elevation(slope, intercept, point)).n));
 }
 
 namespace {

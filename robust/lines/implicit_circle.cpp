@@ -7,8 +7,14 @@
 namespace touchstone::robust {
 namespace {
 
-/// 1, 0, -1: inside, on, outside.
-Location location(int sign) { return sign > 0 ? Location::inside : sign < 0 ? Location::outside : Location::boundary; }
+/// n: the center, the radius, the point.
+template <class Integer>
+Location location(const std::array<Integer, 5>& n) {
+  const Integer dx = n[3] - n[0], dy = n[4] - n[1], r = n[2];
+  const kernel::Second<Integer> within = kernel::multiply(r, r) - kernel::multiply(dx, dx) - kernel::multiply(dy, dy);
+  const int sign = kernel::sign_of(within);
+  return sign > 0 ? Location::inside : sign < 0 ? Location::outside : Location::boundary;
+}
 
 void validate_implicit_circle(const Circle2d& circle, const Point2d& point) {
   if (kernel::valid(circle) && kernel::valid(point)) return;
@@ -21,14 +27,11 @@ void validate_implicit_circle(const Circle2d& circle, const Point2d& point) {
 Perhaps<Location> stages::implicit_circle::lattice(const Circle2d& circle, const Point2d& point) {
   const auto lattice = kernel::lattice_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y);
   if (!lattice) return std::nullopt;
-  const auto& n = lattice->at;
-  const std::int64_t dx = n[3] - n[0], dy = n[4] - n[1], r = n[2];
-  return location(kernel::sign_of(kernel::multiply(r, r) - kernel::multiply(dx, dx) - kernel::multiply(dy, dy)));
+  return location(lattice->at);
 }
 
 Location stages::implicit_circle::exact(const Circle2d& circle, const Point2d& point) {
-  const auto n = kernel::integers_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y).at;
-  return location(kernel::side_of_circle({{n[0], n[1]}, n[2]}, {n[3], n[4]}));
+  return location(kernel::integers_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y).at);
 }
 
 Decided<Location> stages::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {

@@ -5,7 +5,6 @@
 #include "robust/kernel/filters/lessened.h"
 #include "robust/kernel/integers/plane_terms.h"
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/cgal_predicates.h"
 #include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
@@ -28,7 +27,7 @@ Perhaps<PlaneSide> stages::point_plane::decision::lattice(const Plane3d& plane, 
 }
 
 PlaneSide stages::point_plane::decision::exact(const Plane3d& plane, const Point3d& point) {
-  return side(kernel::sign_by_cgal(kernel::exact_sum(kernel::height_over(plane, point)).n));
+  return side(sgn(kernel::exact_sum(kernel::height_over(plane, point)).n));
 }
 
 namespace {
@@ -92,7 +91,7 @@ Perhaps<PointPlane<double>> stages::point_plane::lattice(const Plane3d& plane, c
 
 PointPlane<double> stages::point_plane::exact(const Plane3d& plane, const Point3d& point) {
   const auto height = kernel::exact_sum(kernel::height_over(plane, point));
-  return {side(kernel::sign_by_cgal(height.n)), distance(height, plane)};
+  return {side(sgn(height.n)), distance(height, plane)};
 }
 
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point) {

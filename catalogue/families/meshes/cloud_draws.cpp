@@ -89,7 +89,7 @@ Points one_beside_a_plane(DrawStream& c) {
 
 /// Where the lattices end on which determinants need 53 and 123 bits.
 Points planes_at_a_seam(DrawStream& c) {
-  const int bits = (c.coin() ? 36 : 13) + integer_in(c, 0, 4);
+  const int seam = c.coin() ? 36 : 13, bits = seam + integer_in(c, 0, 4);
   Points points = tilted(c, bits, 12);
   for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
     const Vector3d off{small_integer(c, 1), small_integer(c, 1), small_integer(c, 1)};

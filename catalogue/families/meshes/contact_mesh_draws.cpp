@@ -60,8 +60,12 @@ Meshd flat_part(DrawStream& draws) {
   }
   if (draws.below(3) == 0) return mesh;
   Point3d& moved = mesh.vertices[draws.below(mesh.vertices.size())];
-  if (!draws.coin()) moved = plane.point(draws);
-  else moved = along(moved, small_integer(draws, 2), lattice_normal(draws, 6));
+  if (draws.coin()) {
+    const Vector3d normal = lattice_normal(draws, 6);
+    moved = along(moved, small_integer(draws, 2), normal);
+  } else {
+    moved = plane.point(draws);
+  }
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 #include "oracle/lines/implicit_circle.h"
 #include "reference/lines/implicit_circle.h"
 #include "robust/lines/implicit_circle.h"
+#include "robust/lines/parametric_circle.h"
 
 namespace touchstone::catalogue::rows {
 
@@ -60,7 +61,8 @@ struct implicit_circle : signatures::implicit_circle {
     add("rounded_on_circle", [](DrawStream& c) -> Question {
       const double r = std::fabs(typed(c)), u = 8 * ordinary(c);
       const Point2d center{typed(c), typed(c)};
-      return {{center, r}, {center.x + r * std::cos(u), center.y + r * std::sin(u)}};
+      const Point2d at = robust::parametric_circle({{0, 0}, 1}, u);
+      return {{center, r}, {center.x + r * at.x, center.y + r * at.y}};
     });
     add("on_long_circle", [](DrawStream& c) -> Question {
       // A multiple of 3, 4, 5 whose squares do not fit a double.

@@ -50,7 +50,8 @@ struct parametric_circle : signatures::parametric_circle {
     });
     add("cancelling", [](DrawStream& c) -> Question {
       const double r = one_to(c, 1 << 20), u = 8 * ordinary(c);
-      return {{{-r * std::cos(u), -r * std::sin(u)}, r}, u};
+      const Point2d at = robust::parametric_circle({{0, 0}, 1}, u);
+      return {{{-r * at.x, -r * at.y}, r}, u};
     });
     add("typed_angle", [](DrawStream& c) -> Question {
       return {{{typed(c), typed(c)}, std::fabs(typed(c))}, typed(c)};

@@ -77,7 +77,7 @@ struct aabb_plane : signatures::aabb_plane {
       const Aabb3d box{p, p + Vector3d{0.25, 0.5, 1}};
       return {box, {n, within_ulps(c, -dot(n, lowest(box, n)), 1)}};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const double nx = typed(c), x = typed(c), y = typed(c), z = typed(c);
       const Vector3d n{nx, typed(c), 1};
       const Aabb3d box{{x, y, z}, {x + 0.1, y + 0.2, z + 0.3}};

@@ -122,7 +122,7 @@ struct capsule_capsule : signatures::capsule_capsule {
       Stretch{c}(p, q, a, b);
       return {{{p, q}, scaled_down(c, 4, 300)}, {{a, b}, scaled_down(c, 4, 300)}};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const Point3d p = typed_point(c), q = typed_point(c), a = typed_point(c);
       return {{{p, q}, std::fabs(typed(c))}, {{a, {p.x, p.y + 0.5, p.z}}, std::fabs(typed(c))}};
     });

@@ -101,7 +101,7 @@ struct closest_point_on_segment : signatures::closest_point_on_segment {
       Stretch{c}(p, s);
       return seen(p, s, line.in_plane);
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const Point3d p = typed_point(c), a = typed_point(c);
       const bool in_plane = c.coin();
       return seen(p, {a, typed_point(c)}, in_plane);

@@ -115,7 +115,7 @@ struct closest_point_on_triangle : signatures::closest_point_on_triangle {
       Stretch{c}(p, t);
       return {p, t};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       return {typed_point(c), {typed_point(c), typed_point(c), typed_point(c)}};
     });
     add("subnormal", [](DrawStream& c) -> Question {

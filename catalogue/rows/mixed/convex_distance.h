@@ -136,7 +136,7 @@ struct convex_distance : signatures::convex_distance {
       for (Point3d& p : b.vertices) p = scaled(p, places);
       return in_either_order(c, a, b);
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       return {tetrahedron_of(c, typed_point), tetrahedron_of(c, typed_point)};
     });
     add("subnormal", [](DrawStream& c) -> Question {

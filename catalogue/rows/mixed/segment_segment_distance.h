@@ -118,7 +118,7 @@ struct segment_segment_distance : signatures::segment_segment_distance {
       }
       return question;
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const Point3d p = typed_point(c), q = typed_point(c), r = typed_point(c);
       const bool in_plane = c.coin();
       return seen({p, q}, {r, typed_point(c)}, in_plane);

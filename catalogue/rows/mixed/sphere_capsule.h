@@ -109,7 +109,7 @@ struct sphere_capsule : signatures::sphere_capsule {
       Stretch{c}(p, a, b);
       return {{p, scaled_down(c, 4, 300)}, {{a, b}, scaled_down(c, 4, 300)}};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const Point3d p = typed_point(c), a = typed_point(c);
       return {{p, std::fabs(typed(c))}, {{a, {p.x, p.y + 0.5, p.z}}, std::fabs(typed(c))}};
     });

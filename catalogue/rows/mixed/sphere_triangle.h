@@ -114,7 +114,7 @@ struct sphere_triangle : signatures::sphere_triangle {
       Stretch{c}(p, t);
       return {{p, scaled_down(c, 4, 300)}, t};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const Point3d p = typed_point(c), a = typed_point(c), b = typed_point(c);
       return {{p, std::fabs(typed(c))}, {a, b, {p.x, p.y + 0.5, p.z}}};
     });

@@ -190,7 +190,7 @@ struct triangle_aabb : signatures::triangle_aabb {
       Stretch{c}(t, box);
       return {t, box};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const Point3d a = typed_point(c), b = typed_point(c), p = typed_point(c), q = p + Vector3d{0.1, 0.2, 0.3};
       return {{a, b, q}, {p, q}};
     });

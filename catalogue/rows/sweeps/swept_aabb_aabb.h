@@ -114,7 +114,7 @@ struct swept_aabb_aabb : signatures::swept_aabb_aabb {
       const double p = zero(c), q = zero(c), r = zero(c), s = zero(c), v = c.coin() ? 1 : zero(c);
       return InPlane{{{-1, -1}, {p, q}}, {{r, s}, {1, 1}}, {v, small_integer(c, 1)}};
     });
-    add("typed", [](DrawStream& c) -> Question {
+    add("typed_shapes", [](DrawStream& c) -> Question {
       const double gap = std::fabs(catalogue::typed(c)), x = catalogue::typed(c), y = catalogue::typed(c);
       return InPlane{{{-1, -1}, {0, 0}}, {{gap, -0.3}, {gap + 1, 0.1}}, {x, y}};
     });

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "catalogue/families/numbers.h"
 #include "catalogue/operation/probes/shrink.h"
@@ -173,6 +174,13 @@ EACH_OPERATION("a shrunk question stays in its family: a refused or degenerate o
   const Bytes end = catalogue::shrunk(start.draws, same_outcome);
   CHECK(same_outcome(end));
   CHECK(end.size() <= start.draws.size());
+}
+
+EACH_OPERATION("no two families have one name, as questions are drawn by names") {
+  catalogue::RowFunctions row = operation.row();
+  CHECK_NOTHROW(catalogue::Families(row));
+  row.hard_cases.push_back({"typed", true});  // which follows from the types, too
+  CHECK_THROWS_AS(catalogue::Families(row), std::logic_error);
 }
 
 }  // namespace touchstone::proptests::draw_stream_tests

@@ -50,9 +50,10 @@ Rational drawn(DrawStream& draws) {
       const Rational end(times_power(Rational(1), 1024) - times_power(Rational(1), 970));
       return Rational(end + times_power(Rational(static_cast<std::int64_t>(draws.below(7)) - 3), 969));
     }
-    default:
-      return times_power(Rational(value / (1 + static_cast<std::int64_t>(draws.below(1000)))),
-                         static_cast<int>(draws.below(200)) - 100);
+    default: {
+      const int exponent = static_cast<int>(draws.below(200)) - 100;
+      return times_power(Rational(value / (1 + static_cast<std::int64_t>(draws.below(1000)))), exponent);
+    }
   }
 }
 

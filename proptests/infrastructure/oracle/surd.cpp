@@ -215,7 +215,8 @@ TEST_CASE("surds: a factor taken out of the root gives the same number and text,
   cases("canonical surds", 6000, [](DrawStream& draws) {
     const auto [p, q, r] = draws.below(2) == 1 ? small(draws) : large(draws);
     const Surd x(p, q, r);
-    const Rational k(1 + static_cast<std::int64_t>(draws.below(400)), 1 + static_cast<std::int64_t>(draws.below(400)));
+    const std::uint64_t below = 1 + draws.below(400), above = 1 + draws.below(400);
+    const Rational k(above, below);
     Rational factor = k;
     factor.canonicalize();
     const Surd same(p, Rational(q * factor), Rational(r / (factor * factor)));

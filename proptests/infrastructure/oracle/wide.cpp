@@ -17,7 +17,7 @@ using catalogue::DrawStream;
 Int128 drawn(DrawStream& draws, int bits) {
   const auto size = static_cast<int>(draws.below(static_cast<std::uint64_t>(bits) + 1));
   const UnsignedInt128 mask = (UnsignedInt128{1} << size) - 1;
-  const UnsignedInt128 any = UnsignedInt128{draws.any_bits()} << 64 | draws.any_bits();
+  const UnsignedInt128 high = draws.any_bits(), any = high << 64 | draws.any_bits();
   const auto form = draws.below(3);
   const UnsignedInt128 value = form == 0 ? any & mask : form == 1 ? mask : (mask >> 1) + 1;
   return draws.below(2) == 0 ? static_cast<Int128>(value) : -static_cast<Int128>(value);

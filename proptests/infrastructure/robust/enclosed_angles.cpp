@@ -56,11 +56,14 @@ double drawn_angle(DrawStream& draws) {
     case 0: return x;
     case 1: return x * 8;
     case 2: return std::ldexp(x, static_cast<int>(draws.below(21)));
-    case 3:
-      return static_cast<double>(draws.below(2000)) / 512 + std::ldexp(x, -10 - static_cast<int>(draws.below(20)));
-    default:
-      return static_cast<double>(draws.below(40)) * 0x1.921fb54442d18p-1 +
-             std::ldexp(x, -static_cast<int>(draws.below(20)));
+    case 3: {
+      const auto steps = static_cast<double>(draws.below(2000));
+      return steps / 512 + std::ldexp(x, -10 - static_cast<int>(draws.below(20)));
+    }
+    default: {
+      const auto quarters = static_cast<double>(draws.below(40));
+      return quarters * 0x1.921fb54442d18p-1 + std::ldexp(x, -static_cast<int>(draws.below(20)));
+    }
   }
 }
 

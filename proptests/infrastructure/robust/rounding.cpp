@@ -54,7 +54,8 @@ std::pair<mpz_class, mpz_class> fraction(DrawStream& draws, int most_bits) {
     n = random_integer(draws, 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits))));
   } else {
     // 54 bits: the last one set is a middle. One more or less than a multiple of d is just beside it.
-    n = random_integer(draws, 54) * d + catalogue::small_integer(draws, 2);
+    n = random_integer(draws, 54) * d;
+    n += catalogue::small_integer(draws, 2);
   }
   return {draws.below(2) == 0 ? n : mpz_class(-n), d};
 }
@@ -147,8 +148,10 @@ TEST_CASE("rounding: integers times powers of two are MPFR's, in 128 bits and in
   Mpfr mpfr;
   cases("scaled integers", 500000, [&](DrawStream& draws) {
     mpz_class n = random_integer(draws, 1 + static_cast<int>(draws.below(124)));
-    if (draws.below(3) == 0)
-      n = (random_integer(draws, 54) << 60) + static_cast<std::int64_t>(catalogue::small_integer(draws, 2));
+    if (draws.below(3) == 0) {
+      n = random_integer(draws, 54) << 60;
+      n += static_cast<std::int64_t>(catalogue::small_integer(draws, 2));
+    }
     if (draws.below(2) == 1) n = -n;
     const std::int64_t exponent = exponent_of(draws);
     const mpq_class q = times_power(n, 1, exponent);

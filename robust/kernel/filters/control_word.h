@@ -11,7 +11,7 @@
 
 namespace touchstone::robust::kernel {
 
-/// Sets IEEE arithmetic as CGAL expects it (round to nearest, gradual underflow, no traps) while in scope, then
+/// Sets IEEE arithmetic as the standard has it (round to nearest, gradual underflow, no traps) while in scope, then
 /// restores the host's settings and exception flags. One shared library linked with -Ofast is enough to make a host
 /// flush to zero.
 class ControlWord {

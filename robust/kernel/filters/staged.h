@@ -14,7 +14,7 @@ namespace touchstone::robust {
 /// enclosed: numbers to one and a half times the precision with a proved bound, and a rounding test
 ///           (robust/kernel/enclosed/enclosed.h); may not know.
 /// lattice:  the input as integers below 2^61 on one common power of two, products in 128 bits; may not fit.
-/// exact:    the input as integers of any size; CGAL over GMP integers. Always knows.
+/// exact:    the input as integers of any size. Always knows.
 ///
 /// stages::X, declared with the operation X and defined in its .cpp in the order in which stages are asked, is for
 /// tests and other operations, and not part of the API:

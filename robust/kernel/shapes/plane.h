@@ -4,7 +4,6 @@
 #include "geometry/thin_shapes.h"
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/rounding.h"
-#include "robust/kernel/shapes/cgal_predicates.h"
 
 /// Plane geometry on integers, written once for both exact stages: Integer is std::int64_t (a lattice, every product
 /// fits 128 bits) or mpz_class. Positions and vectors are multiples of one power of two, which only rounding needs to
@@ -37,12 +36,16 @@ Second<Integer> determinant(const Vector2<Integer>& v, const Vector2<Integer>& w
   return multiply(v.x, w.y) - multiply(v.y, w.x);
 }
 
-/// 1, 0, -1: p, q, r turn left, are collinear, turn right. (For GMP integers: CGAL, in cgal_predicates.h.)
-inline int turn(const Point2<std::int64_t>& p, const Point2<std::int64_t>& q, const Point2<std::int64_t>& r) {
-  return sign_of(determinant<std::int64_t>(q - p, r - p));
-}
 /// 1, 0, -1: w lies counter-clockwise of v, along it, clockwise.
-inline int turn(const Vector2<std::int64_t>& v, const Vector2<std::int64_t>& w) { return sign_of(determinant(v, w)); }
+template <class Integer>
+int turn(const Vector2<Integer>& v, const Vector2<Integer>& w) {
+  return sign_of(determinant(v, w));
+}
+/// 1, 0, -1: p, q, r turn left, are collinear, turn right.
+template <class Integer>
+int turn(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
+  return turn<Integer>(q - p, r - p);
+}
 
 /// Lexicographic: by x, then by y.
 template <class Integer>
