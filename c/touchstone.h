@@ -66,6 +66,15 @@ int touchstone_draw(const char* operation, const char* families, uint64_t cases,
 int touchstone_replay(const char* operation, const char* family, const uint8_t* bytes, size_t count, char** result,
                       touchstone_error* error);
 
+/* A question in JSON, from a text in JSON, WKT or GeoJSON, as in `touchstone ask --wkt` and --geojson; its decimals stay
+ * as they were typed. */
+int touchstone_read(const char* operation, const char* text, char** result, touchstone_error* error);
+
+/* The file that `touchstone ask --as` prints: a regression test of the question for "catch2", "gtest", "pytest" or
+ * "jest". */
+int touchstone_regression_test(const char* operation, const char* question, const char* framework, char** result,
+                               touchstone_error* error);
+
 /* An implementation that is judged, called with a name and a question in JSON. Returns what an engine over pipes
  * answers (docs/engines.md), without its id: {"answer":..}, {"error":"why"} or {"unsupported":true}; NULL leaves the
  * question unasked. The text must stay valid until the next call. It is called from the thread of the caller alone. Its

@@ -17,8 +17,8 @@ endfunction()
 
 # touchstone_package_for_npm(): the module with its wrapper, in PROJECT_BINARY_DIR/package.
 function(touchstone_package_for_npm)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/c/touchstone.h declared REGEX "^(int|void) touchstone_[a-z]+\\(")
-  list(TRANSFORM declared REPLACE "^[a-z]+ (touchstone_[a-z]+).*" "_\\1")
+  file(STRINGS ${PROJECT_SOURCE_DIR}/c/touchstone.h declared REGEX "^(int|void) touchstone_[a-z_]+\\(")
+  list(TRANSFORM declared REPLACE "^[a-z]+ (touchstone_[a-z_]+).*" "_\\1")
   list(JOIN declared "," exported)
   set(package ${PROJECT_BINARY_DIR}/package)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/module.cpp CONTENT "")

@@ -1,6 +1,6 @@
 import type {
   AnswersOf, Asked, Audit, AuditOptions, Claim, Drawing, DrawOptions, Drawn, Families, InWords, JudgedReply, MapOptions,
-  Operation, OperationMetadata, Question, Questions, ShrinkOptions, UlpMap,
+  Operation, OperationMetadata, Question, Questions, ShrinkOptions, TestFramework, UlpMap,
 } from "./index.js";
 
 export { InvalidInput } from "./index.js";
@@ -15,6 +15,8 @@ export interface InWorker {
   askText<O extends Operation>(operation: O, question: Question<O>): Promise<string>;
   explain<O extends Operation>(operation: O, question: Question<O>): Promise<InWords<O>>;
   drawing<O extends Operation>(operation: O, question: Question<O>, answer?: unknown): Promise<Drawing>;
+  read(operation: Operation, text: string): Promise<string>;
+  regressionTest<O extends Operation>(operation: O, question: Question<O>, framework?: TestFramework): Promise<string>;
   map<O extends Operation>(operation: O, question: Question<O>, options?: MapOptions): Promise<UlpMap>;
   certify(claim: object | string): Promise<string>;
   draw<O extends Operation>(operation: O, options?: DrawOptions<O>): Promise<Drawn<O>[]>;

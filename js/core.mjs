@@ -128,6 +128,14 @@ export class Answers {
   drawing(operation, question, answer) {
     return this.#calls.json("drawing", operation, textOf(question), answer === undefined ? null : textOf(answer));
   }
+  /** A question in JSON, from a text in JSON, WKT or GeoJSON; its decimals stay as they were typed. */
+  read(operation, text) {
+    return this.#calls.text("read", operation, text);
+  }
+  /** A regression test of a question, as a file for "catch2", "gtest", "pytest" or "jest". */
+  regressionTest(operation, question, framework = "jest") {
+    return this.#calls.text("regression_test", operation, textOf(question), framework);
+  }
   /** Verdicts and truths of the questions around one, in which the numbers of these two places move by ulps. */
   map(operation, question, { axes, side = 41, float = false } = {}) {
     const [first, second] = axes ?? this.operation(operation).axes;

@@ -95,6 +95,11 @@ test("figures, and maps of the neighbours", () => {
   assert.deepEqual([verdicts.length, truths[2][2]], [5, "on"]);
 });
 
+test("texts: WKT in, a regression test out", () => {
+  assert.equal(t.read("segment_segment", "LINESTRING (0 0, 2 0); LINESTRING (1 0, 0.10 3)"), '{"a":[[0,0],[2,0]],"b":[[1,0],[0.10,3]]}');
+  assert.match(t.regressionTest("orientation", question), /my_orientation/);
+});
+
 test("vectors are told from points", () => {
   const { meanings } = t.operation("ray_triangle");
   assert.deepEqual(meanings.ray, { origin: ["place", "place", "place"], direction: ["direction", "direction", "direction"] });

@@ -216,6 +216,13 @@ static void pictures(void) {
   check(touchstone_replay("orientation", "collinear", bytes, 4, &text, &error) == TOUCHSTONE_OK && strstr(text, "\"p1\":") != NULL,
         "a question of bytes");
   touchstone_free(text);
+  check(touchstone_read("segment_segment", "LINESTRING (0 0, 2 0); LINESTRING (1 0, 0.10 3)", &text, &error) == TOUCHSTONE_OK &&
+            strcmp(text, "{\"a\":[[0,0],[2,0]],\"b\":[[1,0],[0.10,3]]}") == 0, text);
+  touchstone_free(text);
+  check(touchstone_regression_test("orientation", question, "jest", &text, &error) == TOUCHSTONE_OK && strstr(text, "my_orientation") != NULL,
+        "a regression test");
+  touchstone_free(text);
+  check(touchstone_regression_test("orientation", question, "junit", &text, &error) == TOUCHSTONE_INVALID_INPUT, "no such framework");
   check(touchstone_replay("orientation", "colinear", NULL, 0, &text, &error) == TOUCHSTONE_INVALID_INPUT, "no family to replay");
 }
 
