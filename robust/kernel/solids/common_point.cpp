@@ -9,14 +9,14 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-using Point = Point3<mpq_class>;
-using Vector = Vector3<mpq_class>;
+using RationalPoint = Point3<mpq_class>;
+using RationalVector = Vector3<mpq_class>;
 
-Vector quotients(const Vector3<mpz_class>& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
+RationalVector quotients(const Vector3<mpz_class>& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
 
 /// The corners of the hull, counter-clockwise about the normal; two of a segment, or one. By chains from the first to
 /// the last point in lexicographic order and back, which is the order along some direction in the plane.
-std::vector<Point> ring_of(std::vector<IntegerPoint> points, const Vector3<mpz_class>& normal) {
+std::vector<RationalPoint> ring_of(std::vector<IntegerPoint> points, const Vector3<mpz_class>& normal) {
   const auto before = [](const IntegerPoint& p, const IntegerPoint& q) {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   };
@@ -37,33 +37,33 @@ std::vector<Point> ring_of(std::vector<IntegerPoint> points, const Vector3<mpz_c
     ring.pop_back();
   };
   if (ring.empty()) chain(points), std::reverse(points.begin(), points.end()), chain(points);
-  std::vector<Point> found;
+  std::vector<RationalPoint> found;
   for (const IntegerPoint& p : ring) found.push_back({mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)});
   return found;
 }
 
 /// The points with inward . (p - from) >= 0.
 struct HalfSpace {
-  Point from;
-  Vector inward;
-  mpq_class height(const Point& p) const { return dot(inward, p - from); }
+  RationalPoint from;
+  RationalVector inward;
+  mpq_class height(const RationalPoint& p) const { return dot(inward, p - from); }
 };
 
 /// Half spaces at each edge, and for a segment also at its ends.
-std::vector<HalfSpace> half_spaces(const std::vector<Point>& ring, const Vector& normal) {
+std::vector<HalfSpace> half_spaces(const std::vector<RationalPoint>& ring, const RationalVector& normal) {
   std::vector<HalfSpace> all;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vector displacement = ring[(i + 1) % ring.size()] - ring[i];
+    const RationalVector displacement = ring[(i + 1) % ring.size()] - ring[i];
     all.push_back({ring[i], cross(normal, displacement)});
     if (ring.size() == 2) all.push_back({ring[i], displacement});
   }
   return all;
 }
 
-std::vector<Point> clipped(const std::vector<Point>& ring, const HalfSpace& kept) {
-  std::vector<Point> part;
+std::vector<RationalPoint> clipped(const std::vector<RationalPoint>& ring, const HalfSpace& kept) {
+  std::vector<RationalPoint> part;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &p = ring[i], &q = ring[(i + 1) % ring.size()];
+    const RationalPoint &p = ring[i], &q = ring[(i + 1) % ring.size()];
     const mpq_class at_p = kept.height(p), at_q = kept.height(q);
     if (sgn(at_p) >= 0) part.push_back(p);
     if (sgn(at_p) * sgn(at_q) < 0) part.push_back(p + mpq_class(at_p / (at_p - at_q)) * (q - p));
@@ -71,14 +71,14 @@ std::vector<Point> clipped(const std::vector<Point>& ring, const HalfSpace& kept
   return part;
 }
 
-Point nearest_on_edge(const Point& p, const Point& q, const Point& to) {
-  const Vector displacement = q - p;
+RationalPoint nearest_on_edge(const RationalPoint& p, const RationalPoint& q, const RationalPoint& to) {
+  const RationalVector displacement = q - p;
   const mpq_class along = dot(displacement, to - p), length = dot(displacement, displacement);
   if (sgn(along) <= 0) return p;
   return along >= length ? q : p + mpq_class(along / length) * displacement;
 }
 
-QuotientPoint over_one_denominator(const Point& p) {
+QuotientPoint over_one_denominator(const RationalPoint& p) {
   mpz_class d;
   mpz_lcm(d.get_mpz_t(), p.x.get_den_mpz_t(), p.y.get_den_mpz_t());
   mpz_lcm(d.get_mpz_t(), d.get_mpz_t(), p.z.get_den_mpz_t());
@@ -91,23 +91,23 @@ QuotientPoint over_one_denominator(const Point& p) {
 /// The foot of the perpendicular, if both sets contain it; otherwise the point is on an edge of their intersection.
 QuotientPoint nearest_common_point(std::vector<IntegerPoint> a, std::vector<IntegerPoint> b,
                                    const Vector3<mpz_class>& normal, const IntegerPoint& to) {
-  const Vector n = quotients(normal);
-  const Point target{mpq_class(to.x), mpq_class(to.y), mpq_class(to.z)};
-  std::vector<Point> common = ring_of(std::move(a), normal);
-  const std::vector<Point> other = ring_of(std::move(b), normal);
+  const RationalVector n = quotients(normal);
+  const RationalPoint target{mpq_class(to.x), mpq_class(to.y), mpq_class(to.z)};
+  std::vector<RationalPoint> common = ring_of(std::move(a), normal);
+  const std::vector<RationalPoint> other = ring_of(std::move(b), normal);
   if (common.size() == 1) return over_one_denominator(common[0]);
   if (other.size() == 1) return over_one_denominator(other[0]);
   const mpq_class steps(dot(n, common[0] - target) / dot(n, n));
-  const Point foot = target + steps * n;
+  const RationalPoint foot = target + steps * n;
   const auto holds = [&foot](const HalfSpace& side) { return sgn(side.height(foot)) >= 0; };
   const auto of_a = half_spaces(common, n), of_b = half_spaces(other, n);
   if (std::all_of(of_a.begin(), of_a.end(), holds) && std::all_of(of_b.begin(), of_b.end(), holds))
     return over_one_denominator(foot);
   for (const HalfSpace& side : of_b) common = clipped(common, side);
-  std::optional<Point> nearest;
-  const auto square = [&target](const Point& p) { return dot(p - target, p - target); };
+  std::optional<RationalPoint> nearest;
+  const auto square = [&target](const RationalPoint& p) { return dot(p - target, p - target); };
   for (std::size_t i = 0; i < common.size(); ++i) {
-    Point p = nearest_on_edge(common[i], common[(i + 1) % common.size()], target);
+    RationalPoint p = nearest_on_edge(common[i], common[(i + 1) % common.size()], target);
     if (!nearest || square(p) < square(*nearest)) nearest = std::move(p);
   }
   return over_one_denominator(nearest.value());
