@@ -1,49 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "c/touchstone.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
-#include <new>
-#include <sstream>
+#include <optional>
+#include <span>
 
-#include "catalogue/codec/did_you_mean.h"
+#include "audit/counting/drawn_questions.h"
+#include "c/made.h"
 #include "catalogue/operation/probes/explained.h"
+#include "catalogue/operation/probes/listed_operations.h"
 #include "oracle/certificates/check.h"
-#include "program/commands/drawn_questions.h"
-#include "robust/c/answered.h"
 
 namespace touchstone::c {
 namespace {
-
-using namespace catalogue;
-
-/// Prints every number of the catalogue's output with a point or an exponent, so that none reads as an index.
-Json with_points(const Shape& shape, const Json& printed) {
-  EncodedValue<double> encoded;
-  read_json<double>(shape, parse_line(one_line(printed)), "", encoded, read_answer_number);
-  return json_of<double>(shape, encoded,
-                         [](const double& number) { return std::isfinite(number) ? Json(number) : written(number); });
-}
-Json answer_with_points(const Operation& operation, Json printed) {
-  const char* const name = operation.metadata().answer;
-  if (name[0] == 0) return with_points(operation.answer_shape(), printed);
-  printed[name] = with_points(operation.answer_shape(), printed[name]);
-  return printed;
-}
-
-const Operation& operation_named(const char* name) {
-  if (name == nullptr) throw InvalidInput("operation", "missing");
-  if (const Operation* found = find_operation(name)) return *found;
-  std::vector<std::string> known;
-  for (const Operation* operation : all_operations()) known.push_back(operation->name());
-  throw InvalidInput("operation", "there is none of the name " + std::string(name) + did_you_mean(name, known));
-}
-
-Question question_of(const Operation& operation, const char* text) {
-  if (text == nullptr) throw InvalidInput("question", "missing");
-  return operation.parse(parse_line(text));
-}
 
 /// Adds the truth, and what describes it, to a line as fields.
 void add_truth(Json& line, const Examination& examination) {
@@ -55,21 +25,23 @@ void add_truth(Json& line, const Examination& examination) {
   line["touch"] = examination.touch();
 }
 
-char* copied(const std::string& text) {
-  auto* const copy = static_cast<char*>(std::malloc(text.size() + 1));
-  if (copy == nullptr) throw std::bad_alloc();
-  std::memcpy(copy, text.c_str(), text.size() + 1);
-  return copy;
+/// The names of a list with commas; none for NULL and "".
+std::vector<std::string> names_in(const char* list) {
+  std::vector<std::string> names;
+  for (const char* at = list == nullptr ? "" : list; *at != 0; at += *at == ',') {
+    const char* const begin = at;
+    while (*at != 0 && *at != ',') ++at;
+    names.emplace_back(begin, at);
+  }
+  return names;
 }
 
-/// Stores in *result the text that `make` returns.
-template <class Make>
-int made(char** result, touchstone_error* error, const Make& make) {
-  if (result != nullptr) *result = nullptr;
-  return robust::c::answered(error, [&] {
-    if (result == nullptr) throw InvalidInput("result", "missing");
-    *result = copied(make());
-  });
+std::size_t family_named(const Operation& operation, const char* name) {
+  const std::string text = text_of(name, "family");
+  const auto& all = operation.families();
+  const auto found = std::find(all.begin(), all.end(), text);
+  if (found == all.end()) throw InvalidInput("family", "there is none of the name " + text);
+  return static_cast<std::size_t>(found - all.begin());
 }
 
 }  // namespace
@@ -106,10 +78,7 @@ int touchstone_ask(const char* operation, const char* question, char** result, t
 
 int touchstone_certify(const char* claim, touchstone_error* error) {
   std::optional<std::string> refused;
-  const int code = robust::c::answered(error, [&] {
-    if (claim == nullptr) throw InvalidInput("claim", "missing");
-    refused = certify::refuse_text(claim);
-  });
+  const int code = robust::c::answered(error, [&] { refused = certify::refuse_text(c::text_of(claim, "claim")); });
   if (code != TOUCHSTONE_OK || !refused) return code;
   return robust::c::failed(error, TOUCHSTONE_REFUSED, "claim", *refused);
 }
@@ -117,33 +86,33 @@ int touchstone_certify(const char* claim, touchstone_error* error) {
 int touchstone_draw(const char* operation, const char* families, uint64_t cases, uint64_t seed, char** result,
                     touchstone_error* error) {
   return c::made(result, error, [&] {
-    const program::DrawCommand command{.operation = c::operation_named(operation).name(),
-                                       .families = families == nullptr ? "" : families,
-                                       .cases = cases,
-                                       .seed = seed};
+    const catalogue::Operation& asked = c::operation_named(operation);
     std::string lines;
-    try {
-      program::draw_questions(command, [&](const std::string& family, std::uint64_t index, const auto& examination) {
-        catalogue::Json line = catalogue::Json::object();
-        line["op"] = command.operation;
-        line["family"] = family;
-        line["index"] = index;
-        c::add_truth(line, examination);
-        lines += catalogue::one_line(line) + '\n';
-      });
-    } catch (const program::UsageError& wrong) {
-      throw InvalidInput("families", wrong.what());
-    }
+    audit::draw_questions(asked, {.families = c::names_in(families), .cases = cases, .seed = seed},
+                          [&](const std::string& family, std::uint64_t index, const auto& examination) {
+                            catalogue::Json line = catalogue::Json::object();
+                            line["op"] = asked.name();
+                            line["family"] = family;
+                            line["index"] = index;
+                            c::add_truth(line, examination);
+                            lines += catalogue::one_line(line) + '\n';
+                          });
     return lines;
   });
 }
 
-int touchstone_operations(char** result, touchstone_error* error) {
-  return c::made(result, error, [] {
-    std::ostringstream list;
-    program::ops_command(/*json=*/true, list);
-    return list.str();
+int touchstone_replay(const char* operation, const char* family, const uint8_t* bytes, size_t count, char** result,
+                      touchstone_error* error) {
+  return c::made(result, error, [&] {
+    const catalogue::Operation& asked = c::operation_named(operation);
+    const std::size_t drawn = c::family_named(asked, family);
+    catalogue::DrawStream draws = catalogue::DrawStream::replayed(std::span(bytes, count));
+    return catalogue::one_line(asked.print(asked.draw(draws, drawn)));
   });
+}
+
+int touchstone_operations(char** result, touchstone_error* error) {
+  return c::made(result, error, [] { return catalogue::listed_operations().dump(1) + '\n'; });
 }
 
 void touchstone_free(char* result) { std::free(result); }

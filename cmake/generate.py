@@ -26,6 +26,7 @@ PUBLIC = {
     "robust": ["robust/masked_exceptions.h", "robust/*/*.h"],
     "oracle": ["oracle/truth.h", "oracle/*/*.h"],
     "certify": ["oracle/certificates/check.h"],
+    "judge": [],
     "audit": ["program/engine_main.h", "audit/engines/adapter.h", "audit/engines/fuzz.h",
               "catalogue/operation/operation.h", "record.h"],
     "testing": ["testing/*.h"],

@@ -8,7 +8,9 @@ endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT EMSCRIPTEN)
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(CCACHE ccache)
@@ -36,6 +38,12 @@ if(TOUCHSTONE_COVERAGE)
   endif()
 endif()
 
+# WebAssembly rounds to nearest and no other way, its libc++ is older, and its lengths have 32 bits.
+set(of_platform -frounding-math)
+if(EMSCRIPTEN)
+  set(of_platform -include ${PROJECT_SOURCE_DIR}/cmake/libcxx.h -Wno-shorten-64-to-32)
+endif()
+
 # A target compiled from our sources: strict floating point and all warnings, privately.
 function(touchstone_own target)
   if(NOT PROJECT_IS_TOP_LEVEL)
@@ -43,7 +51,7 @@ function(touchstone_own target)
     target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR} ${touchstone_generated})
   endif()
   target_compile_options(
-    ${target} PRIVATE -ffp-contract=off -frounding-math -Wall -Wextra -Wconversion -Wno-sign-conversion
+    ${target} PRIVATE -ffp-contract=off ${of_platform} -Wall -Wextra -Wconversion -Wno-sign-conversion
                       -Wno-missing-field-initializers ${coverage_flags}
                       "$<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer-no-link;-fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/fuzz/driver/instrumented.txt>")
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

@@ -199,6 +199,12 @@ if(TOUCHSTONE_NODE AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   foreach(script viewer player drag)
     add_test(NAME report/${script} COMMAND ${TOUCHSTONE_NODE} ${PROJECT_SOURCE_DIR}/proptests/infrastructure/report/${script}.mjs)
   endforeach()
+  # The npm package: its sources, and the WebAssembly module where ./dev wasm, which also tests the package, has built it.
+  add_test(NAME js/sources COMMAND ${TOUCHSTONE_NODE} ${PROJECT_SOURCE_DIR}/js/tests/sources.mjs)
+  add_test(NAME js/module COMMAND sh -c "test -e '${PROJECT_SOURCE_DIR}/build/wasm/package/module.wasm' || \
+{ echo 'skipped: ./dev wasm builds the module'; exit 77; }; '${TOUCHSTONE_NODE}' '${PROJECT_SOURCE_DIR}/js/tests/same.mjs' \
+'${PROJECT_SOURCE_DIR}/build/wasm/package' '${PROJECT_SOURCE_DIR}/vectors' --share 16 --program '$<TARGET_FILE:touchstone>'")
+  set_tests_properties(js/module PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 # example_suite(NAME PROGRAM FILE): skipped by itself where its framework is not installed.
 function(example_suite name program file)

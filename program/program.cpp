@@ -8,6 +8,7 @@
 
 #include "audit/engines/engine.h"
 #include "audit/limb_memory.h"
+#include "audit/text/regression_test.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/command_tree.h"
 #include "program/commands/commands.h"
@@ -19,7 +20,6 @@
 #include "program/option_rules.h"
 #include "program/reduce_options.h"
 #include "program/run_options.h"
-#include "program/terminal/regression_test.h"
 
 namespace touchstone::program {
 namespace {

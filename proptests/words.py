@@ -16,7 +16,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("audit", "bench", "c", "catalogue", "cmake", "coverage", "docs", "engines", "examples", "fuzz", "geometry",
-           "oracle", "program", "proptests", "python", "reference", "report", "robust", "simulate", "testing")
+           "js", "oracle", "program", "proptests", "python", "reference", "report", "robust", "simulate", "testing")
 SUFFIXES = {".h", ".cpp", ".py", ".js", ".mjs", ".cmake", ".md"}
 # Replaced identifiers, as patterns of the whole identifier, and their replacements.
 REPLACED = {

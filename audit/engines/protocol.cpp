@@ -211,25 +211,29 @@ bool meant_as_answer(std::string_view line) {
                                      [&](std::string_view field) { return line.find(field) != line.npos; });
 }
 
-AnswerLine read_answer_line(const std::string& line) {
-  Json json = parse_line(line);
-  if (!json.is_object()) throw InvalidInput("line", expected("one JSON object", json));
-  if (!json.contains("id")) throw InvalidInput("id", "missing");
-  AnswerLine answer{read_id(json["id"]), {}};
-  Reply& reply = answer.reply;
-  if (json.contains("answer")) {
-    reply.answer = std::move(json["answer"]);
-  } else if (json.contains("error")) {
-    const Json& error = json["error"];
+Reply read_reply(Json object) {
+  Reply reply;
+  if (object.contains("answer")) {
+    reply.answer = std::move(object["answer"]);
+  } else if (object.contains("error")) {
+    const Json& error = object["error"];
     reply.kind = Reply::Kind::failed;
     reply.remark = "error: " + excerpt(error.is_string() ? error.get_ref<const std::string&>() : one_line(error), 200);
-  } else if (json.contains("unsupported") && json["unsupported"] == true) {
+  } else if (object.contains("unsupported") && object["unsupported"] == true) {
     reply.kind = Reply::Kind::unsupported;
   } else {
     reply.kind = Reply::Kind::failed;
     reply.remark = R"(neither "answer" nor "error" nor "unsupported")";
   }
-  return answer;
+  return reply;
+}
+
+AnswerLine read_answer_line(const std::string& line) {
+  Json json = parse_line(line);
+  if (!json.is_object()) throw InvalidInput("line", expected("one JSON object", json));
+  if (!json.contains("id")) throw InvalidInput("id", "missing");
+  const std::uint64_t id = read_id(json["id"]);
+  return {id, read_reply(std::move(json))};
 }
 
 }  // namespace touchstone::audit

@@ -53,6 +53,9 @@ std::optional<QuestionLine> split_question_line(std::string_view line);
 /// answer or nothing else. Any other such line does not concern a question.
 bool meant_as_answer(std::string_view line);
 
+/// The reply in an answer's object, whose id is not read; `failed` if there is none.
+Reply read_reply(Json object);
+
 /// One answer. Throws InvalidInput if the line is not an answer: not JSON, or without an id. If only the rest of it is
 /// wrong, the reply is `failed`.
 struct AnswerLine {

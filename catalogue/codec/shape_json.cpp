@@ -2,10 +2,12 @@
 #include "catalogue/codec/shape_json.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/expected.h"
+#include "catalogue/codec/meanings.h"
 #include "catalogue/codec/mesh_json.h"
 #include "catalogue/numbers/true_number.h"
 
@@ -202,13 +204,18 @@ void read_json(const Shape& shape, const Json& json, const std::string& path, En
   }
 }
 
-Json json_of(const Shape& shape) {
+namespace {
+
+/// The text that stands for a number: "number", or its meaning.
+using NameNumber = const char* (*)(Meaning);
+
+Json described(const Shape& shape, NameNumber name) {
   switch (shape.kind) {
-    case Shape::Kind::number: return "number";
+    case Shape::Kind::number: return name(shape.meaning);
     case Shape::Kind::flag: return "true | false";
     case Shape::Kind::index: return "index";
-    case Shape::Kind::optional: return json_of(*shape.parts[0].shape);
-    case Shape::Kind::list: return Json::array({json_of(*shape.parts[0].shape), "..."});
+    case Shape::Kind::optional: return described(*shape.parts[0].shape, name);
+    case Shape::Kind::list: return Json::array({described(*shape.parts[0].shape, name), "..."});
     case Shape::Kind::word: {
       std::string words;
       for (const char* word : shape.words) words += (words.empty() ? "" : " | ") + std::string(word);
@@ -216,23 +223,38 @@ Json json_of(const Shape& shape) {
     }
     case Shape::Kind::choice: {
       Json alternatives = Json::object();
-      for (const Shape::Part& part : shape.parts) alternatives["one of"].push_back(json_of(*part.shape));
+      for (const Shape::Part& part : shape.parts) alternatives["one of"].push_back(described(*part.shape, name));
       return alternatives;
     }
     case Shape::Kind::record: break;
   }
-  if (shape.form == Form::bare) return json_of(*shape.parts[0].shape);
+  if (shape.form == Form::bare) return described(*shape.parts[0].shape, name);
   Json record = shape.form == Form::list ? Json::array() : Json::object();
   for (const Shape::Part& part : shape.parts) {
-    if (shape.form == Form::list) record.push_back(json_of(*part.shape));
-    else record[std::string(part.name) + (part.shape->kind == Shape::Kind::optional ? "?" : "")] = json_of(*part.shape);
+    if (shape.form == Form::list) record.push_back(described(*part.shape, name));
+    else
+      record[std::string(part.name) + (part.shape->kind == Shape::Kind::optional ? "?" : "")] =
+          described(*part.shape, name);
   }
   if (shape.form == Form::mesh) {
     record["faces"] = std::move(record["polygons"]);
-    record["cut?"] = json_of(*shape.parts[1].shape);
+    record["cut?"] = described(*shape.parts[1].shape, name);
     record.erase("polygons");
   }
   return record;
+}
+
+}  // namespace
+
+Json json_of(const Shape& shape) {
+  return described(shape, [](Meaning) { return "number"; });
+}
+
+Json meanings_of(const Shape& shape) {
+  return described(shape, [](Meaning meaning) {
+    constexpr std::array<const char*, 4> names{"number", "place", "direction", "length"};
+    return names[static_cast<std::size_t>(meaning)];
+  });
 }
 
 template Json json_of(const Shape&, Cursor<double>&, WriteNumber<double>);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/counting/audit_run.h"
 #include "audit/engines/notes.h"
+#include "audit/text/geometries.h"
+#include "audit/text/regression_test.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/probes/explained.h"
 #include "program/commands/commands.h"
 #include "program/commands/file_meshes.h"
-#include "program/commands/geometries.h"
 #include "program/terminal/exit_codes.h"
-#include "program/terminal/regression_test.h"
 #include "report/words/wording.h"
 
 namespace touchstone::program {

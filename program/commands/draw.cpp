@@ -1,62 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
-#include "audit/counting/audit_run.h"
-#include "catalogue/codec/did_you_mean.h"
-#include "program/commands/drawn_questions.h"
+#include "audit/counting/drawn_questions.h"
+#include "program/commands/commands.h"
 #include "program/terminal/exit_codes.h"
 
 namespace touchstone::program {
 namespace {
-
-using Visit = std::function<void(const std::string& family, std::uint64_t index, const Examination&)>;
-
-/// After this many questions in a row that are outside the contract, or not of ordinary magnitude, a family is given
-/// up.
-constexpr std::uint64_t most_refused = 1000;
-
-/// One family's questions within the contract, in the order in which an audit of the same seed asks them.
-class Questions {
- public:
-  Questions(const Operation& operation, std::size_t family, const DrawCommand& command)
-      : operation_(&operation), family_(family), command_(&command) {}
-
-  /// Returns whether there was one: false after a thousand unwanted ones in a row.
-  bool visit_next(const Visit& visit) {
-    for (std::uint64_t refused = 0; refused < most_refused; ++refused) {
-      const std::uint64_t index = index_++;
-      DrawStream draws = case_draws(*operation_, family_, command_->seed, index);
-      Question question = operation_->draw(draws, family_);
-      if (command_->binary32) question = operation_->in_binary32(question);
-      if (command_->range == "ordinary" && range_of(question) != Range::ordinary) continue;
-      if (const auto examination = within_the_contract(question)) {
-        visit(operation_->families()[family_], index, *examination);
-        return true;
-      }
-    }
-    return false;
-  }
-  std::string refusal() const {
-    return "--families " + operation_->families()[family_] + ": none of " + std::to_string(most_refused) +
-           " questions is within the contract of " + operation_->name() +
-           (command_->range == "ordinary" ? " and of ordinary size" : "");
-  }
-
- private:
-  /// nullptr if the oracle refuses the question.
-  std::unique_ptr<Examination> within_the_contract(const Question& question) const {
-    try {
-      return operation_->examine(question);
-    } catch (const InvalidInput&) {
-      return nullptr;
-    }
-  }
-
-  const Operation* operation_;
-  std::size_t family_;
-  const DrawCommand* command_;
-  std::uint64_t index_ = 0;
-};
 
 Json line_of(const std::string& family, std::uint64_t index, const Examination& examination) {
   Json line = Json::object();
@@ -73,35 +21,17 @@ Json line_of(const std::string& family, std::uint64_t index, const Examination& 
 
 }  // namespace
 
-void draw_questions(const DrawCommand& command, const Visit& visit) {
-  const Operation& operation = operation_named(command.operation);
-  const std::vector<std::string>&all = operation.families(), chosen = split(command.families);
-  std::vector<Questions> families;
-  for (std::size_t family = 0; family < all.size(); ++family) {
-    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), all[family]) != chosen.end())
-      families.emplace_back(operation, family, command);
-  }
-  for (const std::string& name : chosen) {
-    if (std::find(all.begin(), all.end(), name) == all.end())
-      throw UsageError("--families " + name + ": " + operation.name() + " has no such family" +
-                       did_you_mean(name, all) + "; touchstone ops --json lists them");
-  }
-  for (std::uint64_t at = 0; at < command.cases;) {
-    const std::size_t turn = at % families.size();
-    if (families[turn].visit_next(visit)) {
-      ++at;
-    } else if (!chosen.empty() || families.size() == 1) {
-      throw UsageError(families[turn].refusal());
-    } else {
-      families.erase(families.begin() + static_cast<std::ptrdiff_t>(turn));  // it was not requested by name
-    }
-  }
-}
-
 int draw_command(const DrawCommand& command, std::ostream& out) {
-  draw_questions(command, [&](const std::string& family, std::uint64_t index, const Examination& examination) {
-    out << one_line(line_of(family, index, examination)) << '\n';
-  });
+  const DrawOptions options{split(command.families), command.cases, command.seed, command.range == "ordinary",
+                            command.binary32};
+  try {
+    draw_questions(operation_named(command.operation), options,
+                   [&](const std::string& family, std::uint64_t index, const Examination& examination) {
+                     out << one_line(line_of(family, index, examination)) << '\n';
+                   });
+  } catch (const InvalidInput& refused) {
+    throw UsageError("--families " + refused.rule());
+  }
   return nothing_found;
 }
 

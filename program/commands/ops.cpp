@@ -5,17 +5,13 @@
 #include <array>
 
 #include "catalogue/codec/excerpt.h"
-#include "catalogue/operation/operation.h"
+#include "catalogue/operation/probes/listed_operations.h"
 #include "catalogue/operation/probes/synonyms.h"
 #include "program/commands/commands.h"
 #include "program/terminal/exit_codes.h"
 
 namespace touchstone::program {
 namespace {
-
-constexpr std::array<const char*, 5> kind_names{"decision", "measure", "set", "checked", "covering"};
-
-const char* kind_name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
 std::string joined(const FieldNames& words) {
   std::string text;
@@ -47,49 +43,17 @@ void print_table(std::ostream& out) {
   std::vector<Line> lines{{"operation", "chapter", "pages", "judged", "input", "question"}};
   for (const Operation* operation : all_operations()) {
     const Metadata& metadata = operation->metadata();
-    lines.push_back({metadata.name, metadata.chapter, metadata.pages, kind_name(metadata.kind), all_fields(metadata),
+    lines.push_back({metadata.name, metadata.chapter, metadata.pages, name_of(metadata.kind), all_fields(metadata),
                      metadata.question});
   }
   print(lines, out);
 }
 
-Json json_of(const Time& time) {
-  Json json = Json::object();
-  json["robust"] = name_of(time.robust);
-  json["oracle"] = name_of(time.oracle);
-  json["ask"] = name_of(time.ask);
-  json["reference"] = name_of(time.reference);
-  return json;
-}
-
-void print_json(std::ostream& out) {
-  Json list = Json::array();
-  for (const Operation* operation : all_operations()) {
-    const Metadata& metadata = operation->metadata();
-    Json entry = Json::object();
-    entry["name"] = metadata.name;
-    entry["chapter"] = metadata.chapter;
-    entry["pages"] = metadata.pages;
-    entry["fields"] = metadata.fields;
-    if (!metadata.other_fields.empty()) entry["other_fields"] = metadata.other_fields;
-    entry["input"] = operation->question_description();
-    if (metadata.is_implementation()) entry["implementation_of"] = metadata.implementation_of;
-    entry["words"] = operation->words();
-    entry["kind"] = kind_name(metadata.kind);
-    entry["cost"] = metadata.cost;
-    entry["time"] = json_of(metadata.time);
-    entry["question"] = metadata.question;
-    entry["answer"] = operation->answer_description();
-    entry["families"] = operation->families();
-    list.push_back(std::move(entry));
-  }
-  out << list.dump(1) << '\n';
-}
-
 }  // namespace
 
 int ops_command(bool json, std::ostream& out) {
-  json ? print_json(out) : print_table(out);
+  if (json) out << listed_operations().dump(1) << '\n';
+  else print_table(out);
   return nothing_found;
 }
 

@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "audit/meshes/repair.h"
+#include "audit/text/regression_test.h"
 #include "audit/version.h"
 #include "catalogue/operation/probes/explained.h"
 #include "catalogue/operation/probes/values_in.h"
 #include "program/terminal/exit_codes.h"
 #include "program/terminal/names.h"
-#include "program/terminal/regression_test.h"
 #include "report/pages/html_finding.h"
 #include "report/parts/html_parts.h"
 #include "report/words/wording.h"

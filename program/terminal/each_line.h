@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "audit/text/geometries.h"
 #include "program/terminal/names.h"
 
 namespace touchstone::program {
@@ -24,6 +25,25 @@ std::uint64_t each_line(const std::string& file, const Visit& visit) {
     visit(number, text);
   }
   return filled;
+}
+
+/// Calls visit(number of the first line, text) for each JSON text of a file, each of one line or more, like each_line
+/// for lines.
+template <class Visit>
+std::uint64_t each_json_text(const std::string& file, const Visit& visit) {
+  std::string text;
+  OpenBrackets open;
+  std::uint64_t first = 0, texts = 0;
+  each_line(file, [&](std::uint64_t number, const std::string& line) {
+    if (text.empty()) first = number, ++texts;
+    text += line + "\n";
+    open.read(line);
+    if (!open.none()) return;
+    visit(first, text);
+    text.clear(), open = {};
+  });
+  if (!text.empty()) visit(first, text);
+  return texts;
 }
 
 }  // namespace touchstone::program

@@ -161,14 +161,6 @@ std::string name_of(Speaker speaker, const Declaration& declaration) {
   return speaker == Speaker::reference ? "Formula" : speaker == Speaker::robust ? "Robust" : declaration.engine;
 }
 
-std::string sentence(const Operation& operation, const Json& answer) {
-  constexpr std::size_t longest = 240;
-  const Json in_short = readable(answer, 12, 6);
-  std::string text = phrase(operation, in_short);
-  if (text.empty()) text = one_line(in_short);
-  return text.size() > longest ? text.substr(0, text.rfind(',', longest)) + ", \u2026" : text;
-}
-
 std::string right_case(const Operation& operation) {
   constexpr std::uint64_t most_drawn = 40;
   constexpr std::size_t longest = 400;

@@ -22,7 +22,4 @@ std::string right_case(const Operation& operation);
 /// The author of an answer, as the beginning of a caption: "Formula", "Robust", "my engine 1.0".
 std::string name_of(Speaker speaker, const Declaration& declaration);
 
-/// "Right of the line" for a full answer, exact or not; if it has too many numbers for a sentence, the answer itself.
-std::string sentence(const Operation& operation, const Json& answer);
-
 }  // namespace touchstone::report

@@ -182,4 +182,12 @@ std::string phrase(const Operation& operation, const JudgedOutcome& outcome) {
                                   : quoted(answer) + " where the truth is " + quoted(phrase(operation, outcome.truth));
 }
 
+std::string sentence(const Operation& operation, const Json& answer) {
+  constexpr std::size_t longest = 240;
+  const Json in_short = readable(answer, 12, 6);
+  std::string text = phrase(operation, in_short);
+  if (text.empty()) text = one_line(in_short);
+  return text.size() > longest ? text.substr(0, text.rfind(',', longest)) + ", \u2026" : text;
+}
+
 }  // namespace touchstone::report

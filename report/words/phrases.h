@@ -18,6 +18,10 @@ std::string phrase(const Operation& operation, const std::string& word);
 /// `answer` is shown as given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
 
+/// The same of an answer, exact or not, with its numbers shortened; if it has too many for a sentence, the answer
+/// itself.
+std::string sentence(const Operation& operation, const Json& answer);
+
 /// The answer and the truth: “on it” where the truth is “left of the line”.
 std::string phrase(const Operation& operation, const JudgedOutcome& outcome);
 

@@ -8,7 +8,7 @@
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/nearest_double.h"
 #include "program/commands/commands.h"
-#include "program/commands/geometries.h"
+#include "audit/text/geometries.h"
 #include "program/terminal/each_line.h"
 #include "program/terminal/interruptible.h"
 

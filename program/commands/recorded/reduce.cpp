@@ -12,7 +12,7 @@
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/probes/explained.h"
 #include "program/commands/file_meshes.h"
-#include "program/commands/geometries.h"
+#include "audit/text/geometries.h"
 #include "program/commands/reduced_files.h"
 #include "program/terminal/each_line.h"
 #include "program/terminal/exit_codes.h"

@@ -144,6 +144,88 @@ static void errors(void) {
   touchstone_free(text);
 }
 
+/* What an engine that always says "left" is called with. */
+struct asked {
+  int times;
+  char last[200];
+};
+static const char* always_left(void* user, const char* operation, const char* question) {
+  struct asked* const asked = user;
+  ++asked->times;
+  strncpy(asked->last, question, sizeof asked->last - 1);
+  if (strcmp(operation, "orientation") != 0) return "{\"unsupported\":true}";
+  return "{\"answer\":{\"side\":\"left\"}}";
+}
+static const char* never_asked(void* user, const char* operation, const char* question) {
+  (void)user, (void)operation, (void)question;
+  return NULL;
+}
+
+static void audits(void) {
+  static const char* const greeting = "{\"engine\":\"left 1.0\",\"ops\":[\"orientation\"],\"boundary\":\"closed\"}";
+  static const char* const right = "{\"p0\":[0,0],\"p1\":[4,0],\"p\":[3,-7]}";
+  struct asked asked = {0, {0}};
+  touchstone_error error;
+  char* text;
+  check(touchstone_judge(greeting, "orientation", right, "{\"answer\":{\"side\":\"left\"}}", &text, &error) == TOUCHSTONE_OK,
+        "an answer is judged");
+  check(says(text, "verdict", "wrong") && strstr(text, "\"finding\":true") != NULL && strstr(text, "\"why\":") != NULL, text);
+  touchstone_free(text);
+  check(touchstone_judge(greeting, "orientation", right, "nonsense", &text, &error) == TOUCHSTONE_OK && says(text, "verdict", "invalid"),
+        "a reply that is not JSON is invalid");
+  touchstone_free(text);
+  check(touchstone_audit("{\"ops\":[\"orientation\"],\"cases\":200}", greeting, always_left, &asked, &text, &error) == TOUCHSTONE_OK,
+        "an engine is audited");
+  check(asked.times >= 200 && strstr(text, "\"exit_code\":1,") != NULL, "it is asked, and wrong");
+  check(text != NULL && strstr(text, "touchstone audit of left 1.0 (binary64), boundary closed; 200 cases") != NULL, "it has a table");
+  touchstone_free(text);
+  check(touchstone_audit("{\"ops\":[\"orientation\"],\"cases\":20}", greeting, never_asked, NULL, &text, &error) == TOUCHSTONE_OK &&
+            strstr(text, "\"exit_code\":1,") != NULL && strstr(text, "questions not asked") != NULL, "unasked questions are reported");
+  touchstone_free(text);
+  check(touchstone_audit("{\"case\":20}", greeting, always_left, &asked, &text, &error) == TOUCHSTONE_INVALID_INPUT &&
+            strcmp(error.field, "options.case") == 0 && strstr(error.rule, "cases") != NULL, "a misspelt option");
+  check(touchstone_audit(NULL, greeting, NULL, NULL, &text, &error) == TOUCHSTONE_INVALID_INPUT, "no engine");
+  check(touchstone_shrink("orientation", "{\"p0\":[0.5,0.25],\"p1\":[4.5,0.125],\"p\":[3.75,-7.5]}", NULL, greeting, always_left, &asked,
+                          &text, &error) == TOUCHSTONE_OK && strstr(text, "\"finished\":true") != NULL, "a finding is made small");
+  touchstone_free(text);
+  check(touchstone_shrink("orientation", right, NULL, NULL, NULL, NULL, &text, &error) == TOUCHSTONE_INVALID_INPUT &&
+            strcmp(error.field, "question") == 0, "where the formula is right, there is nothing to shrink");
+}
+
+static void pictures(void) {
+  static const char* const question = "{\"p0\":[0,0],\"p1\":[0.3,0.3],\"p\":[0.1,0.1]}";
+  static const char* const segments = "{\"a\":[[0,0,0],[2,0,0]],\"b\":[[1,1,1],[3,0,0]]}";
+  const uint8_t bytes[4] = {1, 2, 3, 4};
+  touchstone_error error;
+  char* text;
+  check(touchstone_explain("orientation", question, &text, &error) == TOUCHSTONE_OK && says(text, "checker", "") &&
+            says(text, "outcome", "on") && strstr(text, "\"as_typed\":{\"sentence\":") != NULL, "explained");
+  touchstone_free(text);
+  check(touchstone_drawing("orientation", question, NULL, &text, &error) == TOUCHSTONE_OK && strstr(text, "<svg") != NULL &&
+            strstr(text, "\"whose\":\"question\"") != NULL, "drawn in the plane");
+  touchstone_free(text);
+  check(touchstone_drawing("segment_segment_distance", segments, NULL, &text, &error) == TOUCHSTONE_OK &&
+            strstr(text, "\"model\":{\"title\"") != NULL, "drawn in space");
+  touchstone_free(text);
+  check(touchstone_map("orientation", question, 0, 5, 3, 0, &text, &error) == TOUCHSTONE_OK &&
+            strstr(text, "\"fields\":[\"p0[0]\",\"p[1]\"]") != NULL, "a map");
+  touchstone_free(text);
+  check(touchstone_map("orientation", question, 0, 6, 3, 0, &text, &error) == TOUCHSTONE_INVALID_INPUT &&
+            strcmp(error.field, "axes") == 0, "no such axis");
+  check(touchstone_map("orientation", question, 0, 1, 4, 0, &text, &error) == TOUCHSTONE_INVALID_INPUT, "no middle");
+  check(touchstone_replay("orientation", "collinear", bytes, 4, &text, &error) == TOUCHSTONE_OK && strstr(text, "\"p1\":") != NULL,
+        "a question of bytes");
+  touchstone_free(text);
+  check(touchstone_read("segment_segment", "LINESTRING (0 0, 2 0); LINESTRING (1 0, 0.10 3)", &text, &error) == TOUCHSTONE_OK &&
+            strcmp(text, "{\"a\":[[0,0],[2,0]],\"b\":[[1,0],[0.10,3]]}") == 0, text);
+  touchstone_free(text);
+  check(touchstone_regression_test("orientation", question, "jest", &text, &error) == TOUCHSTONE_OK && strstr(text, "my_orientation") != NULL,
+        "a regression test");
+  touchstone_free(text);
+  check(touchstone_regression_test("orientation", question, "junit", &text, &error) == TOUCHSTONE_INVALID_INPUT, "no such framework");
+  check(touchstone_replay("orientation", "colinear", NULL, 0, &text, &error) == TOUCHSTONE_INVALID_INPUT, "no family to replay");
+}
+
 static void records(void) {
   const double points[6] = {0, 0, 1, 0, 2, 0};
   FILE* log;
@@ -161,6 +243,8 @@ int main(void) {
   decisions();
   shapes();
   errors();
+  audits();
+  pictures();
 #ifdef VERSION_OF_PACKAGE
   check(strcmp(TOUCHSTONE_VERSION, VERSION_OF_PACKAGE) == 0, "the version in the header is the package's");
 #endif

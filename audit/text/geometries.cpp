@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/commands/geometries.h"
+#include "audit/text/geometries.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
 
-namespace touchstone::program {
+namespace touchstone::audit {
 namespace {
 
 std::string shown(const std::string& text) { return excerpt(text, most_of_a_key); }
@@ -185,4 +185,4 @@ void OpenBrackets::read(const std::string& line) {
   }
 }
 
-}  // namespace touchstone::program
+}  // namespace touchstone::audit

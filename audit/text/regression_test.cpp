@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/terminal/regression_test.h"
+#include "audit/text/regression_test.h"
 
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/judge/compare.h"
 
-namespace touchstone::program {
+namespace touchstone::audit {
 namespace {
 
 /// The literals that differ from JSON in Python or JavaScript.
@@ -152,4 +152,4 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
          "(question)).toEqual(expected); // toEqual tells -0 from 0, which are the same answer\n});\n";
 }
 
-}  // namespace touchstone::program
+}  // namespace touchstone::audit

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
-#include "program/terminal/each_line.h"
-#include "program/terminal/uses.h"
 
 /// Questions in WKT and GeoJSON: a geometry for each field of the operation, in the order of the fields.
-namespace touchstone::program {
+namespace touchstone::audit {
 
 /// The geometries of a line of WKT, separated by semicolons, in the form of GeoJSON. Throws InvalidInput naming the
 /// column.
@@ -39,23 +38,4 @@ class OpenBrackets {
   int depth_ = 0;
 };
 
-/// Calls visit(number of the first line, text) for each JSON text of a file, each of one line or more, like each_line
-/// for lines.
-template <class Visit>
-std::uint64_t each_json_text(const std::string& file, const Visit& visit) {
-  std::string text;
-  OpenBrackets open;
-  std::uint64_t first = 0, texts = 0;
-  each_line(file, [&](std::uint64_t number, const std::string& line) {
-    if (text.empty()) first = number, ++texts;
-    text += line + "\n";
-    open.read(line);
-    if (!open.none()) return;
-    visit(first, text);
-    text.clear(), open = {};
-  });
-  if (!text.empty()) visit(first, text);
-  return texts;
-}
-
-}  // namespace touchstone::program
+}  // namespace touchstone::audit

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "audit/text/geometries.h"
 #include "catalogue/codec/excerpt.h"
-#include "program/commands/geometries.h"
 
-namespace touchstone::program {
+namespace touchstone::audit {
 namespace {
 
 /// Reads WKT and returns the same as JSON, in which every number is as it was typed.
@@ -154,4 +154,4 @@ class Wkt {
 
 Json geometries_of_wkt(const std::string& line) { return parse_line(Wkt(line).geometries()); }
 
-}  // namespace touchstone::program
+}  // namespace touchstone::audit

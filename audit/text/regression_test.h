@@ -5,10 +5,10 @@
 #include <set>
 #include <string>
 
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
-#include "program/terminal/uses.h"
 
-namespace touchstone::program {
+namespace touchstone::audit {
 
 inline constexpr std::array<const char*, 4> test_frameworks{"catch2", "gtest", "pytest", "jest"};
 
@@ -40,4 +40,4 @@ struct InCpp {
 };
 InCpp in_cpp(const Operation& operation, const Question& question, const EncodedValue<double>& answer);
 
-}  // namespace touchstone::program
+}  // namespace touchstone::audit

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "audit/engines/signature.h"
-#include "program/terminal/regression_test.h"
+#include "audit/text/regression_test.h"
 
-namespace touchstone::program {
+namespace touchstone::audit {
 namespace {
 
 std::string spelled_number(double number) {
@@ -47,4 +47,4 @@ InCpp in_cpp(const Operation& operation, const Question& question, const Encoded
   return result;
 }
 
-}  // namespace touchstone::program
+}  // namespace touchstone::audit
