@@ -63,9 +63,8 @@ COMMENT_PHRASES = {
     r"for ever": "without limit",
 }
 # Comments are held to this in the folders whose comments have been rewritten.
-COMMENTED = ("audit", "bench", "c", "catalogue/codec", "catalogue/draw", "catalogue/judge", "catalogue/numbers",
-             "catalogue/operation", "fuzz", "oracle", "program", "python", "reference", "report", "robust", "simulate",
-             "testing")
+COMMENTED = ("audit", "bench", "c", "catalogue", "fuzz", "geometry", "oracle", "program", "python", "reference", "report",
+             "robust", "simulate", "testing")
 
 
 def any_of(phrases):
