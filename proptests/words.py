@@ -187,7 +187,7 @@ CLEAR = {
              "```\nOf code nothing is said.\n```"),
     "robust/a.h": ("/// True if it holds.", "f(\"// Of it\");", "/// Where rings meet, they touch.",
                    "/// `beside` and beside.h.", "int told;", "/// What is it?", "x; // as seen from outside"),
-    "geometry/a.h": ("/// Whether it holds.",),
+    "examples/a.h": ("/// Whether it holds.",),
     "a.py": ('"""Returns whether it holds."""', "# Whether", "x = 'Of strings'"),
     "CHANGELOG.md": ("Of whole numbers.",),
 }
