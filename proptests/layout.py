@@ -16,6 +16,7 @@ import tempfile
 from draw_order import unordered_draws
 
 MODULES = {
+    "arithmetic": {"arithmetic"},
     "geometry": {"geometry"},
     "reference": {"geometry", "reference"},
     "robust": {"geometry", "robust"},
