@@ -25,8 +25,8 @@ function asTyped({ as_typed, truth }) {
   if (as_typed.truth === null) return `<p class="small">As typed, in exact decimals, the question is outside the contract.</p>`;
   const same = JSON.stringify(as_typed.truth) === JSON.stringify(truth);
   return same ? `<p class="small quiet" data-part="as-typed">As typed, in exact decimals: the same.</p>`
-    : `<p data-part="as-typed">As typed, in exact decimals: <strong>${escaped(as_typed.sentence)}</strong> ${coded(as_typed.truth)} ` +
-      `<span class="small quiet">Doubles are not these decimals.</span></p>`;
+    : `<div data-part="as-typed">As typed, in exact decimals: <strong>${escaped(as_typed.sentence)}</strong> ${coded(as_typed.truth)} ` +
+      `<span class="small quiet">Doubles are not these decimals.</span></div>`;
 }
 
 /** The verdict in one word: of a wrong answer its cause. */
@@ -53,7 +53,7 @@ export function answered(said, others = {}) {
     rows.push(row(`${name}-double`, reference, `${words} in double`), row(`${name}-float`, reference_in_float, `${words} in float`));
   }
   return `<section class="card truth-card" data-part="truth"><p class="kicker">The exact truth</p>` +
-    `<p class="sentence">${escaped(upper(said.sentence ?? ""))}</p><p>${coded(said.truth)}</p>` +
+    `<p class="sentence">${escaped(upper(said.sentence ?? ""))}</p><div class="exact">${coded(said.truth)}</div>` +
     `<p class="small quiet" data-part="margin">${marginOf(said)}</p>${asTyped(said)}</section>` +
     `<section class="card"><h2>Who says what</h2><table class="said"><tbody>${rows.join("")}</tbody></table></section>` +
     `<section class="card" data-part="certificate"><h2>Certificate</h2><p>${said.checker ? `${badge("invalid")} ${escaped(said.checker)}`

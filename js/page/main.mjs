@@ -58,6 +58,7 @@ let asking = false, again = false, fitsNext = false;
 async function ask(fit = false) {
   fitsNext ||= fit;
   again = true;
+  one("#answers").setAttribute("aria-busy", "true");
   if (asking) return;
   asking = true;
   while (again) {
@@ -75,6 +76,7 @@ async function ask(fit = false) {
     }
   }
   asking = false;
+  one("#answers").setAttribute("aria-busy", "false");
   picture.set({ tree, parts, drawing }, fitsNext);
   fitsNext = false;
   followed();
@@ -139,14 +141,13 @@ function fromAddress() {
   for (const details of document.querySelectorAll("details.tool")) details.open = (chosen.open ?? "").split(",").includes(details.id);
   formula.linked = chosen.formula ?? "";
   const op = byName.get(chosen.op) ?? byName.get(first);
-  operation = undefined;
   let given;
   try {
     given = parsed(chosen.q);
   } catch {
     given = parsed(jsonOf(op.example));
   }
-  change(given, { op });
+  change(given, { op, fit: true });
   maps.axes = chosen.axes?.split(",").map(Number) ?? null;
   const turn = chosen.turn?.split(",").map(Number);
   picture.turnWith(turn?.length === 2 && turn.every(Number.isFinite) ? turn : null);
@@ -253,4 +254,3 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => one(
 
 fromAddress();
 status(`${picker.operations.length} operations, ready in ${Math.round(performance.now() - began)} ms`);
-document.documentElement.dataset.ready = "";

@@ -2,7 +2,7 @@
 /* global escaped, tenths, viewer */
 // The picture of the question and its truth, with handles that the reader drags or moves by keys.
 import { handlesOf } from "./handles.mjs";
-import { View, extentOf, pictureOf, ticksOf } from "./view.mjs";
+import { View, extentOf, minus, pictureOf, size, ticksOf } from "./view.mjs";
 
 const { width, height } = viewer.size;
 const nothing = { figures: [], space: [], notes: [], search: "" };
@@ -103,12 +103,13 @@ export class Picture {
   }
   #down(event) {
     if (event.button !== 0) return;
-    const [x, y] = this.#pixel(event), name = event.target.closest(".handle")?.dataset.handle;
-    const handle = this.#handles.find((each) => each.name === name);
-    const [from, to] = [[x, y], handle ? this.view.seen(handle.at) : [0, 0]];
-    this.#held = { id: event.pointerId, x, y, handle, beside: [from[0] - to[0], from[1] - to[1]] };
+    const [x, y] = this.#pixel(event);
+    // Where grips overlap, the handle nearest to the pointer.
+    const near = event.target.closest(".handle") ? this.#handles.map((handle) => ({ handle, beside: minus([x, y], this.view.seen(handle.at)) }))
+      .sort((one, other) => size(one.beside) - size(other.beside))[0] : {};
+    this.#held = { id: event.pointerId, x, y, ...near };
     this.svg.setPointerCapture(event.pointerId);
-    if (handle) this.svg.querySelector(`[data-handle="${CSS.escape(name)}"]`).focus({ preventScroll: true });
+    if (near.handle) this.svg.querySelector(`[data-handle="${CSS.escape(near.handle.name)}"]`).focus({ preventScroll: true });
     event.preventDefault();
   }
   #move(event) {
