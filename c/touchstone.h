@@ -99,6 +99,11 @@ int touchstone_audit(const char* options, const char* greeting, touchstone_engin
 int touchstone_shrink(const char* operation, const char* question, const char* options, const char* greeting,
                       touchstone_engine engine, void* user, char** result, touchstone_error* error);
 
+/* A scene (docs/simulate.md), as `touchstone simulate` plays it: {"summary":"..","page":".."}, what the program prints
+ * and the page of its --page; of an exact gas the summary alone; and "ended", why, where a step cannot be made.
+ * `options`, which may be NULL: an object of "runs" (["float","double","robust"]) and "steps" (0: those of the scene). */
+int touchstone_simulate(const char* scene, const char* options, char** result, touchstone_error* error);
+
 /* A list of all operations: names, fields, answers, enumerators, families. */
 int touchstone_operations(char** result, touchstone_error* error);
 

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # MPFR::mpfr
 
+if(TARGET MPFR::mpfr)  # TOUCHSTONE_ARITHMETIC=OWN
+  set(MPFR_FOUND TRUE)
+  return()
+endif()
 find_path(MPFR_INCLUDE_DIR mpfr.h)
 find_library(MPFR_LIBRARY mpfr)
 mark_as_advanced(MPFR_INCLUDE_DIR MPFR_LIBRARY)

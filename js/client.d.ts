@@ -1,6 +1,6 @@
 import type {
   AnswersOf, Asked, Audit, AuditOptions, Claim, Drawing, DrawOptions, Drawn, Families, InWords, JudgedReply, MapOptions,
-  Operation, OperationMetadata, Question, Questions, ShrinkOptions, TestFramework, UlpMap,
+  Operation, OperationMetadata, Question, Questions, ShrinkOptions, Simulated, TestFramework, UlpMap,
 } from "./index.js";
 
 export { InvalidInput } from "./index.js";
@@ -18,6 +18,8 @@ export interface InWorker {
   read(operation: Operation, text: string): Promise<string>;
   regressionTest<O extends Operation>(operation: O, question: Question<O>, framework?: TestFramework): Promise<string>;
   map<O extends Operation>(operation: O, question: Question<O>, options?: MapOptions): Promise<UlpMap>;
+  simulate(scene: object | string, options?: { runs?: ("float" | "double" | "robust")[]; steps?: number }):
+    Promise<Simulated>;
   certify(claim: object | string): Promise<string>;
   draw<O extends Operation>(operation: O, options?: DrawOptions<O>): Promise<Drawn<O>[]>;
   replay<O extends Operation>(operation: O, family: Families[O], bytes: Uint8Array): Promise<Questions[O]>;

@@ -141,6 +141,10 @@ export class Answers {
     const [first, second] = axes ?? this.operation(operation).axes;
     return this.#calls.json("map", operation, textOf(question), first, second, side, float ? 1 : 0);
   }
+  /** A scene, played as `touchstone simulate` plays it: the summary, and the page that shows the runs side by side. */
+  simulate(scene, options = {}) {
+    return this.#calls.json("simulate", textOf(scene), jsonOf(options));
+  }
   /** "" if the certificate proves the claim's truth, otherwise the checker's complaint. */
   certify(claim) {
     return this.#calls.complaint(textOf(claim));

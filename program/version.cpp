@@ -31,8 +31,10 @@ std::string version() {
   const auto add = [&](const std::string& library, const char* licence, const char* source) {
     text += fmt::format("\n  {}, {}, {}", library, licence, source);
   };
+#ifndef TOUCHSTONE_OWN_ARITHMETIC
   add(std::string("GMP ") + gmp_version, "LGPL-3.0-or-later OR GPL-2.0-or-later", "https://gmplib.org");
   add(std::string("MPFR ") + mpfr_get_version(), "LGPL-3.0-or-later", "https://www.mpfr.org");
+#endif
   add("nlohmann-json " + json, "MIT", "https://github.com/nlohmann/json");
   add("{fmt} " + triple(FMT_VERSION, 100), "MIT", "https://github.com/fmtlib/fmt");
   add(std::string("CLI11 ") + CLI11_VERSION, "BSD-3-Clause", "https://github.com/CLIUtils/CLI11");

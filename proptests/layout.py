@@ -16,6 +16,7 @@ import tempfile
 from draw_order import unordered_draws
 
 MODULES = {
+    "arithmetic": {"arithmetic"},
     "geometry": {"geometry"},
     "reference": {"geometry", "reference"},
     "robust": {"geometry", "robust"},
@@ -26,7 +27,7 @@ MODULES = {
     "testing": {"geometry", "oracle", "robust", "catalogue", "audit", "testing"},
     "report": {"geometry", "oracle", "catalogue", "audit", "simulate", "report"},
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
-    "c": {"oracle", "robust", "catalogue", "audit", "report", "c"},
+    "c": {"oracle", "robust", "catalogue", "audit", "simulate", "report", "c"},
     "js": {"c", "js"},
     "python": {"robust", "c", "python"},
     "engines": {"geometry", "robust", "program", "engines"},

@@ -6,6 +6,7 @@
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
+#include "simulate/fields.h"
 
 namespace touchstone::simulate {
 namespace {
@@ -17,11 +18,6 @@ using catalogue::written;
 constexpr std::size_t longest_text = 200;
 constexpr const char* shapes[]{"particle", "sphere", "box"};
 constexpr const char* laws[]{"restitution", "stick", "penalty"};
-
-template <class Triple>
-Json three(const Triple& v) {
-  return {written(v.x), written(v.y), written(v.z)};
-}
 
 Json in_json(const SceneBody& body) {
   Json json{{"name", body.name}, {"shape", shapes[static_cast<std::size_t>(body.shape)]}};

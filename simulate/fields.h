@@ -51,4 +51,10 @@ class Fields {
   std::vector<const char*> known_;
 };
 
+/// The coordinates as a list of three.
+template <class Triple>
+Json three(const Triple& v) {
+  return {catalogue::written(v.x), catalogue::written(v.y), catalogue::written(v.z)};
+}
+
 }  // namespace touchstone::simulate

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/trajectory.h"
 
+#include "simulate/fields.h"
 #include "simulate/world/hash.h"
 
 namespace touchstone::simulate {
 namespace {
 
 using catalogue::written;
-
-template <class Triple>
-Json three(const Triple& v) {
-  return {written(v.x), written(v.y), written(v.z)};
-}
 
 Json bodies_of(const State<double>& state) {
   Json bodies = Json::array();

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "audit/counting/recorded.h"
@@ -67,7 +67,10 @@ inline constexpr const char *no_valid_answer = "no valid answer", *no_answer = "
 struct JudgedOutcome {
   Verdict verdict = Verdict::agree;
   std::string truth, answer;
-  auto operator<=>(const JudgedOutcome&) const = default;
+  friend bool operator==(const JudgedOutcome&, const JudgedOutcome&) = default;
+  friend bool operator<(const JudgedOutcome& a, const JudgedOutcome& b) {
+    return std::tie(a.verdict, a.truth, a.answer) < std::tie(b.verdict, b.truth, b.answer);
+  }
 };
 
 /// A number of cases for each Range.

@@ -118,7 +118,7 @@ void CallJudge::judge(const RecordedCall& call) {
     const EncodedValue<double> robust = row.robust(call.question, 0);
     Reader& reader = reader_of(operation);
     const Outcome& of_robust = outcome_of_words(operation, reader.complete, robust.words, false);
-    const Course course = course_of(call);
+    const Course course = course_of(call, call.binary32);
     // Rounding has neither changed the formula's course nor hidden a tie; the spread is a bound to first order.
     const bool sure = !course.in_doubt && course.nearest > 2;
     const std::string* const said = same_answer(call, robust, of_robust, reader);
@@ -132,9 +132,8 @@ void CallJudge::judge(const RecordedCall& call) {
       return outcome_of_words(operation, reader.complete, words, false).name != truth;
     };
     const auto in = [&](bool binary32) {
-      return differs(call.binary32 == binary32
-                         ? course.words
-                         : (binary32 ? row.reference_in_float : row.reference)(call.question).words);
+      if (call.binary32 == binary32) return differs(course.words);
+      return differs(binary32 ? course_of(call, true).words : row.reference(call.question).words);
     };
     recorded.in_double += in(false);
     recorded.in_float += in(true);

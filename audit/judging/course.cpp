@@ -5,23 +5,12 @@
 #include <utility>
 
 namespace touchstone::audit {
-namespace {
 
-template <class Float>
-Course course_of_formula(EncodedValue<Tracked<Float>> (*formula)(const Question&), const Question& question) {
-  using Number = Tracked<Float>;
-  Number::inconclusive() = Number::out_of_range() = false;
-  Number::nearest_comparison() = std::numeric_limits<double>::infinity();
-  EncodedValue<Number> answer = formula(question);
-  return {std::move(answer.words), Number::nearest_comparison(), Number::inconclusive() || Number::out_of_range()};
-}
-
-}  // namespace
-
-Course course_of(const RecordedCall& call) {
-  const TrackedFormula& formula = call.operation->row().reference_tracked;
-  return call.binary32 ? course_of_formula(formula.in_float, call.question)
-                       : course_of_formula(formula.in_double, call.question);
+Course course_of(const RecordedCall& call, bool binary32) {
+  Tracked::inconclusive() = Tracked::out_of_range() = false;
+  Tracked::nearest_comparison() = std::numeric_limits<double>::infinity();
+  EncodedValue<Tracked> answer = call.operation->row().reference_tracked.ask(call.question, binary32);
+  return {std::move(answer.words), Tracked::nearest_comparison(), Tracked::inconclusive() || Tracked::out_of_range()};
 }
 
 }  // namespace touchstone::audit

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <charconv>
 #include <map>
-#include <regex>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "audit/counted.h"
 #include "audit/meshes/formats/reading.h"
@@ -14,27 +16,60 @@
 namespace touchstone::audit {
 namespace {
 
-std::size_t whole(const std::string& digits) { return std::strtoull(digits.c_str(), nullptr, 10); }
+/// Reads the words of a rule from the left.
+struct RuleText {
+  std::string_view rest;
+
+  bool skip(std::string_view text) {
+    if (!rest.starts_with(text)) return false;
+    rest.remove_prefix(text.size());
+    return true;
+  }
+  std::optional<Index> number() {
+    Index number = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (error != std::errc{}) return std::nullopt;
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    return number;
+  }
+  /// "3 -> 4", and "3 to vertex 4" of an edge.
+  std::optional<std::pair<Index, Index>> edge(bool named) {
+    RuleText text = *this;
+    const auto from = text.number();
+    if (!from || !(text.skip(" -> ") || (named && text.skip(" to vertex ")))) return std::nullopt;
+    const auto to = text.number();
+    if (!to) return std::nullopt;
+    *this = text;
+    return std::pair{*from, *to};
+  }
+};
 
 /// A rule with the vertices and edges of the file.
 std::string rule_in_file(const MeshFile& file, const PreparedMesh& mesh, const std::string& rule) {
-  static const std::regex named("edge (?:from vertex )?(\\d+) (?:->|to vertex) (\\d+)|(\\d+) -> (\\d+)|vertex (\\d+)");
+  const auto in_file = [&](Index vertex) { return mesh.vertex_in_file.at(vertex); };
   std::string result;
-  std::sregex_iterator match(rule.begin(), rule.end(), named);
-  std::size_t behind = 0;
-  for (; match != std::sregex_iterator(); ++match) {
-    result += match->prefix();
-    behind = static_cast<std::size_t>(match->position() + match->length());
-    const auto vertex = [&](std::size_t group) { return mesh.vertex_in_file.at(whole((*match)[group])); };
-    if ((*match)[1].matched) {
-      result += edge_in_words(file, vertex(1), vertex(2));
-    } else if ((*match)[3].matched) {
-      result += "from " + vertex_named(file, vertex(3)) + " to " + vertex_named(file, vertex(4));
+  for (RuleText text{rule}; !text.rest.empty();) {
+    RuleText ahead = text;
+    const bool edge_named = ahead.skip("edge ");
+    if (edge_named) ahead.skip("from vertex ");
+    if (const auto edge = ahead.edge(edge_named)) {
+      const auto from = in_file(edge->first), to = in_file(edge->second);
+      if (edge_named) result += edge_in_words(file, from, to);
+      else result += "from " + vertex_named(file, from) + " to " + vertex_named(file, to);
+      text = ahead;
+      continue;
+    }
+    ahead = text;
+    const auto vertex = ahead.skip("vertex ") ? ahead.number() : std::nullopt;
+    if (vertex) {
+      result += vertex_in_words(file, in_file(*vertex));
+      text = ahead;
     } else {
-      result += vertex_in_words(file, vertex(5));
+      result += text.rest.front();
+      text.rest.remove_prefix(1);
     }
   }
-  return result + rule.substr(behind);
+  return result;
 }
 
 std::string what_is_left(const std::string& option, std::size_t open) {
@@ -63,7 +98,7 @@ std::optional<InvalidInput> in_file(const MeshFile& file, const PreparedMesh& me
   if (rest.empty()) return InvalidInput(file.name, field + ": " + rule);
   const std::string faces = ".faces[";
   if (!rest.starts_with(faces)) return std::nullopt;
-  const std::size_t face = mesh.face_in_file.at(whole(rest.substr(faces.size())));
+  const std::size_t face = mesh.face_in_file.at(RuleText{std::string_view(rest).substr(faces.size())}.number().value());
   return InvalidInput(place_of_face(file, face),
                       "face " + std::to_string(face + file.first_number) + " (" + refused.field() + "): " + rule);
 }

@@ -42,7 +42,7 @@ class Formula final : public Respondent {
     const RowFunctions& row = operation.row();
     Reply reply;
     const EncodedValue<double> answer =
-        declaration_.binary32 ? row.reference_in_float(question) : row.reference(question);
+        declaration_.binary32 ? in_doubles(row.reference_tracked.ask(question, true)) : row.reference(question);
     // As if it had come through a pipe: numbers are parsed as they are written.
     reply.answer = parse_line(one_line(operation.answer_json(answer)));
     return reply;

@@ -23,7 +23,7 @@ using Questions = std::set<Question, Smaller>;
 
 /// True if the formula is as near to another course as its own rounding, to first order.
 bool is_near(const RecordedCall& call) {
-  const Course course = course_of(call);
+  const Course course = course_of(call, call.binary32);
   return course.in_doubt || course.nearest < 1;
 }
 

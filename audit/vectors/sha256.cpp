@@ -3,10 +3,12 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <vector>
 
 namespace touchstone::audit {
 namespace {
@@ -16,12 +18,13 @@ namespace {
 template <std::size_t count>
 std::array<std::uint32_t, count> bits_of_roots(unsigned n) {
   std::array<std::uint32_t, count> bits{};
-  mpz_class prime = 2;
-  for (std::uint32_t& found : bits) {
-    mpz_class root = prime << (32 * n);
+  std::vector<unsigned> primes;
+  for (unsigned i = 2; primes.size() < count; ++i) {
+    if (std::any_of(primes.begin(), primes.end(), [i](unsigned prime) { return i % prime == 0; })) continue;
+    mpz_class root = mpz_class(i) << (32 * n);
     mpz_root(root.get_mpz_t(), root.get_mpz_t(), n);
-    found = static_cast<std::uint32_t>(mpz_class(root & 0xffffffffu).get_ui());
-    mpz_nextprime(prime.get_mpz_t(), prime.get_mpz_t());
+    bits[primes.size()] = static_cast<std::uint32_t>(mpz_class(root & 0xffffffffu).get_ui());
+    primes.push_back(i);
   }
   return bits;
 }

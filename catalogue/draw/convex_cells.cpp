@@ -16,7 +16,7 @@ struct UnitPlane {
   double height(const Point3d& p) const { return normal.x * p.x + normal.y * p.y + normal.z * p.z + offset; }
 };
 
-UnitPlane scaled(const Plane3d& plane, int exponent) {
+UnitPlane to_unit(const Plane3d& plane, int exponent) {
   const double size = largest(plane.normal);
   const Vector3d v{plane.normal.x / size, plane.normal.y / size, plane.normal.z / size};
   return {unit_of(v), std::ldexp(plane.offset / size, -exponent) / std::sqrt(dot(v, v))};
@@ -64,9 +64,9 @@ std::vector<HalfSpace> half_spaces_of(const Aabb3d& box) {
 
 std::vector<Point3d> part_of_plane(const Plane3d& plane, const std::vector<HalfSpace>& half_spaces) {
   const int exponent = exponent_of(half_spaces);
-  std::vector<Point3d> ring = square_of(scaled(plane, exponent));
+  std::vector<Point3d> ring = square_of(to_unit(plane, exponent));
   for (const HalfSpace& half_space : half_spaces) {
-    if (&half_space != &plane) ring = cut(ring, scaled(half_space, exponent));
+    if (&half_space != &plane) ring = cut(ring, to_unit(half_space, exponent));
   }
   for (Point3d& p : ring) {
     for (double* x : {&p.x, &p.y, &p.z}) {

@@ -149,10 +149,8 @@ std::vector<PairedNumber> paired_numbers(const Shape& shape, const EncodedTruth&
 }
 template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&, const EncodedValue<double>&,
                                                   Reading);
-template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&,
-                                                  const EncodedValue<Tracked<double>>&, Reading);
-template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&,
-                                                  const EncodedValue<Tracked<float>>&, Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&, const EncodedValue<Tracked>&,
+                                                  Reading);
 
 namespace {
 
@@ -232,12 +230,12 @@ bool same_as_truth(const Shape& shape, const EncodedTruth& truth, const EncodedV
   return words && numbers;
 }
 
-bool promise_holds(const EncodedValue<double>& plain, const EncodedValue<Tracked<double>>& tracked,
+bool promise_holds(const EncodedValue<double>& plain, const EncodedValue<Tracked>& tracked,
                    const EncodedValue<Exact>& exact) {
   if (plain.words != tracked.words || plain.words != exact.words) return false;
   for (std::size_t i = 0; i < plain.numbers.size(); ++i) {
     const double number = plain.numbers[i];
-    const Tracked<double>& bounded = tracked.numbers[i];
+    const Tracked& bounded = tracked.numbers[i];
     const bool same_bits = number == bounded.value() || (number != number && bounded.value() != bounded.value());
     if (!same_bits) return false;
     if (!std::isfinite(number) || std::isinf(bounded.error()) || !exact.numbers[i].defined())

@@ -62,7 +62,7 @@ bool same_as_truth(const Shape& shape, const EncodedTruth& truth, const EncodedV
 
 /// Checks the promise of running error analysis: `plain` (run in double) is bit for bit equal to `tracked`, and within
 /// its bound of `exact`. Call only if no comparison was uncertain.
-bool promise_holds(const EncodedValue<double>& plain, const EncodedValue<Tracked<double>>& tracked,
+bool promise_holds(const EncodedValue<double>& plain, const EncodedValue<Tracked>& tracked,
                    const EncodedValue<Exact>& exact);
 
 /// The enumerators of an answer, in order ("hit", "convex/ccw"); "value" if there is none.

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <set>
 
+#include "catalogue/judge/wide.h"
 #include "geometry/validation.h"
 
 namespace touchstone::catalogue {
@@ -14,10 +15,8 @@ namespace {
 
 using Real = long double;
 using Place = Point3<Real>;
-using Displacement = Vector3<Real>;
 using Indices = std::vector<Index>;
 
-Displacement displacement(const Vector3d& v) { return {v.x, v.y, v.z}; }
 Place place(const Point3d& p) { return {p.x, p.y, p.z}; }
 Place place(const Point2d& p) { return {p.x, p.y, 0}; }
 
@@ -29,7 +28,6 @@ std::vector<Place> places(const std::vector<Point>& points) {
 }
 
 Real greatest_part(const Displacement& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-Real length(const Displacement& v) { return std::sqrt(dot(v, v)); }
 Real size_of(const std::vector<Place>& points) {
   Real size = 0;
   for (const Place& p : points) size = std::max(size, greatest_part(p - Place{0, 0, 0}));
@@ -76,7 +74,7 @@ Excess excess_of_ring(const std::vector<Place>& points, const Indices& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
       const Displacement turn = cross(at(k + 1) - at(k), p - at(k));
       // A ring without area is collinear, or not a ring.
-      const Real wrong_side = length(normal) > 0 ? -dot(normal, turn) / length(normal) : length(turn);
+      const Real wrong_side = wide_length(normal) > 0 ? -dot(normal, turn) / wide_length(normal) : wide_length(turn);
       most = std::max(most, wrong_side / size / size);
     }
   }
@@ -174,7 +172,7 @@ Excess excess_of_pieces(const Polygon2d& polygon, const std::vector<std::vector<
 Excess excess_of_ball(const std::vector<Point3d>& points, const Sphere3d& ball, const Sphere3d& right) {
   const std::vector<Place> all = places(points);
   Real beyond = Real(ball.radius) - right.radius;
-  for (const Place& p : all) beyond = std::max(beyond, length(p - place(ball.center)) - ball.radius);
+  for (const Place& p : all) beyond = std::max(beyond, wide_length(p - place(ball.center)) - ball.radius);
   return excess(beyond / size_of(all));
 }
 
@@ -203,7 +201,7 @@ Excess excess_of_box(const std::vector<Point3d>& points, const Obb3d& box) {
                                          displacement(box.half_axes.w)};
   Real most = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Real along = dot(axes[k], axes[(k + 1) % 3]), lengths = length(axes[k]) * length(axes[(k + 1) % 3]);
+    const Real along = dot(axes[k], axes[(k + 1) % 3]), lengths = wide_length(axes[k]) * wide_length(axes[(k + 1) % 3]);
     if (std::fabs(along) > 0x1p-19L * lengths) return std::nullopt;  // far from perpendicular
   }
   std::array<Real, 3> farthest{0, 0, 0};
@@ -216,9 +214,9 @@ Excess excess_of_box(const std::vector<Point3d>& points, const Obb3d& box) {
       farthest[k] = std::max(farthest[k], std::fabs(along));
       rest = rest - along * axes[k];
     }
-    most = std::max(most, length(rest));
+    most = std::max(most, wide_length(rest));
   }
-  for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::fabs(farthest[k] - 1) * length(axes[k]));
+  for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::fabs(farthest[k] - 1) * wide_length(axes[k]));
   return excess(most / size);
 }
 

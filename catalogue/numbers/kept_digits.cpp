@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/numbers/kept_digits.h"
 
+#include <cmath>
 #include <cstdint>
 
 #include "catalogue/numbers/ulps.h"
@@ -20,6 +21,13 @@ Exact kept_digits(const Exact& number) {
     return result;
   };
   return Exact(shifted(exact_value(nearest(shifted(value, -order))), order));
+}
+
+Tracked kept_digits(const Tracked& number) {
+  if (number.error() == 0 || !std::isfinite(number.value()) || !std::isfinite(number.error())) return number;
+  // 0, off by two roundings of 1 / 3 with a bound of 2^-55 each, in double: four of them by 2^-52.
+  const Tracked third = Tracked(1) / Tracked(3), doubt = third - third;
+  return number + number * (doubt + doubt + doubt + doubt);
 }
 
 }  // namespace touchstone::catalogue

@@ -85,7 +85,7 @@ const char* standard_formula_that_rounds(const Examination& question, bool binar
     if (!formula.inconclusive) continue;
     const char* const name = question.row().standard[i].name;
     if (question.degenerate()) return name;
-    const EncodedValue<double> answer = binary32 ? in_doubles(formula.answer_in_float) : in_doubles(formula.answer);
+    const EncodedValue<double> answer = in_doubles(formula.answer);
     Judgement ignored;
     if (!compared(question, answer, Reading::less, binary32, ignored).decision) return name;
   }

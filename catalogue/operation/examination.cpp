@@ -59,7 +59,7 @@ const Drawing& Examination::drawing() const {
 
 const EncodedValue<double>& Examination::formula(bool binary32) const {
   return formula_[binary32].answer.value(
-      [&] { return binary32 ? row_.reference_in_float(question_) : row_.reference(question_); });
+      [&] { return binary32 ? in_doubles(tracking(true).answer) : row_.reference(question_); });
 }
 
 const EncodedValue<Exact>& Examination::formula_exactly() const {
@@ -71,23 +71,15 @@ bool Examination::formula_right_exactly() const {
 }
 
 Examination::Tracking Examination::tracked(const TrackedFormula& formula, bool binary32) const {
+  Tracked::inconclusive() = Tracked::out_of_range() = false;
   Tracking known;
-  const bool checked = checks_numbers(row_);
-  if (binary32) {
-    Tracked<float>::inconclusive() = Tracked<float>::out_of_range() = false;
-    known.answer_in_float = formula.in_float(question_);
-    known.compared_in_doubt = Tracked<float>::inconclusive();
-    known.inconclusive = known.compared_in_doubt || checked;
-    known.out_of_range = Tracked<float>::out_of_range();
-  } else {
-    Tracked<double>::inconclusive() = Tracked<double>::out_of_range() = false;
-    known.answer = formula.in_double(question_);
-    const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
-    const auto& numbers = known.answer.numbers;
-    known.compared_in_doubt = Tracked<double>::inconclusive();
-    known.out_of_range = Tracked<double>::out_of_range();
-    known.inconclusive = known.compared_in_doubt || (checked && std::any_of(numbers.begin(), numbers.end(), rounded));
-  }
+  known.answer = formula.ask(question_, binary32);
+  known.compared_in_doubt = Tracked::inconclusive();
+  known.out_of_range = Tracked::out_of_range();
+  const auto rounded = [&](const Tracked& number) { return binary32 || number.error() > 0; };
+  const auto& numbers = known.answer.numbers;
+  known.inconclusive =
+      known.compared_in_doubt || (checks_numbers(row_) && std::any_of(numbers.begin(), numbers.end(), rounded));
   return known;
 }
 

@@ -55,11 +55,10 @@ class Examination {
   bool formula_right_exactly() const;
   /// The formula under running error analysis (catalogue/numbers/tracked.h).
   struct Tracking {
-    bool compared_in_doubt = false;        ///< rounding may have changed a comparison
-    bool inconclusive = false;             ///< or a number that the checker reads
-    bool out_of_range = false;             ///< a number left the range of double or float
-    EncodedValue<Tracked<double>> answer;  ///< in double
-    EncodedValue<Tracked<float>> answer_in_float;
+    bool compared_in_doubt = false;  ///< rounding may have changed a comparison
+    bool inconclusive = false;       ///< or a number that the checker reads
+    bool out_of_range = false;       ///< a number left the range of double or float
+    EncodedValue<Tracked> answer;
   };
   const Tracking& tracking(bool binary32 = false) const;
   /// The same of the other formulas of textbooks.

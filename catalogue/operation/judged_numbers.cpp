@@ -22,20 +22,15 @@ struct FormulaNumbers {
   bool textbook = false;  ///< from the operation's own formula
 };
 
-template <class Float>
-FormulaNumbers numbers_of(const Examination& question, const EncodedValue<Tracked<Float>>& formula) {
+FormulaNumbers numbers_of(const Examination& question, const EncodedValue<Tracked>& formula) {
   const EncodedTruth& truth = question.solution().answer;
   FormulaNumbers numbers{{}, other_as_near(question, in_doubles(formula)).value_or(truth)};
   numbers.at.resize(truth.numbers.size());
   for (const PairedNumber& pair : paired_numbers(*question.row().answer, truth, formula, Reading::less)) {
-    const Tracked<Float>& number = formula.numbers[pair.in_answer];
-    numbers.at[pair.in_truth] = {static_cast<double>(number.value()), number.spread()};
+    const Tracked& number = formula.numbers[pair.in_answer];
+    numbers.at[pair.in_truth] = {number.value(), number.spread()};
   }
   return numbers;
-}
-
-FormulaNumbers numbers_of(const Examination& question, const Examination::Tracking& formula, bool binary32) {
-  return binary32 ? numbers_of(question, formula.answer_in_float) : numbers_of(question, formula.answer);
 }
 
 /// True if it divides by 0 in exact arithmetic, too: then nothing bounds its rounding.
@@ -77,11 +72,11 @@ class NumberJudge {
       : question_(question), declaration_(declaration), unit_(declaration.binary32 ? 0x1p-24 : 0x1p-53) {
     const bool alone = question.row().standard.empty();
     if (alone || !formula_is_undefined(question)) {
-      formulas_.push_back(numbers_of(question, question.tracking(declaration.binary32), declaration.binary32));
+      formulas_.push_back(numbers_of(question, question.tracking(declaration.binary32).answer));
       formulas_.back().textbook = true;
     }
     for (const Examination::Tracking& formula : question.standard(declaration.binary32))
-      formulas_.push_back(numbers_of(question, formula, declaration.binary32));
+      formulas_.push_back(numbers_of(question, formula.answer));
   }
 
   /// The verdict by the formula that excuses most.

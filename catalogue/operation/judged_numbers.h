@@ -16,13 +16,6 @@ struct JudgedNumber {
   OffNumber number;
 };
 
-/// The result of a formula under running error analysis.
-template <class Float>
-EncodedValue<double> in_doubles(const EncodedValue<Tracked<Float>>& formula) {
-  return encoded_with<double>(formula,
-                              [](const Tracked<Float>& number) { return static_cast<double>(number.value()); });
-}
-
 /// The right answer nearest to a complete answer that names other points than the truth does, equally near ones.
 std::optional<EncodedTruth> other_as_near(const Examination& question, const EncodedValue<double>& answer);
 

@@ -64,11 +64,16 @@ struct ArrayFunctions {
   std::vector<std::size_t> (*columns)(const Question&) = nullptr;
 };
 
-/// A formula for an operation under running error analysis. Tracked<double>::inconclusive() is not reset.
+/// The result of a formula under running error analysis.
+inline EncodedValue<double> in_doubles(const EncodedValue<Tracked>& formula) {
+  return encoded_with<double>(formula, [](const Tracked& number) { return number.value(); });
+}
+
+/// A formula for an operation under running error analysis, in double or, where `binary32`, in float.
+/// Tracked::inconclusive() is not reset.
 struct TrackedFormula {
   const char* name;
-  EncodedValue<Tracked<double>> (*in_double)(const Question&);
-  EncodedValue<Tracked<float>> (*in_float)(const Question&);
+  EncodedValue<Tracked> (*ask)(const Question&, bool binary32);
 };
 
 /// A row of the catalogue with its types erased (catalogue/operation/row_of.h makes it): the functions of the three
@@ -80,7 +85,6 @@ struct RowFunctions {
 
   /// The formula of the deck.
   EncodedValue<double> (*reference)(const Question&);
-  EncodedValue<double> (*reference_in_float)(const Question&);
   EncodedValue<Exact> (*reference_exactly)(const Question&);
   TrackedFormula reference_tracked;
   /// Other textbook formulas for the same question (reference/standard/), for which an engine is not blamed either.

@@ -82,7 +82,6 @@ StageFunctions stage_functions() {
 }
 
 /// A number of a question in the type in which the question is asked.
-inline constexpr auto in_float = [](double number) { return static_cast<float>(number); };
 inline constexpr auto in_exact = [](double number) { return Exact(exact_value(number)); };
 inline constexpr auto in_integers = [](double number) { return static_cast<std::int64_t>(number); };
 inline constexpr auto rational = [](const TrueNumber& number) { return number.rational_part(); };
@@ -95,37 +94,27 @@ struct RowOf {
   static constexpr bool decides = requires(const Asked& q) { Row::decision::robust(q); };
   static constexpr bool decides_quickly = requires(const Asked& q) { Row::decision::oracle(q); };
 
-  template <class Real, class Convert>
-  static auto formula(const Question& question, const Convert& convert) {
-    return ask_reference<Row>(unpacked<rebound_t<Asked, Real>>(question, convert));
-  }
   static EncodedValue<double> reference(const Question& question) {
     return packed(ask_reference<Row>(unpacked<Asked>(question)));
   }
-  static EncodedValue<double> reference_in_float(const Question& question) {
-    return packed(formula<float>(question, in_float));
-  }
   static EncodedValue<Exact> reference_exactly(const Question& question) {
-    return packed_as<Exact>(formula<Exact>(question, in_exact));
+    return packed_as<Exact>(ask_reference<Row>(unpacked<rebound_t<Asked, Exact>>(question, in_exact)));
   }
   /// The textbook's formula, and others.
   struct Reference {
     auto operator()(const auto&... q) const { return Row::reference(q...); }
   };
-  template <class Formula, class Float>
-  static EncodedValue<Tracked<Float>> tracked(const Question& question) {
-    const auto given = [](double number) { return Tracked<Float>(static_cast<Float>(number)); };
-    return packed_as<Tracked<Float>>(applied(Formula(), unpacked<rebound_t<Asked, Tracked<Float>>>(question, given)));
-  }
   template <class Formula>
-  static TrackedFormula tracked_formula(const char* name) {
-    return {name, tracked<Formula, double>, tracked<Formula, float>};
+  static EncodedValue<Tracked> tracked(const Question& question, bool binary32) {
+    const Tracked::Format format(binary32);
+    const auto given = [](double number) { return Tracked(number); };
+    return packed_as<Tracked>(applied(Formula(), unpacked<rebound_t<Asked, Tracked>>(question, given)));
   }
   struct AddStandard {
     std::vector<TrackedFormula>& all;
     template <class Formula>
     void operator()(const char* name, Formula) const {
-      all.push_back(tracked_formula<Formula>(name));
+      all.push_back({name, tracked<Formula>});
     }
   };
 
@@ -294,9 +283,8 @@ RowFunctions RowOf<Row>::functions() {
   f.question = &shape_of<Asked>();
   f.answer = &shape_of<Answer>();
   f.reference = reference;
-  f.reference_in_float = reference_in_float;
   f.reference_exactly = reference_exactly;
-  f.reference_tracked = tracked_formula<Reference>("");
+  f.reference_tracked = {"", tracked<Reference>};
   if constexpr (requires(const AddStandard& add) { Row::standard(add); }) Row::standard(AddStandard{f.standard});
   f.robust = robust;
   f.solve = solve;

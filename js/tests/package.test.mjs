@@ -47,6 +47,18 @@ test("what is outside the contract is refused by field and rule", () => {
   assert.ok(!t.accepts("orientation", {}));
 });
 
+test("a scene is played in three arithmetics", () => {
+  const scene = {
+    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4 },
+    bodies: [{ name: "stone", shape: { particle: {} }, position: [0, 0, 8] }],
+  };
+  const played = t.simulate(scene, { steps: 3 });
+  assert.match(played.summary, /robust/);
+  assert.match(played.page, /^<!DOCTYPE html>[^]*a fall/i);
+  assert.throws(() => t.simulate(scene, { runs: ["quad"] }), (failure) => failure.field === "options.runs");
+  assert.throws(() => t.simulate({ touchstone_scene: 1 }), InvalidInput);
+});
+
 test("draw is an iterator, and longer lists begin with shorter ones", () => {
   const few = [...t.draw("orientation", { cases: 300, seed: 7 })];
   assert.equal(few.length, 300);

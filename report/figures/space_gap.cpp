@@ -9,7 +9,7 @@
 namespace touchstone::report {
 namespace {
 
-using Kind = SpaceFigure::Kind;
+using SpaceKind = SpaceFigure::Kind;
 
 constexpr int unseen = 4000;  // steps: about five pixels
 
@@ -46,15 +46,15 @@ struct Solid {
   bool ball = false, plane = false;
 
   Solid(const SpaceFigure& of, const SpaceScale& scale) : figure(&of) {
-    ball = of.kind == Kind::sphere && of.numbers[3] != 0;
-    plane = of.kind == Kind::plane;
+    ball = of.kind == SpaceKind::sphere && of.numbers[3] != 0;
+    plane = of.kind == SpaceKind::plane;
     if (ball || plane) return;
     for (const SpaceVertex& vertex : vertices_of(of)) parts.push_back({{vertex}, scale});
-    if (of.kind == Kind::segment) parts.push_back({vertices_of(of), scale});
+    if (of.kind == SpaceKind::segment) parts.push_back({vertices_of(of), scale});
     for (const auto& ring : faces_of(of)) {
       for (std::size_t i = 0; i < ring.size(); ++i) parts.push_back({{ring[i], ring[(i + 1) % ring.size()]}, scale});
       // A polygon of more corners need not be flat, nor convex.
-      if (ring.size() > 3 && of.kind == Kind::polygon) continue;
+      if (ring.size() > 3 && of.kind == SpaceKind::polygon) continue;
       for (std::size_t i = 2; i < ring.size(); ++i) parts.push_back({{ring[0], ring[i - 1], ring[i]}, scale});
     }
   }
@@ -175,7 +175,7 @@ class Search {
 /// question.
 bool has_rounded_corners(const SpaceFigure& figure) {
   const std::vector<SpaceVertex> v = vertices_of(figure);
-  if (figure.kind != Kind::mesh || v.size() != 8 || figure.faces.empty() || figure.faces[0].size() != 4) return false;
+  if (figure.kind != SpaceKind::mesh || v.size() != 8 || figure.faces.empty() || figure.faces[0].size() != 4) return false;
   const auto differ = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
     const SpaceVector first = v[a] - v[b], second = v[c] - v[d];
     return first.x != second.x || first.y != second.y || first.z != second.z;
@@ -187,7 +187,7 @@ bool has_rounded_corners(const SpaceFigure& figure) {
 /// for the drawing: the truth, and the motion by an answer.
 bool decides(const SpaceFigure& figure) {
   const bool computed = (figure.answer && !figure.said) || figure.label.rfind("answered: ", 0) == 0;
-  return !figure.label.empty() && figure.kind != Kind::arrow && !computed && !has_rounded_corners(figure);
+  return !figure.label.empty() && figure.kind != SpaceKind::arrow && !computed && !has_rounded_corners(figure);
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ bool decides(const SpaceFigure& figure) {
 std::vector<SpaceVertex> vertices_of(const SpaceFigure& figure) {
   std::vector<SpaceVertex> vertices;
   const std::vector<ExactPlace> places = places_of(figure);
-  if (figure.kind != Kind::box) {
+  if (figure.kind != SpaceKind::box) {
     for (const ExactPlace& place : places) vertices.push_back(at(place));
     return vertices;
   }
@@ -206,10 +206,10 @@ std::vector<SpaceVertex> vertices_of(const SpaceFigure& figure) {
 
 std::vector<std::vector<SpaceVertex>> faces_of(const SpaceFigure& figure) {
   const std::vector<SpaceVertex> vertices = vertices_of(figure);
-  if (figure.kind == Kind::polygon) return {vertices};
+  if (figure.kind == SpaceKind::polygon) return {vertices};
   std::vector<std::vector<std::uint32_t>> indices;
-  if (figure.kind == Kind::mesh) indices = figure.faces;
-  if (figure.kind == Kind::box)
+  if (figure.kind == SpaceKind::mesh) indices = figure.faces;
+  if (figure.kind == SpaceKind::box)
     indices = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   std::vector<std::vector<SpaceVertex>> rings;
   for (const auto& face : indices) {
@@ -231,8 +231,8 @@ std::optional<SpaceGap> narrowest_gap(const std::vector<SpaceFigure>& figures, c
   }
   Search search(scale, least);
   for (std::size_t i = 0; i < solids.size(); ++i) {
-    const Kind kind = solids[i].figure->kind;
-    if (kind == Kind::polygon || kind == Kind::mesh) search.between(solids[i], solids[i]);
+    const SpaceKind kind = solids[i].figure->kind;
+    if (kind == SpaceKind::polygon || kind == SpaceKind::mesh) search.between(solids[i], solids[i]);
     for (std::size_t j = i + 1; j < solids.size(); ++j) search.between(solids[i], solids[j]);
   }
   return search.found();

@@ -10,7 +10,7 @@
 namespace touchstone::report {
 namespace {
 
-using Kind = SpaceFigure::Kind;
+using SpaceKind = SpaceFigure::Kind;
 using Ring = std::vector<SpaceVertex>;
 
 constexpr int half_in_gaps = 4, cut_in_halves = 10, flat_in_halves = 50;
@@ -86,28 +86,28 @@ struct Cut {
 /// The part of a figure that the lens shows, before it is cut.
 Cut shape_of(const SpaceFigure& figure, const Lens& lens, const SpaceVertex& near) {
   switch (figure.kind) {
-    case Kind::arrow: return {};
-    case Kind::point: return {"point", {vertices_of(figure)}, {}};
-    case Kind::segment: return {"segment", {vertices_of(figure)}, {}};
-    case Kind::plane: {
+    case SpaceKind::arrow: return {};
+    case SpaceKind::point: return {"point", {vertices_of(figure)}, {}};
+    case SpaceKind::segment: return {"segment", {vertices_of(figure)}, {}};
+    case SpaceKind::plane: {
       const SpaceVector normal{exact_value(figure.numbers[0]), exact_value(figure.numbers[1]),
                                exact_value(figure.numbers[2])};
       const SpaceVertex foot =
           SpaceVertex{0, 0, 0} + mpq_class(-exact_value(figure.numbers[3]) / dot(normal, normal)) * normal;
       return {"mesh", {lens.patch(normal, foot)}, {}};
     }
-    case Kind::sphere: {
+    case SpaceKind::sphere: {
       const mpq_class radius = radius_of(figure);
       if (sgn(radius) == 0) return {"point", {vertices_of(figure)}, {}};
       if (radius <= flat_in_halves * lens.half()) return {"sphere", {vertices_of(figure)}, radius};
       if (vertices_of(figure)[0] == near) return {};  // its surface is far from its center
       return {"mesh", {tangent_patch(lens, vertices_of(figure)[0], near, radius)}, {}};
     }
-    case Kind::polygon:
+    case SpaceKind::polygon:
       if (figure.numbers.size() == 6) return {"segment", {vertices_of(figure)}, {}};
       [[fallthrough]];
-    case Kind::box:
-    case Kind::mesh: return {"mesh", faces_of(figure), {}};
+    case SpaceKind::box:
+    case SpaceKind::mesh: return {"mesh", faces_of(figure), {}};
   }
   return {};
 }

@@ -9,7 +9,7 @@
 namespace touchstone::report {
 namespace {
 
-using Kind = SpaceFigure::Kind;
+using SpaceKind = SpaceFigure::Kind;
 
 constexpr int extents_far_apart = 12;
 
@@ -46,14 +46,14 @@ bool drawable(const SpaceFigure& figure) {
   const std::vector<double>& n = figure.numbers;
   if (!std::all_of(n.begin(), n.end(), [](double x) { return std::isfinite(x); })) return false;
   switch (figure.kind) {
-    case Kind::point: return n.size() == 3;
-    case Kind::segment:
-    case Kind::arrow:
-    case Kind::box: return n.size() == 6;
-    case Kind::plane: return n.size() == 4 && (n[0] != 0 || n[1] != 0 || n[2] != 0);
-    case Kind::sphere: return n.size() == 4;
-    case Kind::polygon:
-    case Kind::mesh: return !n.empty() && n.size() % 3 == 0;
+    case SpaceKind::point: return n.size() == 3;
+    case SpaceKind::segment:
+    case SpaceKind::arrow:
+    case SpaceKind::box: return n.size() == 6;
+    case SpaceKind::plane: return n.size() == 4 && (n[0] != 0 || n[1] != 0 || n[2] != 0);
+    case SpaceKind::sphere: return n.size() == 4;
+    case SpaceKind::polygon:
+    case SpaceKind::mesh: return !n.empty() && n.size() % 3 == 0;
   }
   return false;
 }
@@ -62,8 +62,8 @@ const char* whose(const SpaceFigure& figure) { return figure.said ? "answer" : f
 
 std::vector<ExactPlace> places_of(const SpaceFigure& figure) {
   std::vector<ExactPlace> places;
-  if (figure.kind == Kind::plane) return places;
-  const std::size_t numbers = figure.kind == Kind::sphere ? 3 : figure.numbers.size();
+  if (figure.kind == SpaceKind::plane) return places;
+  const std::size_t numbers = figure.kind == SpaceKind::sphere ? 3 : figure.numbers.size();
   for (std::size_t i = 0; i + 2 < numbers; i += 3) {
     places.push_back(
         {exact_value(figure.numbers[i]), exact_value(figure.numbers[i + 1]), exact_value(figure.numbers[i + 2])});
@@ -78,13 +78,13 @@ SpaceScale SpaceScale::of(const std::vector<SpaceFigure>& figures) {
   ExactBox box;
   bool one_scale = false;
   for (const SpaceFigure& figure : figures) {
-    const mpq_class room = figure.kind == Kind::sphere ? radius_of(figure) : mpq_class(0);
+    const mpq_class room = figure.kind == SpaceKind::sphere ? radius_of(figure) : mpq_class(0);
     for (const ExactPlace& place : places_of(figure)) box.put(place, room);
-    one_scale = one_scale || figure.kind == Kind::sphere || figure.kind == Kind::plane;
+    one_scale = one_scale || figure.kind == SpaceKind::sphere || figure.kind == SpaceKind::plane;
   }
   if (!box.empty) scale.middle_but_planes = box.middle();
   for (const SpaceFigure& figure : figures) {
-    if (figure.kind == Kind::plane) box.put(scale.foot(figure));
+    if (figure.kind == SpaceKind::plane) box.put(scale.foot(figure));
   }
   scale.middle = box.middle();
   scale.low = box.low;

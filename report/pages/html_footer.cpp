@@ -14,8 +14,13 @@
 namespace touchstone::report {
 
 std::string versions() {
-  return fmt::format("touchstone {}, {}, GMP {}, MPFR {}, libpng {}", version_number, compiler_name, gmp_version,
-                     mpfr_get_version(), PNG_LIBPNG_VER_STRING);
+#ifdef TOUCHSTONE_OWN_ARITHMETIC
+  const std::string arithmetic = "its own arithmetic";
+#else
+  const std::string arithmetic = fmt::format("GMP {}, MPFR {}", gmp_version, mpfr_get_version());
+#endif
+  return fmt::format("touchstone {}, {}, {}, libpng {}", version_number, compiler_name, arithmetic,
+                     PNG_LIBPNG_VER_STRING);
 }
 
 std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {

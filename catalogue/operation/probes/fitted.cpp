@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catalogue/judge/wide.h"
 #include "catalogue/numbers/ulps.h"
 #include "catalogue/operation/probes/values_in.h"
 
@@ -11,15 +12,12 @@ namespace touchstone::catalogue {
 namespace {
 
 using Axes = HalfAxes<double>;
-using Real = long double;  // has a wider range, so that no product overflows or underflows
-using Displacement = Vector3<Real>;
+using Real = long double;
 
-Displacement displacement(const Vector3d& v) { return {v.x, v.y, v.z}; }
 Vector3d in_doubles(const Displacement& v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
-Real length(const Displacement& v) { return std::sqrt(dot(v, v)); }
-Displacement unit(const Displacement& v) { return Real(1 / length(v)) * v; }
+Displacement unit(const Displacement& v) { return Real(1 / wide_length(v)) * v; }
 bool dependent(const Axes& axes) {
   const auto exact = [](const Vector3d& v) {
     return Vector3<mpq_class>{exact_value(v.x), exact_value(v.y), exact_value(v.z)};
@@ -49,14 +47,14 @@ bool is_finite(const Vector3d& v) { return std::isfinite(v.x) && std::isfinite(v
 HalfAxes<double> at_right_angles(const Axes& half_axes) {
   const Displacement u = displacement(half_axes.u), v = displacement(half_axes.v), w = displacement(half_axes.w);
   const auto beside = [](const Displacement& a, const Displacement& b) {
-    return std::fabs(dot(a, b)) <= 0x1p-50L * length(a) * length(b);
+    return std::fabs(dot(a, b)) <= 0x1p-50L * wide_length(a) * wide_length(b);
   };
   if (beside(u, v) && beside(v, w) && beside(w, u)) return half_axes;
   if (dependent(half_axes)) return half_axes;
   Displacement second = v;
   for (int pass = 0; pass < 2; ++pass) second = second - Real(dot(u, second) / dot(u, u)) * u;  // twice is enough
   const Displacement third = unit(cross(u, second));
-  const Real height = std::fmax(std::fabs(dot(w, third)), 0x1p-40L * length(w));  // computed from what rounding leaves
+  const Real height = std::fmax(std::fabs(dot(w, third)), 0x1p-40L * wide_length(w));  // computed from what rounding leaves
   const Axes turned{half_axes.u, in_doubles(second), in_doubles(height * third)};
   return is_finite(turned.v) && is_finite(turned.w) ? turned : half_axes;
 }

@@ -21,11 +21,11 @@ namespace {
 template <class Float>
 struct Run {
   std::vector<Float> plain;
-  std::vector<Tracked<Float>> tracked;
+  std::vector<Tracked> tracked;
   std::vector<Exact> exact;
 
   void start(Float number) {
-    plain.push_back(number), tracked.push_back(Tracked<Float>(number)), exact.push_back(Exact(exact_value(number)));
+    plain.push_back(number), tracked.push_back(Tracked(number)), exact.push_back(Exact(exact_value(number)));
   }
   template <class Step>
   void apply(const Step& step, std::size_t i, std::size_t j) {
@@ -48,10 +48,11 @@ struct Run {
   }
   /// Among the subnormals rounding a bound upwards is more than nothing.
   bool is_normal() const {
-    const auto normal = [](const Tracked<Float>& x) {
-      return (x.value() == 0 || std::isnormal(x.value())) && (x.error() == 0 || x.error() > 0x1p-1000);
+    const auto normal = [](const Tracked& x) {
+      return (x.value() == 0 || std::isnormal(static_cast<Float>(x.value()))) &&
+             (x.error() == 0 || x.error() > 0x1p-1000);
     };
-    return !Tracked<Float>::out_of_range() && std::all_of(tracked.begin(), tracked.end(), normal);
+    return !Tracked::out_of_range() && std::all_of(tracked.begin(), tracked.end(), normal);
   }
   bool promised(std::size_t i) const {
     return std::isfinite(plain[i]) && std::isfinite(tracked[i].error()) && exact[i].defined();
@@ -77,11 +78,12 @@ Float number(DrawStream& draws) {
 
 template <class Float>
 void hold_random_formulas(std::uint64_t formulas) {
+  const Tracked::Format format(sizeof(Float) == 4);
   std::uint64_t promised = 0, exact_steps = 0, steps = 0;
   for (std::uint64_t i = 0; i < formulas; ++i) {
     DrawStream draws = DrawStream::seeded(seed_of(sizeof(Float), "formulas", i));
     Run<Float> run;
-    Tracked<Float>::out_of_range() = false;
+    Tracked::out_of_range() = false;
     for (int k = 0; k < 3; ++k) run.start(number<Float>(draws));
     for (int k = 0; k < 6; ++k) {
       const std::size_t n = run.plain.size(), a = draws.below(n), b = draws.below(n);
@@ -104,9 +106,9 @@ void hold_random_formulas(std::uint64_t formulas) {
 /// A function of one number: the value is the plain one, and its bound contains the exact value. Counts what was
 /// promised.
 template <class Float, class Function>
-std::uint64_t holds(const Function& function, const Tracked<Float>& argument, const Exact& exactly) {
-  const Tracked<Float> found = function(argument);
-  const Float plain = function(argument.value());
+std::uint64_t holds(const Function& function, const Tracked& argument, const Exact& exactly) {
+  const Tracked found = function(argument);
+  const Float plain = function(static_cast<Float>(argument.value()));
   const Exact exact = function(exactly);
   CAPTURE(argument.value(), argument.error(), plain, found.error());
   if (plain == plain ? plain != found.value() : found.value() == found.value())
@@ -120,7 +122,8 @@ std::uint64_t holds(const Function& function, const Tracked<Float>& argument, co
 /// cancel.
 template <class Float>
 void hold_roots_and_arc_cosines(std::uint64_t each) {
-  using T = Tracked<Float>;
+  using T = Tracked;
+  const Tracked::Format format(sizeof(Float) == 4);
   const auto root = [](const auto& x) {
     using std::sqrt;
     return sqrt(x);
@@ -133,21 +136,25 @@ void hold_roots_and_arc_cosines(std::uint64_t each) {
   for (std::uint64_t i = 0; i < each; ++i) {
     DrawStream draws = DrawStream::seeded(seed_of(sizeof(Float), "roots", i));
     const Float x = number<Float>(draws), y = number<Float>(draws);
-    roots += holds(root, T(std::fabs(x)), Exact(exact_value(std::fabs(x))));
-    roots += holds(root, T(x) * T(y), Exact(exact_value(x)) * Exact(exact_value(y)));
+    roots += holds<Float>(root, T(std::fabs(x)), Exact(exact_value(std::fabs(x))));
+    roots += holds<Float>(root, T(x) * T(y), Exact(exact_value(x)) * Exact(exact_value(y)));
     const Float less = std::nextafter(x, Float(0));
-    roots += holds(root, T(x) * T(x) - T(x) * T(less), Exact(exact_value(x) * (exact_value(x) - exact_value(less))));
+    roots +=
+        holds<Float>(root, T(x) * T(x) - T(x) * T(less), Exact(exact_value(x) * (exact_value(x) - exact_value(less))));
     if (x == 0 || y == 0) continue;
     const Float small = std::fmin(std::fabs(x), std::fabs(y)), large = std::fmax(std::fabs(x), std::fabs(y));
     const Float sign = draws.below(2) == 0 ? Float(1) : Float(-1);
-    angles += holds(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
+    angles +=
+        holds<Float>(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
     // Beside an end: n / (n + k) for a large n, rounded; and exact numbers there.
     const Float n = std::ldexp(Float(1), static_cast<int>(draws.below(std::numeric_limits<Float>::digits))),
                 k = static_cast<Float>(draws.below(4));
-    angles_near_ends += holds(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
+    angles_near_ends +=
+        holds<Float>(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
     const Float beside = sign - sign * k * std::numeric_limits<Float>::epsilon() / 2;
-    angles_near_ends += holds(arc_cosine, T(beside), Exact(exact_value(beside)));
-    angles += holds(arc_cosine, T(beside * small) / T(small), Exact(exact_value(beside * small) / exact_value(small)));
+    angles_near_ends += holds<Float>(arc_cosine, T(beside), Exact(exact_value(beside)));
+    angles +=
+        holds<Float>(arc_cosine, T(beside * small) / T(small), Exact(exact_value(beside * small) / exact_value(small)));
   }
   CHECK(roots > each);
   CHECK(angles > each);
@@ -162,7 +169,7 @@ TEST_CASE("Tracked: in double, every value is the plain one and its bound contai
 TEST_CASE("Tracked: in float too") { hold_random_formulas<float>(20000); }
 
 TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that rounds at most its half unit") {
-  using T = Tracked<double>;
+  using T = Tracked;
   CHECK((T(3.0) + T(4.0)).error() == 0);
   CHECK((T(3.0) - T(0.25)).error() == 0);
   CHECK((T(3.0) * T(-7.5)).error() == 0);
@@ -181,7 +188,7 @@ TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that
 }
 
 TEST_CASE("Tracked: the spread counts every given number and every step as rounded, integers of the formula not") {
-  using T = Tracked<double>;
+  using T = Tracked;
   constexpr double u = 0x1p-53;
   CHECK(T(3.0).spread() == 3 * u);
   CHECK(T(3).spread() == 0);
@@ -193,7 +200,6 @@ TEST_CASE("Tracked: the spread counts every given number and every step as round
   CHECK((T(4.0) / T(2)).spread() == (4.0 / 2 + 2) * u);
   CHECK(sqrt(T(16.0)).spread() >= (16.0 / (2 * 4) + 4) * u);
   CHECK(sqrt(T(16.0)).spread() < (16.0 / (2 * 4) + 4) * u * (1 + 0x1p-40));
-  CHECK(Tracked<float>(3.0f).spread() == 3 * 0x1p-24);
   CHECK((T(0x1p-1000) * T(0x1p-1000)).spread() == 5e-324);
   // What is divided by may be 0, and what left the range anything.
   CHECK(std::isinf((T(1.0) / (T(1.0) - T(1.0))).spread()));
@@ -202,20 +208,23 @@ TEST_CASE("Tracked: the spread counts every given number and every step as round
   const T root = sqrt(T(1.0) - T(1.0));  // of at most 2u
   CHECK(root.spread() >= std::sqrt(2 * u));
   CHECK(root.spread() < std::sqrt(2.5 * u));
+  const T::Format in_float(true);
+  CHECK(T(3.0).spread() == 3 * 0x1p-24);
 }
 
 TEST_CASE("Tracked: a quotient by a number that is far off is within its bound, its own rounding included") {
   // Each 6 is half way between two floats beyond 2^25 and counts for 8: the divisor is 88 instead of 66. The bound is a
   // double: its own roundings are no help to a float.
-  using T = Tracked<float>;
-  T divisor(0x1p25f);
-  for (int i = 0; i < 11; ++i) divisor = divisor + T(6.0f);
-  divisor = divisor - T(0x1p25f);
+  using T = Tracked;
+  const T::Format in_float(true);
+  T divisor(0x1p25);
+  for (int i = 0; i < 11; ++i) divisor = divisor + T(6.0);
+  divisor = divisor - T(0x1p25);
   REQUIRE(divisor.value() == 88);
   REQUIRE(divisor.error() >= 22);
   int wrong = 0;
   for (int a = 1; a <= 5000; ++a) {
-    const T quotient = T(static_cast<float>(a)) / divisor;
+    const T quotient = T(a) / divisor;
     wrong += abs(mpq_class(exact_value(quotient.value()) - mpq_class(a) / 66)) > exact_value(quotient.error());
   }
   CHECK(wrong == 0);
@@ -227,7 +236,7 @@ TEST_CASE("Tracked: roots and arc cosines, their bounds contain the exact value"
 }
 
 TEST_CASE("Tracked: bounds of roots and arc cosines are no larger than they must be") {
-  using T = Tracked<double>;
+  using T = Tracked;
   CHECK(sqrt(T(6.25)).error() == 0);
   CHECK(sqrt(T(0.0)).error() == 0);
   CHECK((sqrt(T(2.0)).error() > 0 && sqrt(T(2.0)).error() <= 0x1p-53 * (1 + 0x1p-40)));  // half a unit
@@ -244,7 +253,7 @@ TEST_CASE("Tracked: bounds of roots and arc cosines are no larger than they must
 
 TEST_CASE(
     "Tracked: whether there is an arc cosine is in doubt beside 1 where the argument was rounded, and nowhere else") {
-  using T = Tracked<double>;
+  using T = Tracked;
   const auto inconclusive = [](const T& argument) {
     T::inconclusive() = false;
     acos(argument);
@@ -260,7 +269,7 @@ TEST_CASE(
 }
 
 TEST_CASE("Tracked: overflow, and bits lost below the least normal number, are noticed, and nothing else") {
-  using T = Tracked<double>;
+  using T = Tracked;
   const auto left = [](const T&) { return std::exchange(T::out_of_range(), false); };
   T::out_of_range() = false;
   CHECK(left(T(1e200) * T(1e200)));
@@ -284,22 +293,34 @@ TEST_CASE("Tracked: overflow, and bits lost below the least normal number, are n
   CHECK_FALSE(left(T(1.0) / T(3.0)));
   CHECK_FALSE(left(T(1.0) / T(0.0)));  // undefined, not too large
   CHECK_FALSE(left((T(1.0) / T(0.0)) * T(1e300) + T(1e308)));
-  using Single = Tracked<float>;
-  Single::out_of_range() = false;
-  const Single small = Single(1e-30f) * Single(1e-30f);
-  CHECK(Single::out_of_range());
-  CHECK(small.value() == 0);
-  Single::out_of_range() = false;
-  CHECK((Single(0x1p-100f) * Single(0x1p-49f)).value() == 0x1p-149f);
-  CHECK((Single(0x1p-100f) / Single(0x1p49f)).value() == 0x1p-149f);
-  CHECK_FALSE(Single::out_of_range());
-  CHECK((Single(0x1.8p-100f) / Single(0x1p49f)).value() > 0);
-  CHECK(Single::out_of_range());
-  Single::out_of_range() = false;
+}
+
+TEST_CASE("Tracked: the range of float is noticed likewise, and the format is that of the innermost choice") {
+  using T = Tracked;
+  T::out_of_range() = false;
+  {
+    const T::Format in_float(true);
+    CHECK(T(0.1).value() == static_cast<double>(0.1f));
+    CHECK(T(16777217).value() == 16777216);
+    CHECK((T(1e-30) * T(1e-30)).value() == 0);
+    CHECK(std::exchange(T::out_of_range(), false));
+    CHECK((T(0x1p-100) * T(0x1p-49)).value() == 0x1p-149);
+    CHECK((T(0x1p-100) / T(0x1p49)).value() == 0x1p-149);
+    CHECK_FALSE(T::out_of_range());
+    CHECK((T(0x1.8p-100) / T(0x1p49)).value() > 0);
+    CHECK(std::exchange(T::out_of_range(), false));
+    {
+      const T::Format in_double(false);
+      CHECK((T(1e-30) * T(1e-30)).value() == 1e-30 * 1e-30);
+    }
+    CHECK(std::isinf((T(3e38) + T(3e38)).value()));
+    CHECK(std::exchange(T::out_of_range(), false));
+  }
+  CHECK(T(0.1).value() == 0.1);
 }
 
 TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no other") {
-  using T = Tracked<double>;
+  using T = Tracked;
   const auto inconclusive = [](const auto& comparison) {
     T::inconclusive() = false;
     comparison();

@@ -27,7 +27,7 @@ const RowFunctions& counted_row() { return orientation().row(); }
 /// How often which function was asked about `asked`; about any question where that is empty.
 struct Counts {
   Question asked;
-  int solved = 0, certified = 0, formula = 0, in_float = 0, exactly = 0, tracked = 0, tracked_in_float = 0, drawn = 0;
+  int solved = 0, certified = 0, formula = 0, exactly = 0, tracked = 0, tracked_in_float = 0, drawn = 0;
   std::array<int, environment_count> robust{}, decided{};
   /// Solutions that no other examination of the question has: what shows them was read from this one.
   bool marked = false;
@@ -49,15 +49,10 @@ RowFunctions counting() {
   RowFunctions row = counted_row();
   row.solve = solved;
   row.reference = [](const Question& q) { return add(counts.formula, q), counted_row().reference(q); };
-  row.reference_in_float = [](const Question& q) {
-    return add(counts.in_float, q), counted_row().reference_in_float(q);
-  };
   row.reference_exactly = [](const Question& q) { return add(counts.exactly, q), counted_row().reference_exactly(q); };
-  row.reference_tracked.in_double = [](const Question& q) {
-    return add(counts.tracked, q), counted_row().reference_tracked.in_double(q);
-  };
-  row.reference_tracked.in_float = [](const Question& q) {
-    return add(counts.tracked_in_float, q), counted_row().reference_tracked.in_float(q);
+  row.reference_tracked.ask = [](const Question& q, bool binary32) {
+    add(binary32 ? counts.tracked_in_float : counts.tracked, q);
+    return counted_row().reference_tracked.ask(q, binary32);
   };
   row.robust = [](const Question& q, std::size_t e) { return add(counts.robust[e], q), counted_row().robust(q, e); };
   row.decide = [](const Question& q, std::size_t e) { return add(counts.decided[e], q), counted_row().decide(q, e); };
@@ -107,10 +102,9 @@ TEST_CASE("solved once: a finding in table, JSON, gate, JUnit, SARIF and its car
   CHECK(counts.certified == 1);
   CHECK(counts.drawn == 1);
   CHECK(counts.formula == 1);
-  CHECK(counts.in_float == 1);
   CHECK(counts.exactly <= 1);
   CHECK(counts.tracked <= 1);
-  CHECK(counts.tracked_in_float <= 1);
+  CHECK(counts.tracked_in_float == 1);
   CHECK(counts.robust[0] == 1);
   CHECK(counts.decided[0] == 1);
 }

@@ -144,6 +144,23 @@ static void errors(void) {
   touchstone_free(text);
 }
 
+static void scenes(void) {
+  static const char* const falls =
+      "{\"touchstone_scene\":1,\"title\":\"a fall\",\"gravity\":[0,0,-1],\"advance\":{\"timestep\":0.5,\"steps\":4},"
+      "\"bodies\":[{\"name\":\"p\",\"shape\":{\"particle\":{}},\"position\":[0,0,8]}]}";
+  touchstone_error error;
+  char* text;
+  const int code = touchstone_simulate(falls, "{\"runs\":[\"double\",\"robust\"],\"steps\":3}", &text, &error);
+  check(code == TOUCHSTONE_OK, error.rule);
+  if (code == TOUCHSTONE_OK) {
+    check(strstr(text, "\"summary\":") != NULL && strstr(text, "a fall") != NULL, text);
+    touchstone_free(text);
+  }
+  check(touchstone_simulate(falls, "{\"runs\":[\"quad\"]}", &text, &error) == TOUCHSTONE_INVALID_INPUT, "no run quad");
+  check(strcmp(error.field, "options.runs") == 0, error.field);
+  check(touchstone_simulate("{}", NULL, &text, &error) == TOUCHSTONE_INVALID_INPUT, "no bodies");
+}
+
 /* What an engine that always says "left" is called with. */
 struct asked {
   int times;
@@ -243,6 +260,7 @@ int main(void) {
   decisions();
   shapes();
   errors();
+  scenes();
   audits();
   pictures();
 #ifdef VERSION_OF_PACKAGE
