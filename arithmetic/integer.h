@@ -21,8 +21,9 @@ struct Memory {
 };
 Memory& memory();
 
-/// An integer of any size: sign and magnitude, without zeros above the highest digit; 0 has no digits and no sign. Up to
-/// 256 bits need no memory beyond the object. The names of the members with get_ and set_ are those of GMP's C++ class.
+/// An integer of any size: sign and magnitude, without zeros above the highest digit; 0 has no digits and no sign. Up
+/// to 256 bits need no memory beyond the object. The names of the members with get_ and set_ are those of GMP's C++
+/// class.
 class Integer {
  public:
   Integer() noexcept : own_{} {}
