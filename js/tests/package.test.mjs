@@ -34,9 +34,9 @@ test("a question has an exact answer with a proof, and -0 is not 0", () => {
 test("decimals are answered as typed", () => {
   const explained = t.explain("orientation", '{"p0":[0,0],"p1":[0.3,0.9],"p":[0.1,0.3]}');
   assert.deepEqual(explained.as_typed.truth, { side: "on" });
-  assert.deepEqual(explained.truth, { side: "left" });
+  assert.deepEqual(explained.truth, { side: "right" });
   assert.equal(explained.checker, "");
-  assert.equal(explained.sentence, "left of the line");
+  assert.equal(explained.sentence, "right of the line");
 });
 
 test("what is outside the contract is refused by field and rule", () => {
@@ -74,7 +74,7 @@ test("an engine is judged in process, by a number of cases or by questions", asy
   const audit = await t.judge(naive, "orientation", 300);
   assert.equal(audit.exit_code, 1);
   assert.match(audit.table, /^touchstone audit of naive 1\.0 \(binary64\), boundary closed; 300 cases/);
-  const [right, wrong] = await t.judge(naive, "orientation", [question, { p0: [0, 0], p1: [1e200, 0], p: [0, 1e200] }]);
+  const [right, wrong] = await t.judge(naive, "orientation", [question, { p0: [0, 0], p1: [1e-200, 0], p: [0, 1e-200] }]);
   assert.equal(right.verdict, "agree");
   assert.ok(wrong.finding && wrong.cause === "rounding", JSON.stringify(wrong));
 });
