@@ -287,6 +287,27 @@ def light_and_dark(reader):
     assert len(grounds) == 2, grounds
 
 
+def scenes_play(reader):
+    scene = ROOT / "simulate/scenes/bouncing_ball.json"
+    wanted = reader.told("simulate", str(scene))
+    reader.load("scenes.html#name=bouncing_ball")
+    assert reader.until(f"document.querySelector('#summary').textContent === {json.dumps(wanted)}"), reader.text("#summary")
+    drawn = "document.querySelector('#player').contentDocument?.querySelectorAll('[data-player] .turning').length"
+    assert reader.until(f"{drawn} === 3"), reader.run(drawn)
+    reader.run(f"document.querySelector('#scene').value = {json.dumps(scene.read_text().replace('position', 'place'))}")
+    reader.click("#play")
+    assert reader.until("/position/.test(document.querySelector('#status').textContent)"), reader.text("#status")
+
+
+def lists_grow(reader):
+    reader.ask("point_in_polygon", '{"polygon":[[0,0],[4,0],[4,4],[0,4]],"point":[1,3]}')
+    reader.click("[data-longer=true]")
+    reader.answered("point_in_polygon", '{"polygon":[[0,0],[4,0],[4,4],[0,4],[0,2]],"point":[1,3]}')
+    reader.click("[data-longer=false]")
+    reader.click("[data-longer=false]")
+    reader.answered("point_in_polygon", '{"polygon":[[0,0],[4,0],[4,4]],"point":[1,3]}')
+
+
 def asks_no_other_server(reader):
     reader.open("#op=orientation&open=neighbours,own")
     foreign = reader.run("performance.getEntriesByType('resource').map(one => one.name).filter(name => "
@@ -297,7 +318,7 @@ def asks_no_other_server(reader):
 CHECKS = [pasted_json, pasted_line_of_a_report, pasted_geometries, what_is_wrong_is_said, decimals_as_typed,
           dragged_in_the_plane, dragged_in_space, dragged_plane_and_radius, moved_by_keys, nudged, picked_by_a_word,
           drawn_and_shrunk, maps_of_neighbours, own_formula, the_link_holds_all, regression_tests, other_formulas,
-          extreme_numbers, fits_a_phone, light_and_dark, asks_no_other_server, every_operation]
+          extreme_numbers, fits_a_phone, light_and_dark, lists_grow, scenes_play, asks_no_other_server, every_operation]
 
 
 def pictures(reader, folder):

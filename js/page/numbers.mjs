@@ -2,7 +2,7 @@
 /* global escaped */
 // The parts of a question as fields to type into, each number with buttons that move it by an ulp.
 import { stepped } from "./doubles.mjs";
-import { at, numbersOf, numeral, Numeral, parsed, put, spelled } from "./question.mjs";
+import { at, numbersOf, numeral, Numeral, parsed, put, resized, spelled } from "./question.mjs";
 
 const mostNumbers = 300;
 const by = { ArrowUp: 1, ArrowDown: -1, PageUp: 1000, PageDown: -1000 };
@@ -21,6 +21,11 @@ function fieldOf(part, tree) {
     return `<select data-path="${json}" aria-label="${name}">` +
       words.map((word) => `<option value="${escaped(JSON.stringify(word))}"${word === value ? " selected" : ""}>${word}</option>`).join("") + "</select>";
   }
+  if (part.kind === "list") {
+    const size = at(tree, part.path).length;
+    return `<span class="quiet">${size} in all</span><button type="button" data-longer="true" data-path="${json}" aria-label="${name}: one more">add</button>` +
+      `<button type="button" data-longer="false" data-path="${json}" aria-label="${name}: one less"${size > 1 ? "" : " disabled"}>remove</button>`;
+  }
   const paths = numbersOf(part, tree);
   return paths.map((path, i) => numberField(path, tree, paths.length > 1 ? `${name} ${axes[i]}` : name)).join("");
 }
@@ -30,7 +35,8 @@ export class Numbers {
   constructor(place, changed) {
     this.place = place;
     place.addEventListener("click", ({ target, shiftKey }) => {
-      const { ulps, path } = target.closest("button")?.dataset ?? {};
+      const { ulps, longer, path } = target.closest("button")?.dataset ?? {};
+      if (longer) changed(put(this.tree, JSON.parse(path), resized(at(this.tree, JSON.parse(path)), longer === "true")));
       if (ulps) this.#nudge(JSON.parse(path), Number(ulps) * (shiftKey ? 10 : 1));
     });
     place.addEventListener("keydown", (event) => {

@@ -69,6 +69,7 @@ const formOf = (meanings, tree) => (Array.isArray(meanings) ? meanings.find((eac
  *   place, direction   a list of two or three numbers
  *   length, number     one number; index: one place in a list
  *   word               one of words; flag: true or false
+ *   list               a list that may be longer or shorter, before what is in it
  */
 export function partsOf(meanings, tree) {
   const parts = [];
@@ -79,7 +80,9 @@ export function partsOf(meanings, tree) {
       else if (meaning.includes(" | ")) parts.push({ path, kind: "word", words: meaning.split(" | ") });
       else if (value instanceof Numeral) parts.push({ path, kind: meaning });
     } else if (isList(meaning)) {
-      if (Array.isArray(value)) value.forEach((each, i) => walk(meaning[0], each, [...path, i]));
+      if (!Array.isArray(value)) return;
+      if (value.length && !JSON.stringify(meaning).includes('"index"')) parts.push({ path, kind: "list" });
+      value.forEach((each, i) => walk(meaning[0], each, [...path, i]));
     } else if (isTuple(meaning) && ["place", "direction"].includes(meaning[0])) {
       if (fits(meaning, value)) parts.push({ path, kind: meaning[0] });
     } else if (Array.isArray(meaning)) {
@@ -92,6 +95,13 @@ export function partsOf(meanings, tree) {
   };
   walk(formOf(meanings, tree), tree, []);
   return parts;
+}
+/** A list with one more element, of places in the middle between the last and the first, or without its last. */
+export function resized(list, isLonger) {
+  if (!isLonger) return list.slice(0, -1);
+  const [start, end] = [list[0], list.at(-1)];
+  const isPlace = Array.isArray(end) && end.every((x) => x instanceof Numeral);
+  return [...list, isPlace ? end.map((x, i) => numeral(x.value / 2 + start[i].value / 2)) : end];
 }
 /** The paths of a part's numbers. */
 export const numbersOf = (part, tree) =>
