@@ -32,9 +32,7 @@ export function roundNumbers(low, top) {
     [5, power - 1],
     [2, power - 1],
   ]) {
-    const step = times * 10 ** exponent,
-      first = Math.ceil(low / step),
-      last = Math.floor(top / step);
+    const step = times * 10 ** exponent, first = Math.ceil(low / step), last = Math.floor(top / step);
     if (!(step > 0) || last - first > 6) return [];
     if (last - first >= 2)
       return Array.from({ length: last - first + 1 }, (_, i) => +((first + i) * step).toPrecision(12));

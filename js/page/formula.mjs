@@ -76,9 +76,13 @@ export class Formula {
     });
     place.addEventListener("click", ({ target }) => {
       const button = target.closest("button");
-      if (button?.matches(".judge")) ((this.#trusted = true), this.judge());
-      if (button?.matches(".audit")) ((this.#trusted = true), this.audit());
-      if (button?.matches(".begin")) ((this.box.value = ""), this.begin());
+      if (button?.matches(".judge, .audit, .begin")) this.#trusted = true;
+      if (button?.matches(".judge")) this.judge();
+      if (button?.matches(".audit")) this.audit();
+      if (button?.matches(".begin")) {
+        this.box.value = "";
+        this.begin();
+      }
       if (button?.dataset.input) this.load(this.question.operation.name, button.dataset.input);
     });
   }
@@ -153,8 +157,7 @@ export class Formula {
   async judge() {
     if (!this.text.trim()) return this.#say("");
     if (this.auditing) return;
-    const asked = ++this.#asked,
-      { operation, text } = this.question;
+    const asked = ++this.#asked, { operation, text } = this.question;
     try {
       const [judged] = await this.#within(forOne, (worker) => worker.judge(this.#engine(), operation.name, [text]));
       if (asked !== this.#asked) return;
@@ -169,8 +172,7 @@ export class Formula {
 
   async audit() {
     if (!this.text.trim() || this.auditing) return;
-    const result = this.place.querySelector(".audited"),
-      { operation } = this.question;
+    const result = this.place.querySelector(".audited"), { operation } = this.question;
     this.auditing = true;
     result.innerHTML = `<p role="status">${cases} questions are asked ...</p>`;
     try {

@@ -24,8 +24,7 @@ function placeBeside(tree, path) {
 
 /** Of the arrows and rays of a drawing the one that shows a direction: [its start, how long it is drawn]. */
 function drawnArrow(figures, dimension, path, v) {
-  const names = [spelled(path), spelled(path.slice(0, -1))],
-    long = size(v);
+  const names = [spelled(path), spelled(path.slice(0, -1))], long = size(v);
   for (const { kind, whose, label, numbers } of figures) {
     if ((kind !== "arrow" && kind !== "ray") || whose !== "question" || !names.includes(label)) continue;
     const start = numbers.slice(0, dimension).map(Number),
@@ -42,19 +41,14 @@ function drawnArrow(figures, dimension, path, v) {
  * whether the drawing has its arrow.
  */
 export function handlesOf(parts, tree, drawing, view) {
-  const dimension = view.isFlat ? 2 : 3,
-    figures = view.isFlat ? drawing.figures : drawing.space,
-    handles = [];
+  const dimension = view.isFlat ? 2 : 3, figures = view.isFlat ? drawing.figures : drawing.space, handles = [];
   const written = (path, p, number) => (now) =>
     p.reduce((changed, x, i) => put(changed, [...path, i], number(x)), now);
   for (const { path, kind } of parts) {
     if (handles.length >= mostHandles) break;
-    const name = spelled(path),
-      holder = at(tree, path.slice(0, -1)),
-      last = path.at(-1);
+    const name = spelled(path), holder = at(tree, path.slice(0, -1)), last = path.at(-1);
     if (kind === "length" && (last === "radius" || last === "margin")) {
-      const centre = placeBeside(tree, path),
-        r = at(tree, path).value;
+      const centre = placeBeside(tree, path), r = at(tree, path).value;
       if (centre?.length !== dimension) continue;
       const moved = (p, number) => put(tree, path, number(size(minus(p, centre))));
       handles.push({ path, name, of: "length", at: centre.map((x, i) => (i ? x : x + r)), put: moved });
@@ -103,10 +97,8 @@ export function handlesOf(parts, tree, drawing, view) {
   }
   function ofDirection(path, name, v, whole, drawn, dimensions, seen) {
     const shown = drawnArrow(drawn, dimensions, path, v);
-    const place = placeBeside(whole, path),
-      zero = v.map(() => 0);
-    const start = shown?.[0] ?? (place?.length === v.length ? place : zero),
-      long = size(v) * (shown?.[1] || 1);
+    const place = placeBeside(whole, path), zero = v.map(() => 0);
+    const start = shown?.[0] ?? (place?.length === v.length ? place : zero), long = size(v) * (shown?.[1] || 1);
     // A tip too near to its start to be held is shown farther away.
     const enough = long > 0 && long < shortest * seen.pixel ? (shortest * seen.pixel) / long : 1,
       times = (shown?.[1] || 1) * enough;

@@ -15,19 +15,17 @@ import inWorker from "./touchstone/client.mjs";
 import { jsonOf } from "./touchstone/core.mjs";
 
 const one = (selector) => document.querySelector(selector);
-const first = "orientation",
-  mostUndone = 200;
+const first = "orientation", mostUndone = 200;
 
 const began = performance.now();
 // Answers follow the reader's hand from one worker; what takes longer has another.
 const [live, slow] = await Promise.all([inWorker(), inWorker()]);
-const operations = await live.operations(),
-  byName = new Map(operations.map((each) => [each.name, each]));
+const operations = await live.operations();
+const byName = new Map(operations.map((each) => [each.name, each]));
 
 let operation, tree, parts, text; // the question
 let said, drawing; // its answers and figures, as soon as they are there
-let before = [],
-  drawn = { list: [], from: "" };
+let before = [], drawn = { list: [], from: "" };
 
 // The question and the questions before it.
 const question = () => ({ operation, tree, parts, text });
@@ -58,9 +56,7 @@ function change(to, { fit = false, undone = false, op = operation } = {}) {
 const load = (name, json, options) => change(parsed(json), { op: byName.get(name), ...options });
 
 // One question at a time is asked; of those that come meanwhile the last.
-let asking = false,
-  again = false,
-  fitsNext = false;
+let asking = false, again = false, fitsNext = false;
 async function ask(fit = false) {
   fitsNext ||= fit;
   again = true;
@@ -69,21 +65,22 @@ async function ask(fit = false) {
   asking = true;
   while (again) {
     again = false;
-    const { name } = operation,
-      asked = text;
+    const { name } = operation, asked = text;
     const others = operations.filter((each) => each.implementation_of === name);
     try {
       const now = await live.explain(name, asked);
       const wrong = now.reference?.verdict === "wrong" ? JSON.stringify(now.reference.answer) : undefined;
       const figures = await live.drawing(name, asked, wrong);
-      const by = picture.isHeld
-        ? {}
-        : Object.fromEntries(
-            await Promise.all(others.map(async (each) => [each.name, await live.explain(each.name, asked)])),
-          );
-      if (name === operation.name) ((said = now), (drawing = figures), show(answered(said, by)));
+      const by = {};
+      for (const each of picture.isHeld ? [] : others) by[each.name] = await live.explain(each.name, asked);
+      if (name !== operation.name) continue;
+      said = now;
+      drawing = figures;
+      show(answered(said, by));
     } catch (failure) {
-      if (name === operation.name) ((said = undefined), show(refused(failure)));
+      if (name !== operation.name) continue;
+      said = drawing = undefined;
+      show(refused(failure));
     }
   }
   asking = false;
@@ -93,20 +90,12 @@ async function ask(fit = false) {
   followed();
 }
 function show(html) {
-  const place = one("#answers"),
-    open = [...place.querySelectorAll("details")].map((each) => each.open);
+  const place = one("#answers"), open = [...place.querySelectorAll("details")].map((each) => each.open);
   place.innerHTML = html;
   const details = [...place.querySelectorAll("details")];
-  if (details.length === open.length)
-    details.forEach((each, i) => {
-      each.open = open[i];
-    });
-  one("#notes").innerHTML = said
-    ? [...drawing.notes, drawing.search]
-        .filter(Boolean)
-        .map((note) => `<p class="small quiet">${escaped(note)}</p>`)
-        .join("")
-    : "";
+  if (details.length === open.length) details.forEach((each, i) => { each.open = open[i]; });
+  const notes = said ? [...drawing.notes, drawing.search].filter(Boolean) : [];
+  one("#notes").innerHTML = notes.map((note) => `<p class="small quiet">${escaped(note)}</p>`).join("");
   picture.set({ tree, parts, drawing }, fitsNext);
   fitsNext = false;
 }
@@ -213,8 +202,7 @@ const picker = new Picker(one("#picker"), {
 });
 
 async function draw() {
-  const families = one("#family").value ? [one("#family").value] : [],
-    from = `${operation.name} ${families}`;
+  const families = one("#family").value ? [one("#family").value] : [], from = `${operation.name} ${families}`;
   if (drawn.from !== from) drawn = { from, list: [], seed: 1 };
   if (!drawn.list.length) drawn.list = await slow.draw(operation.name, { families, cases: 40, seed: drawn.seed++ });
   const { input, family, index } = drawn.list.shift();

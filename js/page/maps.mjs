@@ -3,9 +3,7 @@
 // Maps of the questions around one: two of its numbers move by units in the last place, a square for each question.
 import { at, numbersOf, numeral, put, spelled } from "./question.mjs";
 
-const side = 41,
-  middle = (side - 1) / 2,
-  pixels = 8;
+const side = 41, middle = (side - 1) / 2, pixels = 8;
 const tints = ["--q0", "--q1", "--q2", "--q3", "--link", "--truth"];
 const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
@@ -44,8 +42,7 @@ export class Maps {
   /** Asks for the maps of a question: {operation, tree, parts, text}. */
   async show(question) {
     this.question = question;
-    const { operation, tree, parts, text } = question,
-      asked = ++this.#asked;
+    const { operation, tree, parts, text } = question, asked = ++this.#asked;
     const paths = parts.filter(({ kind }) => kind !== "index").flatMap((part) => numbersOf(part, tree)),
       most = paths.length;
     if (most < 2) return this.#say("This question has no two numbers.");
@@ -97,8 +94,7 @@ export class Maps {
       `place (${double.steps.map((step) => Number(step).toExponential(1)).join(" and ")}). ` +
       "A click or an arrow key goes to a neighbour.</p>";
     [...this.place.querySelectorAll("canvas")].forEach((canvas, k) => {
-      const pen = canvas.getContext("2d"),
-        [, cells, colourOf] = views[k];
+      const pen = canvas.getContext("2d"), [, cells, colourOf] = views[k];
       cells.forEach((row, j) =>
         row.forEach((cell, i) => {
           pen.fillStyle = colourOf(cell);
@@ -117,8 +113,7 @@ export class Maps {
 
   #goTo(right, down) {
     if (!this.shown || this.shown.paths.some((path) => !path)) return;
-    const [across, up] = this.shown.paths,
-      [dx, dy] = this.shown.double.steps.map(Number);
+    const [across, up] = this.shown.paths, [dx, dy] = this.shown.double.steps.map(Number);
     const moved = (tree, path, by) => (by === 0 ? tree : put(tree, path, numeral(at(tree, path).value + by)));
     this.go(moved(moved(this.question.tree, across, right * dx), up, -down * dy));
   }

@@ -44,8 +44,7 @@ export class Numbers {
       if (ulps) this.#nudge(JSON.parse(path), Number(ulps) * (shiftKey ? 10 : 1));
     });
     place.addEventListener("keydown", (event) => {
-      const path = event.target.matches("input") && event.target.dataset.path,
-        ulps = by[event.key];
+      const path = event.target.matches("input") && event.target.dataset.path, ulps = by[event.key];
       if (!path || !ulps) return;
       event.preventDefault();
       this.#nudge(JSON.parse(path), ulps * (event.shiftKey ? 10 : 1));

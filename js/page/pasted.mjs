@@ -6,8 +6,7 @@ import { asksFor, numeral, parsed, textOf } from "./question.mjs";
 /** The first JSON object in a text, with numerals; undefined if there is none. */
 function firstObject(text) {
   for (let from = text.indexOf("{"); from >= 0; from = text.indexOf("{", from + 1)) {
-    let depth = 0,
-      quoted = false;
+    let depth = 0, quoted = false;
     for (let to = from; to < text.length; ++to) {
       const c = text[to];
       if (quoted) {
@@ -42,8 +41,7 @@ function firstInput(value, op) {
 
 /** The vertices and faces of a Wavefront file; of each corner only the vertex. */
 function meshOf(text) {
-  const vertices = [],
-    faces = [];
+  const vertices = [], faces = [];
   for (const line of text.split("\n")) {
     const [word, ...rest] = line.trim().split(/\s+/);
     if (word === "v") vertices.push(rest.slice(0, 3).map((each) => parsed(each)));

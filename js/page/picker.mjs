@@ -7,8 +7,7 @@ export class Picker {
   /** dialog: has input and .operations; drawing(name, question): asks for figures; pick(name). */
   constructor(dialog, { operations, drawing, pick }) {
     Object.assign(this, { dialog, operations, drawing });
-    const list = dialog.querySelector(".operations"),
-      search = dialog.querySelector("input");
+    const list = dialog.querySelector(".operations"), search = dialog.querySelector("input");
     const card = ({ name, question }) =>
       `<li data-name="${name}"><button type="button"><span class="picture"></span>` +
       `<strong>${escaped(name.replaceAll("_", " "))}</strong>` +

@@ -2,6 +2,7 @@
 /* global escaped, tenths, viewer */
 // The picture of the question and its truth, with handles that the reader drags or moves by keys.
 import { handlesOf } from "./handles.mjs";
+import { at } from "./question.mjs";
 import { View, extentOf, minus, pictureOf, size, ticksOf } from "./view.mjs";
 
 const { width, height } = viewer.size;
@@ -58,8 +59,9 @@ export class Picture {
     this.tree = tree;
     this.#parts = parts;
     this.#drawing = drawing;
-    const flat = drawing.figures.length > 0 || drawing.space.length === 0;
-    if (flat !== this.view.isFlat) fit = true;
+    const inSpace = ({ kind, path }) => (kind === "place" || kind === "direction") && at(tree, path).length === 3;
+    const flat = drawing.figures.length > 0 || (drawing.space.length === 0 && !parts.some(inSpace));
+    if (flat !== this.view.isFlat && drawing !== nothing) fit = true;
     this.view.isFlat = flat;
     if (fit) this.fit(false);
     this.draw();
@@ -86,8 +88,7 @@ export class Picture {
     });
   }
   #paint() {
-    const one = (part) => this.svg.querySelector(part),
-      focused = document.activeElement?.dataset?.handle;
+    const one = (part) => this.svg.querySelector(part), focused = document.activeElement?.dataset?.handle;
     this.svg.classList.toggle("flat", this.view.isFlat);
     this.#handles = handlesOf(this.#parts, this.tree, this.#drawing, this.view);
     one(".ticks").innerHTML = ticksOf(this.view);
@@ -125,8 +126,7 @@ export class Picture {
 
   /** Of a pointer, in pixels of the viewer. */
   #pixel(event) {
-    const box = this.svg.getBoundingClientRect(),
-      scale = width / box.width;
+    const box = this.svg.getBoundingClientRect(), scale = width / box.width;
     return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
   }
   #down(event) {
@@ -158,7 +158,8 @@ export class Picture {
       this.draw();
       this.turned();
     }
-    ((held.x = x), (held.y = y));
+    held.x = x;
+    held.y = y;
   }
   #turn(byYaw, byPitch) {
     this.isTurned = true;
@@ -189,8 +190,7 @@ export class Picture {
   /** A handle moves by a step along an axis, the view turns or moves; Tab and Shift go from handle to handle. */
   #key(event) {
     if (event.altKey || event.ctrlKey || event.metaKey) return;
-    const way = ways[event.key],
-      name = event.target.closest(".handle")?.dataset.handle;
+    const way = ways[event.key], name = event.target.closest(".handle")?.dataset.handle;
     const handle = this.#handles.find((each) => each.name === name);
     if (handle && way) {
       this.#put(

@@ -4,13 +4,11 @@ import { chosenIn, fragmentOf } from "./link.mjs";
 import inWorker from "./touchstone/client.mjs";
 
 const one = (selector) => document.querySelector(selector);
-const box = one("#scene"),
-  frame = one("#player");
+const box = one("#scene"), frame = one("#player");
 const first = "two_balls_in_a_box";
 const names = await (await fetch("scenes/list.json")).json();
 
-let worker = null,
-  playing = 0;
+let worker = null, playing = 0;
 const say = (words) => {
   one("#status").textContent = words;
 };

@@ -54,16 +54,13 @@ export class View {
   }
   /** The pixel of a point. */
   seen(p) {
-    const [x, y, z] = this.steps(p),
-      { cosYaw, sinYaw, cosPitch, sinPitch } = this.turn,
-      scale = room / half;
+    const [x, y, z] = this.steps(p), { cosYaw, sinYaw, cosPitch, sinPitch } = this.turn, scale = room / half;
     const forth = sinYaw * x + cosYaw * z;
     return [width / 2 + scale * (cosYaw * x - sinYaw * z), height / 2 - scale * (cosPitch * y - sinPitch * forth)];
   }
   /** The way in space that so many pixels to the right and down are, across the reader's direction. */
   across(dx, dy) {
-    const { cosYaw, sinYaw, cosPitch, sinPitch } = this.turn,
-      [x, y] = [dx * this.pixel, -dy * this.pixel];
+    const { cosYaw, sinYaw, cosPitch, sinPitch } = this.turn, [x, y] = [dx * this.pixel, -dy * this.pixel];
     return [x * cosYaw - y * sinPitch * sinYaw, y * cosPitch, -x * sinYaw - y * sinPitch * cosYaw];
   }
 
@@ -101,8 +98,7 @@ export function cornersOf({ kind, numbers }, dimension) {
     n.slice(dimension * i, dimension * (i + 1)),
   );
   if (kind !== "circle" && kind !== "sphere") return kind === "ray" || kind === "line" ? points.slice(0, 2) : points;
-  const centre = n.slice(0, dimension),
-    r = Math.abs(n[dimension]);
+  const centre = n.slice(0, dimension), r = Math.abs(n[dimension]);
   return [centre.map((x) => x - r), centre.map((x) => x + r)];
 }
 
@@ -119,7 +115,8 @@ function cut(p, q, from = 0, to = 1) {
     if (way === 0 && Math.abs(p[i]) > farthest) return [];
     if (way === 0) continue;
     const [s, t] = [(-farthest - p[i]) / way, (farthest - p[i]) / way];
-    ((from = Math.max(from, Math.min(s, t))), (to = Math.min(to, Math.max(s, t))));
+    from = Math.max(from, Math.min(s, t));
+    to = Math.min(to, Math.max(s, t));
   }
   return from <= to ? [from, to].map((t) => plus(p, minus(q, p), t)) : [];
 }
@@ -131,14 +128,11 @@ export function modelOf(drawing, view) {
   const figures = [];
   const dimension = view.isFlat ? 2 : 3;
   for (const figure of view.isFlat ? drawing.figures : drawing.space) {
-    const n = figure.numbers.map(Number),
-      { kind, label = "", whose, faces, node, entered } = figure;
+    const n = figure.numbers.map(Number), { kind, label = "", whose, faces, node, entered } = figure;
     if (!n.every(Number.isFinite)) continue;
     const common = { kind, label, whose, faces, node, entered };
     if (kind === "plane") {
-      const normal = n.slice(0, 3),
-        foot = footOf(normal, n[3], view.centre),
-        long = size(normal);
+      const normal = n.slice(0, 3), foot = footOf(normal, n[3], view.centre), long = size(normal);
       if (long > 0)
         figures.push({
           ...common,
@@ -174,8 +168,7 @@ export function pictureOf(drawing, view) {
 /** Round numbers along the lower and the left side of a plane. */
 export function ticksOf(view) {
   if (!view.isFlat) return "";
-  const [wide, high] = [(view.pixel * width) / 2, (view.pixel * height) / 2],
-    [x, y] = view.centre;
+  const [wide, high] = [(view.pixel * width) / 2, (view.pixel * height) / 2], [x, y] = view.centre;
   const across = roundNumbers(x - wide, x + wide).map((value) => [view.seen([value, y])[0], value]);
   const up = roundNumbers(y - high, y + high).map((value) => [view.seen([x, value])[1], value]);
   const label = (value) => String(value).replace("-", "\u2212");
