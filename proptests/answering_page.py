@@ -157,7 +157,7 @@ def drawn_and_shrunk(reader):
     before = reader.text()
     reader.until("!document.querySelector('#shrink').disabled")
     reader.click("#shrink")
-    shorter = reader.until(f"document.querySelector('#text').value.length < {len(before)} && document.querySelector('#text').value")
+    shorter = reader.until(f"(text => text.length < {len(before)} && text)(document.querySelector('#text').value)")
     reader.settle()
     assert reader.answered("segment_segment", shorter)["reference"]["cause"] == "algorithm"
     reader.click("#draw")
@@ -172,8 +172,8 @@ def maps_of_neighbours(reader):
     label = reader.until("document.querySelector('.map canvas')?.getAttribute('aria-label')")
     counts = [int(word.rstrip(",")) for word in label.split() if word.rstrip(",").isdigit()]
     assert sum(counts) == 41 * 41 and "rounding" in label, label
-    reader.run("document.querySelector('.map canvas').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true}))")
-    reader.settle()
+    reader.run("document.querySelector('.map canvas').focus()")
+    reader.press("ArrowRight", 39)
     assert json.loads(reader.text())["p0"][0] > 0.5, reader.text()
     reader.answered("orientation")
 
@@ -200,7 +200,8 @@ def the_link_holds_all(reader):
     reader.drag("triangle[0]", 25, 10)
     reader.click("#own summary")
     reader.type("#own textarea", "() => 'none'")
-    reader.run("document.querySelector('#snap').value = '-2', document.querySelector('#snap').dispatchEvent(new Event('change'))")
+    reader.run("document.querySelector('#snap').value = '-2'")
+    reader.drag("triangle[1]", 9, 9)
     reader.run("new Promise(resolve => setTimeout(resolve, 600))")
     text, fragment = reader.text(), reader.run("location.hash")
     reader.open(fragment)
@@ -262,7 +263,8 @@ def fits_a_phone(reader):
 # The contrast of words with what is behind them, by WCAG 2.
 CONTRAST = """(() => {
   const light = colour => colour.match(/[0-9.]+/g).slice(0, 3).map(v => v / 255)
-      .map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+      .map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+      .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
   const behind = one => { for (; one; one = one.parentElement) {
     const colour = getComputedStyle(one).backgroundColor;
     if (!/, 0\\)$/.test(colour)) return colour;
@@ -287,17 +289,38 @@ def light_and_dark(reader):
     assert len(grounds) == 2, grounds
 
 
+def scenes_play(reader):
+    scene = ROOT / "simulate/scenes/bouncing_ball.json"
+    wanted = reader.told("simulate", str(scene))
+    reader.load("scenes.html#name=bouncing_ball")
+    assert reader.until(f"document.querySelector('#summary').textContent === {json.dumps(wanted)}"), reader.text("#summary")
+    drawn = "document.querySelector('#player').contentDocument?.querySelectorAll('[data-player] .turning').length"
+    assert reader.until(f"{drawn} === 3"), reader.run(drawn)
+    reader.run(f"document.querySelector('#scene').value = {json.dumps(scene.read_text().replace('position', 'place'))}")
+    reader.click("#play")
+    assert reader.until("/position/.test(document.querySelector('#status').textContent)"), reader.text("#status")
+
+
+def lists_grow(reader):
+    reader.ask("point_in_polygon", '{"polygon":[[0,0],[4,0],[4,4],[0,4]],"point":[1,3]}')
+    reader.click("[data-longer=true]")
+    reader.answered("point_in_polygon", '{"polygon":[[0,0],[4,0],[4,4],[0,4],[0,2]],"point":[1,3]}')
+    reader.click("[data-longer=false]")
+    reader.click("[data-longer=false]")
+    reader.answered("point_in_polygon", '{"polygon":[[0,0],[4,0],[4,4]],"point":[1,3]}')
+
+
 def asks_no_other_server(reader):
     reader.open("#op=orientation&open=neighbours,own")
     foreign = reader.run("performance.getEntriesByType('resource').map(one => one.name).filter(name => "
-                         "!name.startsWith(location.origin) && !name.startsWith('blob:' + location.origin) && !name.startsWith('data:'))")
+                         "!name.startsWith(location.origin) && !/^(blob|data):/.test(name))")
     assert foreign == [], foreign
 
 
 CHECKS = [pasted_json, pasted_line_of_a_report, pasted_geometries, what_is_wrong_is_said, decimals_as_typed,
           dragged_in_the_plane, dragged_in_space, dragged_plane_and_radius, moved_by_keys, nudged, picked_by_a_word,
           drawn_and_shrunk, maps_of_neighbours, own_formula, the_link_holds_all, regression_tests, other_formulas,
-          extreme_numbers, fits_a_phone, light_and_dark, asks_no_other_server, every_operation]
+          extreme_numbers, fits_a_phone, light_and_dark, lists_grow, scenes_play, asks_no_other_server, every_operation]
 
 
 def pictures(reader, folder):

@@ -42,12 +42,15 @@ class Reader:
         assert "exceptionDetails" not in said, said["exceptionDetails"]
         return said["result"].get("value")
 
-    def open(self, fragment=""):
+    def load(self, page):
         # A fragment alone loads nothing, so another page comes between.
-        for address in ("about:blank", self.address + fragment):
+        for address in ("about:blank", self.address + page):
             self.browser.ask("Page.navigate", url=address)
             while self.browser.next().get("method") != "Page.loadEventFired":
                 pass
+
+    def open(self, fragment=""):
+        self.load(fragment)
         self.settle()
 
     def follow(self, fragment):

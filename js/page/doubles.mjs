@@ -7,7 +7,7 @@ const least = -0x8000000000000000n;
 /** The double so many steps from x to greater ones; infinities are not passed. */
 export function stepped(x, ulps) {
   bits.setFloat64(0, x);
-  let n = bits.getBigInt64(0);  // doubles are ordered as these are, negative ones backwards
+  let n = bits.getBigInt64(0); // doubles are ordered as these are, negative ones backwards
   if (n < 0n) n = least - n;
   n += BigInt(ulps);
   bits.setBigInt64(0, n < 0n ? least - n : n);
@@ -27,10 +27,15 @@ export function decimals(x, power) {
 /** Up to six round numbers from low to top: multiples of 1, 2 or 5 times a power of 10. */
 export function roundNumbers(low, top) {
   const power = Math.floor(Math.log10(top - low));
-  for (const [times, exponent] of [[1, power], [5, power - 1], [2, power - 1]]) {
+  for (const [times, exponent] of [
+    [1, power],
+    [5, power - 1],
+    [2, power - 1],
+  ]) {
     const step = times * 10 ** exponent, first = Math.ceil(low / step), last = Math.floor(top / step);
     if (!(step > 0) || last - first > 6) return [];
-    if (last - first >= 2) return Array.from({ length: last - first + 1 }, (_, i) => +((first + i) * step).toPrecision(12));
+    if (last - first >= 2)
+      return Array.from({ length: last - first + 1 }, (_, i) => +((first + i) * step).toPrecision(12));
   }
   return [];
 }

@@ -4,7 +4,9 @@
 // in a worker of its own, which is ended when it takes too long.
 import { badge, coded, verdictOf } from "./answers.mjs";
 
-const forOne = 3000, forAudit = 120000, cases = 2000;  // milliseconds
+const forOne = 3000,
+  forAudit = 120000,
+  cases = 2000; // milliseconds
 const examples = {
   orientation: `({ p0, p1, p }) => {
   const e = (p1[0] - p0[0]) * (p[1] - p0[1]) - (p1[1] - p0[1]) * (p[0] - p0[0]);
@@ -25,13 +27,23 @@ function firstAnswer(described) {
   if (Array.isArray(described)) return described[1] === "..." ? [] : described.map(firstAnswer);
   if (typeof described === "object") {
     if (described["one of"]) return firstAnswer(described["one of"][0]);
-    return Object.fromEntries(Object.entries(described).filter(([name]) => !name.endsWith("?")).map(([name, each]) => [name, firstAnswer(each)]));
+    return Object.fromEntries(
+      Object.entries(described)
+        .filter(([name]) => !name.endsWith("?"))
+        .map(([name, each]) => [name, firstAnswer(each)]),
+    );
   }
-  return described === "true | false" ? true : ["number", "index"].includes(described) ? 0 : described.split(" | ")[0];
+  return described === "true | false"
+    ? true
+    : ["number", "index"].includes(described)
+      ? 0
+      : described.split(" | ")[0];
 }
 /** A formula to begin with. */
-export const begun = ({ name, fields, answer }) => examples[name] ??
-  `// The answer: ${JSON.stringify(answer)}\n({ ${[fields].flat().join(", ")} }) => {\n  return ${JSON.stringify(firstAnswer(answer))};\n}`;
+export const begun = ({ name, fields, answer }) =>
+  examples[name] ??
+  `// The answer: ${JSON.stringify(answer)}\n({ ${[fields].flat().join(", ")} }) => {\n` +
+    `  return ${JSON.stringify(firstAnswer(answer))};\n}`;
 
 export class Formula {
   #worker = null;
@@ -40,7 +52,10 @@ export class Formula {
   #trusted = false;
   #question;
 
-  /** place: has textarea, .verdict, .audited and buttons; load(op, input): shows a question; changed(): the text was. */
+  /**
+   * place: has textarea, .verdict, .audited and buttons
+   * started(): a worker with the module; load(op, input): shows a question; changed(): the formula was
+   */
   constructor(place, { started, load, changed }) {
     Object.assign(this, { place, started, load, changed });
     this.box = place.querySelector("textarea");
@@ -61,9 +76,13 @@ export class Formula {
     });
     place.addEventListener("click", ({ target }) => {
       const button = target.closest("button");
-      if (button?.matches(".judge")) this.#trusted = true, this.judge();
-      if (button?.matches(".audit")) this.#trusted = true, this.audit();
-      if (button?.matches(".begin")) this.box.value = "", this.begin();
+      if (button?.matches(".judge, .audit, .begin")) this.#trusted = true;
+      if (button?.matches(".judge")) this.judge();
+      if (button?.matches(".audit")) this.audit();
+      if (button?.matches(".begin")) {
+        this.box.value = "";
+        this.begin();
+      }
       if (button?.dataset.input) this.load(this.question.operation.name, button.dataset.input);
     });
   }
@@ -111,7 +130,8 @@ export class Formula {
   #engine() {
     if (this.#address) URL.revokeObjectURL(this.#address);
     const { name } = this.question.operation;
-    const source = `const formula = (${this.text.trim().replace(/;$/, "")}\n);\n` +
+    const source =
+      `const formula = (${this.text.trim().replace(/;$/, "")}\n);\n` +
       `export default { name: "your formula", boundary: "closed", ${name}: formula };\n`;
     this.#address = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     return this.#address;
@@ -141,7 +161,8 @@ export class Formula {
     try {
       const [judged] = await this.#within(forOne, (worker) => worker.judge(this.#engine(), operation.name, [text]));
       if (asked !== this.#asked) return;
-      this.place.querySelector(".verdict").innerHTML = `<p>${badge(verdictOf(judged))} ${coded(judged.answer ?? null)}` +
+      this.place.querySelector(".verdict").innerHTML =
+        `<p>${badge(verdictOf(judged))} ${coded(judged.answer ?? null)}` +
         `${judged.remark ? ` <span class="small quiet">${escaped(judged.remark)}</span>` : ""}</p>` +
         (judged.why ? `<p class="small quiet">${escaped(judged.why)}</p>` : "");
     } catch (failure) {
@@ -155,7 +176,9 @@ export class Formula {
     this.auditing = true;
     result.innerHTML = `<p role="status">${cases} questions are asked ...</p>`;
     try {
-      const { table, tally } = await this.#within(forAudit, (worker) => worker.judge(this.#engine(), operation.name, cases, { summary: true }));
+      const { table, tally } = await this.#within(forAudit, (worker) =>
+        worker.judge(this.#engine(), operation.name, cases, { summary: true }),
+      );
       result.innerHTML = `<pre tabindex="0">${escaped(table.trim())}</pre>${found(tally)}`;
     } catch (failure) {
       result.innerHTML = `<p>${escaped(failure.rule ?? failure.message)}</p>`;
@@ -168,12 +191,21 @@ export class Formula {
 
 /** An example of each way in which answers were wrong, of most cases first. */
 function found(tally) {
-  const ways = tally.operations.flatMap(({ families }) => families).flatMap(({ family, ways: of }) => of.map((way) => ({ family, ...way })))
-    .filter(({ example }) => example).sort((a, b) => total(b.cases) - total(a.cases));
+  const ways = tally.operations
+    .flatMap(({ families }) => families)
+    .flatMap(({ family, ways: of }) => of.map((way) => ({ family, ...way })))
+    .filter(({ example }) => example)
+    .sort((a, b) => total(b.cases) - total(a.cases));
   const kinds = new Map(ways.toReversed().map((way) => [`${way.verdict} ${way.truth} ${way.answer}`, way]));
   if (!kinds.size) return "";
-  return `<ul class="ways">${[...kinds.values()].toReversed().slice(0, 12).map(({ verdict, truth, answer, family, example }) =>
-    `<li>${badge(verdict)} ${escaped(answer)} where ${escaped(truth)} is right, in ${escaped(family)} ` +
-    `<button type="button" data-input="${escaped(JSON.stringify(example.input))}">Show</button></li>`).join("")}</ul>`;
+  return `<ul class="ways">${[...kinds.values()]
+    .toReversed()
+    .slice(0, 12)
+    .map(
+      ({ verdict, truth, answer, family, example }) =>
+        `<li>${badge(verdict)} ${escaped(answer)} where ${escaped(truth)} is right, in ${escaped(family)} ` +
+        `<button type="button" data-input="${escaped(JSON.stringify(example.input))}">Show</button></li>`,
+    )
+    .join("")}</ul>`;
 }
 const total = (cases) => (typeof cases === "number" ? cases : Object.values(cases).reduce((sum, n) => sum + n, 0));

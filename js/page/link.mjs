@@ -3,18 +3,22 @@
 
 /** Texts by name; what is empty is left out. */
 export const fragmentOf = (chosen) =>
-  "#" + Object.entries(chosen).filter(([, text]) => text !== "" && text !== undefined)
-    .map(([name, text]) => `${name}=${encodeURIComponent(text).replaceAll("%2C", ",").replaceAll("%3A", ":")}`).join("&");
+  "#" +
+  Object.entries(chosen)
+    .filter(([, text]) => text !== "" && text !== undefined)
+    .map(([name, text]) => `${name}=${encodeURIComponent(text).replaceAll("%2C", ",").replaceAll("%3A", ":")}`)
+    .join("&");
 
 export function chosenIn(fragment) {
   const chosen = {};
   for (const pair of fragment.replace(/^#/, "").split("&")) {
     const [, name, text] = /^([a-z]+)=(.*)$/s.exec(pair) ?? [];
-    if (name) try {
-      chosen[name] = decodeURIComponent(text);
-    } catch {
-      // A link that was cut: what is whole of it is taken.
-    }
+    if (name)
+      try {
+        chosen[name] = decodeURIComponent(text);
+      } catch {
+        // A link that was cut: what is whole of it is taken.
+      }
   }
   return chosen;
 }

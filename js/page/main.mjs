@@ -20,10 +20,11 @@ const first = "orientation", mostUndone = 200;
 const began = performance.now();
 // Answers follow the reader's hand from one worker; what takes longer has another.
 const [live, slow] = await Promise.all([inWorker(), inWorker()]);
-const operations = await live.operations(), byName = new Map(operations.map((each) => [each.name, each]));
+const operations = await live.operations();
+const byName = new Map(operations.map((each) => [each.name, each]));
 
-let operation, tree, parts, text;  // the question
-let said, drawing;  // its answers and figures, as soon as they are there
+let operation, tree, parts, text; // the question
+let said, drawing; // its answers and figures, as soon as they are there
 let before = [], drawn = { list: [], from: "" };
 
 // The question and the questions before it.
@@ -36,7 +37,8 @@ function change(to, { fit = false, undone = false, op = operation } = {}) {
     maps.axes = null;
     one("#operation").textContent = operation.name.replaceAll("_", " ");
     one("#asked").textContent = operation.question;
-    one("#family").innerHTML = `<option value="">any family</option>` + operation.families.map((name) => `<option>${name}</option>`).join("");
+    one("#family").innerHTML =
+      `<option value="">any family</option>` + operation.families.map((name) => `<option>${name}</option>`).join("");
     document.title = `${operation.name.replaceAll("_", " ")}: the exact truth`;
     fit = true;
   }
@@ -69,10 +71,16 @@ async function ask(fit = false) {
       const now = await live.explain(name, asked);
       const wrong = now.reference?.verdict === "wrong" ? JSON.stringify(now.reference.answer) : undefined;
       const figures = await live.drawing(name, asked, wrong);
-      const by = picture.isHeld ? {} : Object.fromEntries(await Promise.all(others.map(async (each) => [each.name, await live.explain(each.name, asked)])));
-      if (name === operation.name) said = now, drawing = figures, show(answered(said, by));
+      const by = {};
+      for (const each of picture.isHeld ? [] : others) by[each.name] = await live.explain(each.name, asked);
+      if (name !== operation.name) continue;
+      said = now;
+      drawing = figures;
+      show(answered(said, by));
     } catch (failure) {
-      if (name === operation.name) said = undefined, show(refused(failure));
+      if (name !== operation.name) continue;
+      said = drawing = undefined;
+      show(refused(failure));
     }
   }
   asking = false;
@@ -86,7 +94,8 @@ function show(html) {
   place.innerHTML = html;
   const details = [...place.querySelectorAll("details")];
   if (details.length === open.length) details.forEach((each, i) => { each.open = open[i]; });
-  one("#notes").innerHTML = said ? [...drawing.notes, drawing.search].filter(Boolean).map((note) => `<p class="small quiet">${escaped(note)}</p>`).join("") : "";
+  const notes = said ? [...drawing.notes, drawing.search].filter(Boolean) : [];
+  one("#notes").innerHTML = notes.map((note) => `<p class="small quiet">${escaped(note)}</p>`).join("");
   picture.set({ tree, parts, drawing }, fitsNext);
   fitsNext = false;
 }
@@ -94,16 +103,19 @@ function show(html) {
 let following;
 function followed() {
   clearTimeout(following);
-  following = setTimeout(() => {
-    one("#spoken").textContent = said ? said.sentence : one("#answers").textContent;
-    formula.follow();
-    if (one("#neighbours").open && said) maps.show(question());
-    if (one("#test").open) showTest();
-    if (one("#figure").open) showFigure();
-    const wrong = (part) => part?.verdict === "wrong";
-    one("#shrink").disabled = !wrong(said?.reference);
-    one("#shrink-float").disabled = !wrong(said?.reference_in_float);
-  }, picture.isHeld ? 300 : 60);
+  following = setTimeout(
+    () => {
+      one("#spoken").textContent = said ? said.sentence : one("#answers").textContent;
+      formula.follow();
+      if (one("#neighbours").open && said) maps.show(question());
+      if (one("#test").open) showTest();
+      if (one("#figure").open) showFigure();
+      const wrong = (part) => part?.verdict === "wrong";
+      one("#shrink").disabled = !wrong(said?.reference);
+      one("#shrink-float").disabled = !wrong(said?.reference_in_float);
+    },
+    picture.isHeld ? 300 : 60,
+  );
 }
 
 // Decimals that dragging leaves: those that a pixel needs, or as many as the reader says.
@@ -119,7 +131,9 @@ const stepAt = (pixel) => (powerAt(pixel) === null ? pixel : 10 ** powerAt(pixel
 function snapped(value) {
   if (Array.isArray(value)) return value.map(snapped);
   if (value instanceof Numeral) return numberAt(picture.view.pixel)(value.value);
-  return typeof value === "object" && value !== null ? Object.fromEntries(Object.entries(value).map(([name, each]) => [name, snapped(each)])) : value;
+  return typeof value === "object" && value !== null
+    ? Object.fromEntries(Object.entries(value).map(([name, each]) => [name, snapped(each)]))
+    : value;
 }
 
 // The address holds all that was chosen.
@@ -131,14 +145,22 @@ function remember() {
 const address = () => {
   const { isFlat, yaw, pitch } = picture.view;
   const view = isFlat || !picture.isTurned ? "" : [yaw, pitch].map((angle) => angle.toFixed(3)).join(",");
-  return fragmentOf({ op: operation.name, q: text, snap: one("#snap").value === "pixel" ? "" : one("#snap").value, turn: view,
-    axes: maps.axes?.join(","), open: [...document.querySelectorAll("details.tool[open]")].map(({ id }) => id).join(","), formula: formula.text });
+  return fragmentOf({
+    op: operation.name,
+    q: text,
+    snap: one("#snap").value === "pixel" ? "" : one("#snap").value,
+    turn: view,
+    axes: maps.axes?.join(","),
+    open: [...document.querySelectorAll("details.tool[open]")].map(({ id }) => id).join(","),
+    formula: formula.text,
+  });
 };
 function fromAddress() {
   const chosen = chosenIn(location.hash);
   one("#snap").value = chosen.snap ?? "pixel";
   if (one("#snap").selectedIndex < 0) one("#snap").value = "pixel";
-  for (const details of document.querySelectorAll("details.tool")) details.open = (chosen.open ?? "").split(",").includes(details.id);
+  for (const details of document.querySelectorAll("details.tool"))
+    details.open = (chosen.open ?? "").split(",").includes(details.id);
   formula.linked = chosen.formula ?? "";
   const op = byName.get(chosen.op) ?? byName.get(first);
   let given;
@@ -153,7 +175,9 @@ function fromAddress() {
   picture.turnWith(turn?.length === 2 && turn.every(Number.isFinite) ? turn : null);
 }
 
-const status = (words) => { one("#status").textContent = words; };
+const status = (words) => {
+  one("#status").textContent = words;
+};
 async function copy(words, what) {
   try {
     await navigator.clipboard.writeText(words);
@@ -165,10 +189,15 @@ async function copy(words, what) {
 
 const picture = new Picture(one("#picture"), { moved: (to) => change(to), turned: remember, numberAt, stepAt });
 const numbers = new Numbers(one("#numbers"), (to) => change(to));
-const maps = new Maps(one("#map-place"), { map: (...given) => slow.map(...given), go: (to) => change(to), chosen: remember });
+const maps = new Maps(one("#map-place"), {
+  map: (...given) => slow.map(...given),
+  go: (to) => change(to),
+  chosen: remember,
+});
 const formula = new Formula(one("#formula"), { started: inWorker, load, changed: remember });
 const picker = new Picker(one("#picker"), {
-  operations: operations.filter((each) => !each.implementation_of), drawing: (...given) => slow.drawing(...given),
+  operations: operations.filter((each) => !each.implementation_of),
+  drawing: (...given) => slow.drawing(...given),
   pick: (name) => load(name, jsonOf(byName.get(name).example)),
 });
 
@@ -194,7 +223,12 @@ async function shrink(options) {
 }
 async function read(given) {
   try {
-    const found = await pasted(given, { current: operation, tree, operations, read: (...texts) => slow.read(...texts) });
+    const found = await pasted(given, {
+      current: operation,
+      tree,
+      operations,
+      read: (...texts) => slow.read(...texts),
+    });
     load(found.op, found.text, { fit: true });
     one("#text").removeAttribute("aria-invalid");
     one("#text-says").textContent = "";
@@ -246,11 +280,15 @@ for (const details of document.querySelectorAll("details.tool")) {
 }
 addEventListener("keydown", (event) => {
   const typing = event.target.matches("input, textarea, select") || one("#picker").open;
-  if (event.key === "/" && !typing) event.preventDefault(), picker.open(operation.name);
-  if (event.key === "z" && (event.ctrlKey || event.metaKey) && !typing && before.length) event.preventDefault(), one("#undo").click();
+  if (event.key === "/" && !typing) (event.preventDefault(), picker.open(operation.name));
+  if (event.key === "z" && (event.ctrlKey || event.metaKey) && !typing && before.length)
+    (event.preventDefault(), one("#undo").click());
 });
 addEventListener("hashchange", fromAddress);
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => one("#neighbours").open && maps.show(question()));
+matchMedia("(prefers-color-scheme: dark)").addEventListener(
+  "change",
+  () => one("#neighbours").open && maps.show(question()),
+);
 
 fromAddress();
 status(`${picker.operations.length} operations, ready in ${Math.round(performance.now() - began)} ms`);

@@ -30,7 +30,8 @@ function firstObject(text) {
 function firstInput(value, op) {
   if (typeof value !== "object" || value === null) return undefined;
   const named = typeof value.op === "string" ? value.op : typeof value.operation === "string" ? value.operation : op;
-  if (typeof value.input === "object" && value.input !== null && !Array.isArray(value.input)) return { op: named, tree: value.input };
+  if (typeof value.input === "object" && value.input !== null && !Array.isArray(value.input))
+    return { op: named, tree: value.input };
   for (const part of Object.values(value)) {
     const found = firstInput(part, named);
     if (found) return found;
@@ -54,7 +55,8 @@ function meshOf(text) {
   return { vertices, faces };
 }
 const isObj = (text) => /^\s*v\s+\S+\s+\S+\s+\S+/m.test(text) && /^\s*f\s/m.test(text);
-const isMesh = (meaning) => meaning !== null && typeof meaning === "object" && "vertices" in meaning && "faces" in meaning;
+const isMesh = (meaning) =>
+  meaning !== null && typeof meaning === "object" && "vertices" in meaning && "faces" in meaning;
 
 /**
  * {op, text}: the operation's name (that of the text, otherwise `current`) and a question in JSON.
@@ -71,7 +73,8 @@ export async function pasted(text, { current, tree, operations, read }) {
   const found = firstObject(text);
   if (found && typeof found.type !== "string") {
     const given = firstInput(found) ?? { tree: found };
-    const said = given.op ?? /touchstone ask (\w+)/.exec(text)?.[1] ?? text.match(/\w+/g)?.find((word) => names.has(word));
+    const said =
+      given.op ?? /touchstone ask (\w+)/.exec(text)?.[1] ?? text.match(/\w+/g)?.find((word) => names.has(word));
     if (said !== undefined && !names.has(said)) throw new Error(`there is no operation ${said}`);
     return { op: said ?? operationFor(given.tree, current, operations).name, text: textOf(given.tree) };
   }
@@ -81,5 +84,5 @@ export async function pasted(text, { current, tree, operations, read }) {
 /** The current operation, if the question has its form; otherwise the first of which it has the form. */
 function operationFor(tree, current, operations) {
   const has = ({ meanings }) => asksFor(meanings, tree);
-  return has(current) ? current : operations.find(has) ?? current;
+  return has(current) ? current : (operations.find(has) ?? current);
 }

@@ -8,11 +8,21 @@ export class Picker {
   constructor(dialog, { operations, drawing, pick }) {
     Object.assign(this, { dialog, operations, drawing });
     const list = dialog.querySelector(".operations"), search = dialog.querySelector("input");
-    const card = ({ name, question }) => `<li data-name="${name}"><button type="button"><span class="picture"></span>` +
-      `<strong>${escaped(name.replaceAll("_", " "))}</strong><span class="small quiet">${escaped(question)}</span></button></li>`;
+    const card = ({ name, question }) =>
+      `<li data-name="${name}"><button type="button"><span class="picture"></span>` +
+      `<strong>${escaped(name.replaceAll("_", " "))}</strong>` +
+      `<span class="small quiet">${escaped(question)}</span></button></li>`;
     const chapters = [...new Set(operations.map(({ chapter }) => chapter))];
-    list.innerHTML = chapters.map((chapter) => `<section><h3>${escaped(chapter.replaceAll("_", " "))}</h3><ul>` +
-      `${operations.filter((each) => each.chapter === chapter).map(card).join("")}</ul></section>`).join("");
+    list.innerHTML = chapters
+      .map(
+        (chapter) =>
+          `<section><h3>${escaped(chapter.replaceAll("_", " "))}</h3><ul>` +
+          `${operations
+            .filter((each) => each.chapter === chapter)
+            .map(card)
+            .join("")}</ul></section>`,
+      )
+      .join("");
     list.addEventListener("click", ({ target }) => {
       const name = target.closest("li")?.dataset.name;
       if (!name) return;
@@ -39,12 +49,16 @@ export class Picker {
     if (!this.drawn) this.drawn = this.#draw();
   }
   #filter(text) {
-    const words = text.toLowerCase().split(/[\s_]+/).filter(Boolean);
+    const words = text
+      .toLowerCase()
+      .split(/[\s_]+/)
+      .filter(Boolean);
     for (const item of this.dialog.querySelectorAll("li")) {
       const has = item.textContent.toLowerCase();
       item.hidden = !words.every((word) => has.includes(word));
     }
-    for (const section of this.dialog.querySelectorAll("section")) section.hidden = !section.querySelector("li:not([hidden])");
+    for (const section of this.dialog.querySelectorAll("section"))
+      section.hidden = !section.querySelector("li:not([hidden])");
   }
   async #draw() {
     for (const { name, example } of this.operations) {

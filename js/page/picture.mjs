@@ -2,12 +2,20 @@
 /* global escaped, tenths, viewer */
 // The picture of the question and its truth, with handles that the reader drags or moves by keys.
 import { handlesOf } from "./handles.mjs";
+import { at } from "./question.mjs";
 import { View, extentOf, minus, pictureOf, size, ticksOf } from "./view.mjs";
 
 const { width, height } = viewer.size;
 const nothing = { figures: [], space: [], notes: [], search: "" };
 // Ways of keys: x and y with the arrows, z with the pages.
-const ways = { ArrowLeft: [-1, 0, 0], ArrowRight: [1, 0, 0], ArrowUp: [0, 1, 0], ArrowDown: [0, -1, 0], PageUp: [0, 0, 1], PageDown: [0, 0, -1] };
+const ways = {
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowUp: [0, 1, 0],
+  ArrowDown: [0, -1, 0],
+  PageUp: [0, 0, 1],
+  PageDown: [0, 0, -1],
+};
 
 export class Picture {
   view = new View();
@@ -28,7 +36,10 @@ export class Picture {
     this.view.turnBack();
     svg.addEventListener("pointerdown", (event) => this.#down(event));
     svg.addEventListener("pointermove", (event) => this.#move(event));
-    for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) svg.addEventListener(end, () => { this.#held = null; });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
+      svg.addEventListener(end, () => {
+        this.#held = null;
+      });
     svg.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     svg.addEventListener("keydown", (event) => this.#key(event));
   }
@@ -43,13 +54,14 @@ export class Picture {
   get isHeld() {
     return this.#held?.handle !== undefined;
   }
-  /** Shows a question and its figures: in the plane where the drawing is; what of a question has another dimension has no handles. */
+  /** Shows a question and its figures, in the plane where they are; what has another dimension has no handles. */
   set({ tree, parts, drawing = nothing }, fit = false) {
     this.tree = tree;
     this.#parts = parts;
     this.#drawing = drawing;
-    const flat = drawing.figures.length > 0 || drawing.space.length === 0;
-    if (flat !== this.view.isFlat) fit = true;
+    const inSpace = ({ kind, path }) => (kind === "place" || kind === "direction") && at(tree, path).length === 3;
+    const flat = drawing.figures.length > 0 || (drawing.space.length === 0 && !parts.some(inSpace));
+    if (flat !== this.view.isFlat && drawing !== nothing) fit = true;
     this.view.isFlat = flat;
     if (fit) this.fit(false);
     this.draw();
@@ -59,7 +71,9 @@ export class Picture {
     if (byReader) this.isTurned = false;
     if (!this.isTurned) this.view.turnBack();
     this.view.fit(shown);
-    const handles = handlesOf(this.#parts, this.tree, this.#drawing, this.view).filter(({ of }) => of === "direction" || of === "place");
+    const handles = handlesOf(this.#parts, this.tree, this.#drawing, this.view).filter(
+      ({ of }) => of === "direction" || of === "place",
+    );
     this.view.fit([...shown, ...handles.map(({ at }) => at)]);
     this.draw();
     if (byReader) this.turned();
@@ -81,19 +95,33 @@ export class Picture {
     one(".turning").innerHTML = pictureOf(this.#drawing, this.view);
     one(".handles").innerHTML = this.#handles.map((handle, i) => this.#handleAsSvg(handle, i)).join("");
     if (focused !== undefined) this.svg.querySelector(`[data-handle="${CSS.escape(focused)}"]`)?.focus();
-    if (this.#held?.handle) this.#held.handle = this.#handles.find(({ name }) => name === this.#held.handle.name) ?? this.#held.handle;
+    if (this.#held?.handle)
+      this.#held.handle = this.#handles.find(({ name }) => name === this.#held.handle.name) ?? this.#held.handle;
   }
   #handleAsSvg({ name, of, at, start, drawn }, i) {
     const [x, y] = this.view.seen(at).map(tenths);
     if (![x, y].every((each) => Math.abs(each) < 1e5)) return "";
     const foot = of === "direction" && !drawn ? this.view.seen(start).map(tenths) : null;
     const stem = foot ? `<path class="aid stroke" stroke-dasharray="2 3" d="M${foot.join(" ")}L${x} ${y}"/>` : "";
-    const mark = { place: `<circle class="mark" cx="${x}" cy="${y}" r="4.5"/>`, length: `<path class="mark" d="M${x - 5} ${y}l5 -5 5 5 -5 5z"/>`,
-      plane: `<path class="mark" d="M${x - 4.5} ${y - 4.5}h9v9h-9z"/>` }[of] ?? `<circle class="mark tip" cx="${x}" cy="${y}" r="5"/>`;
-    const words = { place: "point", direction: "vector", length: "radius", plane: "plane", normal: "normal of a plane" }[of];
-    return `<g class="handle" data-handle="${escaped(name)}" tabindex="${i ? -1 : 0}" role="slider" aria-valuenow="0" ` +
-      `aria-label="${escaped(`${words} ${name}`)}" aria-valuetext="${escaped(at.map((v) => +v.toPrecision(6)).join(", "))}">` +
-      `<title>${escaped(`${words} ${name}`)}</title>${stem}<circle class="grip" cx="${x}" cy="${y}" r="14" fill-opacity="0"/>${mark}</g>`;
+    const mark =
+      {
+        place: `<circle class="mark" cx="${x}" cy="${y}" r="4.5"/>`,
+        length: `<path class="mark" d="M${x - 5} ${y}l5 -5 5 5 -5 5z"/>`,
+        plane: `<path class="mark" d="M${x - 4.5} ${y - 4.5}h9v9h-9z"/>`,
+      }[of] ?? `<circle class="mark tip" cx="${x}" cy="${y}" r="5"/>`;
+    const words = {
+      place: "point",
+      direction: "vector",
+      length: "radius",
+      plane: "plane",
+      normal: "normal of a plane",
+    }[of];
+    return (
+      `<g class="handle" data-handle="${escaped(name)}" tabindex="${i ? -1 : 0}" role="slider" aria-valuenow="0" ` +
+      `aria-label="${escaped(`${words} ${name}`)}" aria-valuetext="${at.map((v) => +v.toPrecision(6)).join(", ")}">` +
+      `<title>${escaped(`${words} ${name}`)}</title>${stem}` +
+      `<circle class="grip" cx="${x}" cy="${y}" r="14" fill-opacity="0"/>${mark}</g>`
+    );
   }
 
   /** Of a pointer, in pixels of the viewer. */
@@ -105,11 +133,15 @@ export class Picture {
     if (event.button !== 0) return;
     const [x, y] = this.#pixel(event);
     // Where grips overlap, the handle nearest to the pointer.
-    const near = event.target.closest(".handle") ? this.#handles.map((handle) => ({ handle, beside: minus([x, y], this.view.seen(handle.at)) }))
-      .sort((one, other) => size(one.beside) - size(other.beside))[0] : {};
+    const near = event.target.closest(".handle")
+      ? this.#handles
+          .map((handle) => ({ handle, beside: minus([x, y], this.view.seen(handle.at)) }))
+          .sort((one, other) => size(one.beside) - size(other.beside))[0]
+      : {};
     this.#held = { id: event.pointerId, x, y, ...near };
     this.svg.setPointerCapture(event.pointerId);
-    if (near.handle) this.svg.querySelector(`[data-handle="${CSS.escape(near.handle.name)}"]`).focus({ preventScroll: true });
+    if (near.handle)
+      this.svg.querySelector(`[data-handle="${CSS.escape(near.handle.name)}"]`).focus({ preventScroll: true });
     event.preventDefault();
   }
   #move(event) {
@@ -126,7 +158,8 @@ export class Picture {
       this.draw();
       this.turned();
     }
-    held.x = x, held.y = y;
+    held.x = x;
+    held.y = y;
   }
   #turn(byYaw, byPitch) {
     this.isTurned = true;
@@ -160,7 +193,10 @@ export class Picture {
     const way = ways[event.key], name = event.target.closest(".handle")?.dataset.handle;
     const handle = this.#handles.find((each) => each.name === name);
     if (handle && way) {
-      this.#put(handle, way.map((x) => x * this.stepAt(this.view.pixel)));
+      this.#put(
+        handle,
+        way.map((x) => x * this.stepAt(this.view.pixel)),
+      );
     } else if (handle && (event.key === "n" || event.key === "p")) {
       const i = this.#handles.indexOf(handle) + (event.key === "n" ? 1 : this.#handles.length - 1);
       this.svg.querySelector(`[data-handle="${CSS.escape(this.#handles[i % this.#handles.length].name)}"]`)?.focus();
@@ -183,7 +219,9 @@ export function thumbnail(drawing) {
   view.isFlat = drawing.figures.length > 0;
   view.turnBack();
   view.fit(extentOf(drawing, view.isFlat));
-  const plain = (figures) => figures.map((figure) => ({ ...figure, label: figure.whose === "question" && figure.label ? figure.label : "" }));
+  const plain = (figures) =>
+    figures.map((figure) => ({ ...figure, label: figure.whose === "question" && figure.label ? figure.label : "" }));
   const svg = pictureOf({ ...drawing, figures: plain(drawing.figures), space: plain(drawing.space) }, view);
-  return `<svg class="fig space flat thumbnail" viewBox="0 0 ${width} ${height}" aria-hidden="true"><g class="turning">${svg}</g></svg>`;
+  return `<svg class="fig space flat thumbnail" viewBox="0 0 ${width} ${height}" aria-hidden="true">` +
+    `<g class="turning">${svg}</g></svg>`;
 }

@@ -5,10 +5,10 @@
 import { roundNumbers } from "./doubles.mjs";
 
 const { width, height, room } = viewer.size;
-const half = 100000;  // steps from the middle to the end of what is seen
-const farthest = 1e9;  // steps: beyond it figures are cut
+const half = 100000; // steps from the middle to the end of what is seen
+const farthest = 1e9; // steps: beyond it figures are cut
 const front = { cosYaw: 1, sinYaw: 0, cosPitch: 1, sinPitch: 0 };
-const margin = 44;  // pixels around what is seen from the front
+const margin = 44; // pixels around what is seen from the front
 
 export const plus = (p, v, times = 1) => p.map((x, i) => x + times * v[i]);
 export const minus = (p, q) => p.map((x, i) => x - q[i]);
@@ -43,7 +43,9 @@ export class View {
     const root = Math.sqrt(this.span);
     return inSpace(p).map((x, i) => {
       const d = x - this.centre[i];
-      return Number.isFinite(d) ? (d / root / root) * 2 * half : (x / root - this.centre[i] / root) / root * 2 * half;
+      return Number.isFinite(d)
+        ? (d / root / root) * 2 * half
+        : ((x / root - this.centre[i] / root) / root) * 2 * half;
     });
   }
   stepsOf(length) {
@@ -66,7 +68,8 @@ export class View {
   fit(points) {
     const all = points.map(inSpace).filter((p) => p.every(Number.isFinite));
     if (!all.length) all.push([-1, -1, 0], [1, 1, 0]);
-    const low = [0, 1, 2].map((i) => Math.min(...all.map((p) => p[i]))), high = [0, 1, 2].map((i) => Math.max(...all.map((p) => p[i])));
+    const low = [0, 1, 2].map((i) => Math.min(...all.map((p) => p[i]))),
+      high = [0, 1, 2].map((i) => Math.max(...all.map((p) => p[i])));
     const side = low.map((x, i) => Math.min(high[i] - x, 1e308));
     this.centre = low.map((x, i) => x / 2 + high[i] / 2);
     const wide = this.isFlat
@@ -91,7 +94,9 @@ export class View {
 export function cornersOf({ kind, numbers }, dimension) {
   const n = numbers.map(Number);
   if (kind === "plane") return [];
-  const points = Array.from({ length: Math.floor(n.length / dimension) }, (_, i) => n.slice(dimension * i, dimension * (i + 1)));
+  const points = Array.from({ length: Math.floor(n.length / dimension) }, (_, i) =>
+    n.slice(dimension * i, dimension * (i + 1)),
+  );
   if (kind !== "circle" && kind !== "sphere") return kind === "ray" || kind === "line" ? points.slice(0, 2) : points;
   const centre = n.slice(0, dimension), r = Math.abs(n[dimension]);
   return [centre.map((x) => x - r), centre.map((x) => x + r)];
@@ -110,7 +115,8 @@ function cut(p, q, from = 0, to = 1) {
     if (way === 0 && Math.abs(p[i]) > farthest) return [];
     if (way === 0) continue;
     const [s, t] = [(-farthest - p[i]) / way, (farthest - p[i]) / way];
-    from = Math.max(from, Math.min(s, t)), to = Math.min(to, Math.max(s, t));
+    from = Math.max(from, Math.min(s, t));
+    to = Math.min(to, Math.max(s, t));
   }
   return from <= to ? [from, to].map((t) => plus(p, minus(q, p), t)) : [];
 }
@@ -127,7 +133,11 @@ export function modelOf(drawing, view) {
     const common = { kind, label, whose, faces, node, entered };
     if (kind === "plane") {
       const normal = n.slice(0, 3), foot = footOf(normal, n[3], view.centre), long = size(normal);
-      if (long > 0) figures.push({ ...common, points: [foot, plus(foot, normal, (0.2 * view.span) / long)].map((p) => view.steps(p)) });
+      if (long > 0)
+        figures.push({
+          ...common,
+          points: [foot, plus(foot, normal, (0.2 * view.span) / long)].map((p) => view.steps(p)),
+        });
       continue;
     }
     if (kind === "circle" || kind === "sphere") {
@@ -140,7 +150,12 @@ export function modelOf(drawing, view) {
     if (!reach) figures.push({ ...common, points: points.map(near) });
     else figures.push({ ...common, kind: kind === "arrow" ? kind : "segment", points: cut(...points, ...reach) });
   }
-  return { title: "", figures: figures.filter(({ points }) => points.flat().every(Number.isFinite)), spans: [], remarks: [] };
+  return {
+    title: "",
+    figures: figures.filter(({ points }) => points.flat().every(Number.isFinite)),
+    spans: [],
+    remarks: [],
+  };
 }
 
 /** The figures as SVG, by the report's viewer. */
@@ -153,14 +168,26 @@ export function pictureOf(drawing, view) {
 /** Round numbers along the lower and the left side of a plane. */
 export function ticksOf(view) {
   if (!view.isFlat) return "";
-  const [wide, high] = [view.pixel * width / 2, view.pixel * height / 2], [x, y] = view.centre;
+  const [wide, high] = [(view.pixel * width) / 2, (view.pixel * height) / 2], [x, y] = view.centre;
   const across = roundNumbers(x - wide, x + wide).map((value) => [view.seen([value, y])[0], value]);
   const up = roundNumbers(y - high, y + high).map((value) => [view.seen([x, value])[1], value]);
   const label = (value) => String(value).replace("-", "\u2212");
-  return across.map(([at, value]) => `<path class="tick" d="M${at.toFixed(1)} ${height}v-5"/><text class="scale" x="${at.toFixed(1)}" ` +
-      `y="${height - 8}" text-anchor="middle">${label(value)}</text>`).join("") +
-    up.map(([at, value]) => `<path class="tick" d="M0 ${at.toFixed(1)}h5"/><text class="scale" x="8" y="${(at + 4).toFixed(1)}" ` +
-      `text-anchor="start">${label(value)}</text>`).join("");
+  return (
+    across
+      .map(
+        ([at, value]) =>
+          `<path class="tick" d="M${at.toFixed(1)} ${height}v-5"/><text class="scale" x="${at.toFixed(1)}" ` +
+          `y="${height - 8}" text-anchor="middle">${label(value)}</text>`,
+      )
+      .join("") +
+    up
+      .map(
+        ([at, value]) =>
+          `<path class="tick" d="M0 ${at.toFixed(1)}h5"/><text class="scale" x="8" y="${(at + 4).toFixed(1)}" ` +
+          `text-anchor="start">${label(value)}</text>`,
+      )
+      .join("")
+  );
 }
 
 /** All that a drawing shows, to fit a view to it. */
