@@ -49,7 +49,7 @@ test("what is outside the contract is refused by field and rule", () => {
 
 test("a scene is played in three arithmetics", () => {
   const scene = {
-    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4 },
+    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4, option: 2 },
     bodies: [{ name: "stone", shape: { particle: {} }, position: [0, 0, 8] }],
   };
   const played = t.simulate(scene, { steps: 3 });
@@ -82,11 +82,13 @@ test("an engine is judged in process, by a number of cases or by questions", asy
 test("promises give the same verdicts, words stand alone, and failures are invalid", async () => {
   const options = { ops: ["orientation"], cases: 200 };
   const now = await t.audit(naive, options);
-  const later = await t.audit({ ...naive, orientation: async (asked) => sideOf(asked) }, options);
+  const later = await t.audit({ ...naive, orientation: async (asked) => naive.orientation(asked) }, options);
   const counted = ({ tally }) => tally.operations[0].families.map(({ counts }) => counts);
   assert.deepEqual(counted(later), counted(now));
   const [thrown] = await t.judge({ orientation: () => { throw new Error("no"); } }, "orientation", [question]);
   assert.deepEqual([thrown.verdict, thrown.remark], ["invalid", "error: no"]);
+  const [alone] = await t.judge({ orientation: () => "on" }, "orientation", [question]);
+  assert.equal(alone.verdict, "agree");
   const [absent] = await t.judge({ orientation: () => undefined }, "orientation", [question]);
   assert.equal(absent.verdict, "unsupported");
   await assert.rejects(t.audit({ orientation: 3 }, options), InvalidInput);
