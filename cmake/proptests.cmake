@@ -167,6 +167,8 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   touchstone_script_test(documentation/status proptests/status.py ${program})
   touchstone_script_test(report/opened_pages proptests/opened_pages.py ${program})
   touchstone_script_test(report/opened_pages_self_check proptests/opened_pages.py --self-check)
+  touchstone_script_test(report/answering_page proptests/answering_page.py ${program}
+                         --package ${PROJECT_SOURCE_DIR}/build/wasm/package)
   # A share of the theorems about filters; ./dev proofs proves all.
   touchstone_script_test(proofs robust/proofs/prove.py --share --jobs 1 --work ${PROJECT_BINARY_DIR}/proofs)
   touchstone_script_test(proofs/self_check robust/proofs/prove.py --self-check)
@@ -179,7 +181,7 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   touchstone_script_test(certificates/one_file proptests/infrastructure/oracle/certify_file.py)
   touchstone_script_test(certificates/proofs_self_check oracle/certificates/proved/kinds.py --self-check)
   set_tests_properties(proofs certificates/proved certificates/weakened report/opened_pages
-                       report/opened_pages_self_check PROPERTIES SKIP_RETURN_CODE 77)
+                       report/opened_pages_self_check report/answering_page PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 
 # The launchers of examples/cluster, each where it is installed: otherwise its test is skipped, and says why.

@@ -5,8 +5,9 @@
 //   title    what a screen reader says
 //   figures  [{kind, label, whose, points, radius, faces}], by kind with these points:
 //              point, sphere (its centre): one; segment: its ends; arrow: start, tip; box: least and greatest corner;
-//              plane: a point of it, then the tip of its normal; polygon, mesh: their vertices
-//            whose: question, truth or answer; radius: of a sphere; faces: of a mesh, as places in points,
+//              plane: a point of it, then the tip of its normal; polygon, mesh: their vertices;
+//              circle, of figures in a plane that the reader faces: its centre
+//            whose: question, truth or answer; radius: of a sphere or circle; faces: of a mesh, as places in points,
 //            counter-clockwise as seen from outside; of a node of a structure also node, how deep it is, and entered,
 //            whether a search went on to what is in it: thin lines, thinner the deeper, filled where it was entered;
 //            of one that moves also moves: how far from its points it is at t = -1, and at t = 1
@@ -134,6 +135,11 @@ class Strokes {
     if (radius > 0) this.add('ball', [centre], {radius, empty: this.empty});
     return [centre];
   }
+  circle({radius}, [centre]) {
+    this.add('disc', [centre], {radius});
+    this.dot(centre, radius > small ? centreDot : endDot);
+    return [centre];
+  }
   // A square about its point. Across: the axis that is least along the normal; of equal ones the first, so that a level
   // plane lies along x and z.
   plane(figure, [foot, tip]) {
@@ -231,6 +237,10 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
       add(c.depth, `<circle class="${style} stroke" ${round}`), add(c.depth + nearer, path(style + ' stroke thin', before));
       for (const [x, y] of diagonals)
         for (const part of [0.92, 1, 1.08]) drawn.push([c.x + part * r * x, c.y + part * r * y]);
+    },
+    disc({style, radius}, [c]) {
+      const round = `cx="${tenths(c.x)}" cy="${tenths(c.y)}" r="${tenths(radius * scale)}"/>`;
+      add(c.depth, `<circle class="${style} face" ${round}<circle class="${style} stroke" ${round}`);
     },
     dot({style, radius, ring}, [p]) {
       for (const dy of [-1, 0, 1]) for (const dx of [-1, 0, 1]) drawn.push([p.x + radius * dx, p.y + radius * dy]);
