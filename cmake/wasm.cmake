@@ -27,7 +27,8 @@ function(touchstone_package_for_npm)
   target_link_libraries(touchstone_wasm PRIVATE touchstone_c)
   target_link_options(
     touchstone_wasm PRIVATE --no-entry -Wl,--strip-all -sMODULARIZE -sEXPORT_ES6 -sUSE_ES6_IMPORT_META -sENVIRONMENT=web,worker
-    -sWASM_BIGINT -sALLOW_MEMORY_GROWTH -sALLOW_TABLE_GROWTH -sINITIAL_MEMORY=16MB -sFILESYSTEM=0 -sEXPORTED_FUNCTIONS=${exported},_malloc,_free
+    -sWASM_BIGINT -sALLOW_MEMORY_GROWTH -sALLOW_TABLE_GROWTH -sINITIAL_MEMORY=16MB -sFILESYSTEM=0
+    -sEXPORTED_FUNCTIONS=${exported},_malloc,_free
     -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,getValue,setValue,addFunction,removeFunction)
   set_target_properties(touchstone_wasm PROPERTIES OUTPUT_NAME module SUFFIX .mjs RUNTIME_OUTPUT_DIRECTORY ${package})
 
