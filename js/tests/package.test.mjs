@@ -11,16 +11,12 @@ import touchstone, { InvalidInput } from "touchstone";
 import arbitraries from "touchstone/arbitraries";
 import inWorker from "touchstone/worker";
 
-const began = performance.now();
 const t = await touchstone();
-const ready = performance.now() - began;
 
 const question = { p0: [0, 0], p1: [0.3, 0.3], p: [0.1, 0.1] };
 const side = ({ p0, p1, p }) => (p1[0] - p0[0]) * (p[1] - p0[1]) - (p1[1] - p0[1]) * (p[0] - p0[0]);
 const sideOf = (asked) => ["right", "on", "left"][1 + Math.sign(side(asked))];
 const naive = { name: "naive 1.0", boundary: "closed", orientation: (asked) => ({ side: sideOf(asked) }) };
-
-test("the module is ready within 0.3 s", { skip: !process.env.TOUCHSTONE_TIMES }, () => assert.ok(ready < 300, `${ready} ms`));
 
 test("a question has an exact answer with a proof, and -0 is not 0", () => {
   const asked = t.ask("orientation", question);
@@ -49,7 +45,7 @@ test("what is outside the contract is refused by field and rule", () => {
 
 test("a scene is played in three arithmetics", () => {
   const scene = {
-    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4 },
+    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4, option: 2 },
     bodies: [{ name: "stone", shape: { particle: {} }, position: [0, 0, 8] }],
   };
   const played = t.simulate(scene, { steps: 3 });
@@ -82,11 +78,13 @@ test("an engine is judged in process, by a number of cases or by questions", asy
 test("promises give the same verdicts, words stand alone, and failures are invalid", async () => {
   const options = { ops: ["orientation"], cases: 200 };
   const now = await t.audit(naive, options);
-  const later = await t.audit({ ...naive, orientation: async (asked) => sideOf(asked) }, options);
+  const later = await t.audit({ ...naive, orientation: async (asked) => naive.orientation(asked) }, options);
   const counted = ({ tally }) => tally.operations[0].families.map(({ counts }) => counts);
   assert.deepEqual(counted(later), counted(now));
   const [thrown] = await t.judge({ orientation: () => { throw new Error("no"); } }, "orientation", [question]);
   assert.deepEqual([thrown.verdict, thrown.remark], ["invalid", "error: no"]);
+  const [alone] = await t.judge({ orientation: () => "on" }, "orientation", [question]);
+  assert.equal(alone.verdict, "agree");
   const [absent] = await t.judge({ orientation: () => undefined }, "orientation", [question]);
   assert.equal(absent.verdict, "unsupported");
   await assert.rejects(t.audit({ orientation: 3 }, options), InvalidInput);
