@@ -94,7 +94,9 @@ function show(html) {
   place.innerHTML = html;
   const details = [...place.querySelectorAll("details")];
   if (details.length === open.length) details.forEach((each, i) => { each.open = open[i]; });
-  const notes = said ? [...drawing.notes, drawing.search].filter(Boolean) : [];
+  // Notes say in words what a figure shows, too.
+  const isDrawn = said && drawing.figures.length + drawing.space.length > 0;
+  const notes = said ? [...(isDrawn ? [] : drawing.notes), drawing.search].filter(Boolean) : [];
   one("#notes").innerHTML = notes.map((note) => `<p class="small quiet">${escaped(note)}</p>`).join("");
   picture.set({ tree, parts, drawing }, fitsNext);
   fitsNext = false;
@@ -155,8 +157,8 @@ const address = () => {
     formula: formula.text,
   });
 };
-function fromAddress() {
-  const chosen = chosenIn(location.hash);
+function follow(fragment) {
+  const chosen = chosenIn(fragment);
   one("#snap").value = chosen.snap ?? "pixel";
   if (one("#snap").selectedIndex < 0) one("#snap").value = "pixel";
   for (const details of document.querySelectorAll("details.tool"))
@@ -284,11 +286,12 @@ addEventListener("keydown", (event) => {
   if (event.key === "z" && (event.ctrlKey || event.metaKey) && !typing && before.length)
     (event.preventDefault(), one("#undo").click());
 });
-addEventListener("hashchange", fromAddress);
+// Of the event: the address itself may have been written meanwhile.
+addEventListener("hashchange", ({ newURL }) => follow(new URL(newURL).hash));
 matchMedia("(prefers-color-scheme: dark)").addEventListener(
   "change",
   () => one("#neighbours").open && maps.show(question()),
 );
 
-fromAddress();
+follow(location.hash);
 status(`${picker.operations.length} operations, ready in ${Math.round(performance.now() - began)} ms`);

@@ -52,8 +52,8 @@ async function remember() {
     fragmentOf({ name: nameOf(), scene: isOwn ? box.value : "", runs: runs === "float,double,robust" ? "" : runs }),
   );
 }
-async function fromAddress() {
-  const { name, scene, runs } = chosenIn(location.hash);
+async function follow(fragment) {
+  const { name, scene, runs } = chosenIn(fragment);
   one("#name").value = names.includes(name) ? name : first;
   box.value = scene ?? (await textOfScene(nameOf()));
   if (runs)
@@ -93,5 +93,5 @@ one("#link").addEventListener("click", async () => {
     () => say("The link is the page's address."),
   );
 });
-addEventListener("hashchange", fromAddress);
-await fromAddress();
+addEventListener("hashchange", ({ newURL }) => follow(new URL(newURL).hash));
+await follow(location.hash);
