@@ -7,8 +7,9 @@ namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 namespace {
 
-/// Divides two words by one whose highest bit is set, with two products instead of a division of the machine. N. Moeller
-/// and T. Granlund, Improved division by invariant integers, IEEE Transactions on Computers 60 (2011), algorithm 4.
+/// Divides two words by one whose highest bit is set, with two products instead of a division of the machine. N.
+/// Moeller and T. Granlund, Improved division by invariant integers, IEEE Transactions on Computers 60 (2011),
+/// algorithm 4.
 class Divisor {
  public:
   explicit Divisor(Word d) : d_(d), reciprocal_(low(~TwoWords{0} / d)) {}  // floor((B^2 - 1) / d) - B, B = 2^word_bits

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Every shift, quotient and root here is off by less than 1 in the last place, and all that follows from it is counted in
-// such places: "off by e" means |computed - meant| <= e 2^-fine.
+// Every shift, quotient and root here is off by less than 1 in the last place, and all that follows from it is counted
+// in such places: "off by e" means |computed - meant| <= e 2^-fine.
 namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 namespace {
@@ -52,7 +52,7 @@ std::array<Near, 2> sine_cosine(const Integer& digits, std::int64_t exponent, st
   angle = (scaled - turns * quarter) >> more;  // off by less than 3
   const Integer square = (angle * angle) >> places(fine);
   // A term is a product with a number below 1 that is off by 1, cut, divided by 2 at least, cut: off by 2 if the term
-  // before was. What is left when a term is 0 is less than 3. An angle off by 3 moves both results by 3.
+  // before was. The rest of the series when a term is 0 is less than 3. An angle off by 3 moves both results by 3.
   Integer cosine = Integer(1) << places(fine), sine = angle, term = cosine;
   std::int64_t terms = 2;
   for (std::int64_t k = 1; !term.is_zero(); k += 2, ++terms) {
@@ -94,8 +94,8 @@ Near arc_tangent(const Integer& y, const Integer& x, std::int64_t bits) {
     if ((k & 2) != 0) sum -= power / Integer(k);
     else sum += power / Integer(k);
   }
-  // All of this is doubled `done` times, which is less than 2^-20 of the places that are kept as long as there are fewer
-  // than 2^18 terms. So 1 for cutting, and for pi and its half at most 3 and 3.
+  // All of this is doubled `done` times, which is less than 2^-20 of the places that are kept as long as there are
+  // fewer than 2^18 terms. So 1 for cutting, and for pi and its half at most 3 and 3.
   Integer angle = (sum << places(done)) >> places(fine - bits);
   if (steep) angle = (pi(bits).n >> 1) - angle;
   if (x.sign() < 0) angle = pi(bits).n - angle;

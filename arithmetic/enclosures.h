@@ -5,8 +5,8 @@
 
 #include "arithmetic/integer.h"
 
-/// Pi and the circular functions on integers, with a bound of the error: fixed-point numbers with `bits` bits behind the
-/// point. Who asks for more bits gets a narrower enclosure.
+/// Pi and the circular functions on integers, with a bound of the error: fixed-point numbers with `bits` bits behind
+/// the point. More bits give a narrower enclosure.
 namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 
@@ -21,7 +21,7 @@ Near pi(std::int64_t bits);
 std::array<Near, 2> sine_cosine(const Integer& digits, std::int64_t exponent, std::int64_t bits);
 /// The angle of (x, y) from the x axis, in (-pi, pi]; x and y are not both 0.
 Near arc_tangent(const Integer& y, const Integer& x, std::int64_t bits);
-/// Of x 2^-places, in [-1, 1].
+/// The arc cosine of x 2^-places, which lies in [-1, 1].
 Near arc_cosine(const Integer& x, std::int64_t places, std::int64_t bits);
 
 }  // namespace TOUCHSTONE_WORDS

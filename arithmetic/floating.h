@@ -26,7 +26,7 @@ class Floating {
   void scale(std::int64_t exponent) { exponent_ += digits_.is_zero() ? 0 : exponent; }
   Floating* get_mpf_t() { return this; }
   const Floating* get_mpf_t() const { return this; }
-  /// So many decimal digits, rounded to nearest, without zeros at the end, and the place of the point before them.
+  /// At most `most` digits, rounded to nearest, without zeros at the end, and the place of the point before them.
   std::string get_str(std::int64_t& point, int base, std::size_t most) const;
 
   friend Floating operator+(const Floating& a, const Floating& b) { return sum(a, b, false); }

@@ -7,7 +7,8 @@ namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 namespace {
 
-/// Of two numbers below 2^64, not both 0. J. Stein, Computational problems associated with Racah algebra (1967).
+/// The greatest common divisor of two numbers below 2^64, not both 0. J. Stein, Computational problems associated with
+/// Racah algebra (1967).
 std::uint64_t gcd_of_bits(std::uint64_t x, std::uint64_t y) {
   if (x == 0 || y == 0) return x | y;
   const int twos = std::countr_zero(x | y);

@@ -14,15 +14,16 @@
 namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 
-/// Where numbers that are too long for their own memory are kept.
+/// The memory of numbers that are too long for the object.
 struct Memory {
   void* (*take)(std::size_t bytes);
   void (*give)(void* piece, std::size_t bytes);
 };
 Memory& memory();
 
-/// An integer of any size: sign and magnitude, without zeros above the highest digit; 0 has no digits and no sign. Up to
-/// 256 bits need no memory beyond the object. The names of the members with get_ and set_ are those of GMP's C++ class.
+/// An integer of any size: sign and magnitude, without zeros above the highest digit; 0 has no digits and no sign. Up
+/// to 256 bits need no memory beyond the object. The names of the members with get_ and set_ are those of GMP's C++
+/// class.
 class Integer {
  public:
   Integer() noexcept : own_{} {}
@@ -56,7 +57,7 @@ class Integer {
   void negate() { negative_ = size_ != 0 && !negative_; }
   void set_negative(bool minus) { negative_ = size_ != 0 && minus; }
 
-  // Of the magnitude:
+  // The magnitude:
   std::size_t size() const { return size_; }
   const Word* words() const { return capacity_ > own_words ? memory_ : own_; }
   /// 0 for 0.
@@ -122,7 +123,7 @@ class Integer {
     a.negate();
     return a;
   }
-  /// Of the two's complement, with a mask of 64 bits.
+  /// The bits of the two's complement in a mask of 64 bits.
   friend Integer operator&(const Integer& a, std::uint64_t mask) {
     return Integer((a.negative_ ? 0 - a.bits64() : a.bits64()) & mask);
   }
@@ -156,7 +157,7 @@ class Integer {
     size_ = word_bits == 32 && x >> 32 != 0 ? 2 : x != 0 ? 1 : 0, negative_ = false;
   }
   void set_double(double x);
-  /// So many words of room; the digits stay.
+  /// Makes room for so many words; the digits stay.
   void reserve(std::size_t words);
   void trim() {
     const Word* const w = words();

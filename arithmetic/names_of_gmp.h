@@ -6,8 +6,8 @@
 
 #include "arithmetic/floating.h"
 
-/// What this project uses of GMP, by GMP's names and with GMP's meaning. A "limb", "ui" and "si" have 64 bits, whatever the
-/// words of the numbers are and whatever long is.
+/// The functions of GMP that this project uses, by GMP's names and with GMP's meaning. A "limb", "ui" and "si" have 64
+/// bits, whatever the words of the numbers are and whatever long is.
 namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 namespace names {
@@ -38,7 +38,7 @@ inline void mpz_abs(mpz_ptr r, mpz_srcptr a) { *r = *a, r->set_negative(false); 
 inline void mpz_mul(mpz_ptr r, mpz_srcptr a, mpz_srcptr b) { *r = *a * *b; }
 inline void mpz_addmul(mpz_ptr r, mpz_srcptr a, mpz_srcptr b) { *r += *a * *b; }
 inline void mpz_submul(mpz_ptr r, mpz_srcptr a, mpz_srcptr b) { *r -= *a * *b; }
-/// Of base 2.
+/// Base 2 is the only one.
 inline std::size_t mpz_sizeinbase(mpz_srcptr a, int) { return a->is_zero() ? 1 : a->bit_length(); }
 /// From bit 0 on.
 inline mp_bitcnt_t mpz_scan1(mpz_srcptr a, mp_bitcnt_t) { return a->zeros(); }
@@ -92,7 +92,7 @@ inline int mpz_root(mpz_ptr r, mpz_srcptr a, std::uint64_t degree) {
 inline int mpz_perfect_square_p(mpz_srcptr a) { return is_square(*a) ? 1 : 0; }
 inline void mpz_pow_ui(mpz_ptr r, mpz_srcptr a, std::uint64_t exponent) { *r = power(*a, exponent); }
 inline void mpz_ui_pow_ui(mpz_ptr r, std::uint64_t a, std::uint64_t exponent) { *r = power(Integer(a), exponent); }
-/// Of a number that is not negative.
+/// The number is not negative.
 inline void mpz_setbit(mpz_ptr r, mp_bitcnt_t place) { r->set_bit(place, true); }
 inline mp_bitcnt_t mpz_popcount(mpz_srcptr a) { return a->sign() < 0 ? ~mp_bitcnt_t{0} : a->count_ones(); }
 inline mp_bitcnt_t mpz_remove(mpz_ptr r, mpz_srcptr a, mpz_srcptr factor) {

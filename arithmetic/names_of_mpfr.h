@@ -4,7 +4,7 @@
 #include "arithmetic/names_of_gmp.h"
 #include "arithmetic/rounded.h"
 
-/// What this project uses of MPFR, by MPFR's names: rounded correctly, so to the same bits.
+/// The functions of MPFR that this project uses, by MPFR's names: rounded correctly, so to the same bits.
 namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 namespace names {
@@ -26,7 +26,7 @@ void mpfr_clears(const Numbers&...) {}
 inline void mpfr_free_cache2(mpfr_free_cache_t) {}
 inline mpfr_prec_t mpfr_get_prec(mpfr_srcptr x) { return x->precision; }
 inline mpfr_exp_t mpfr_get_exp(mpfr_srcptr x) { return x->exponent + static_cast<mpfr_exp_t>(x->digits.bit_length()); }
-/// Of 0 the least exponent, as MPFR.
+/// 0 has the least exponent, as in MPFR.
 inline mpfr_exp_t mpfr_get_z_2exp(mpz_ptr n, mpfr_srcptr x) {
   *n = x->digits;
   return x->digits.is_zero() ? -4611686018427387903 : x->exponent;

@@ -7,8 +7,8 @@ namespace touchstone::arithmetic {
 inline namespace TOUCHSTONE_WORDS {
 
 /// Newton's iteration a <- (a + n / a) / 2 on the leading digits of n, twice as many each time: a step is one division.
-/// Each a is within 1 of the root of the digits that it has seen (R. Brent and P. Zimmermann, Modern Computer Arithmetic,
-/// 1.5.1).
+/// Each a is within 1 of the root of the digits that it has seen (R. Brent and P. Zimmermann, Modern Computer
+/// Arithmetic, 1.5.1).
 Integer sqrt(const Integer& n) {
   if (n.is_zero()) return n;
   const std::uint64_t half = (n.bit_length() - 1) / 2;  // bits of the root below its highest

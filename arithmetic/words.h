@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Digits of integers: words of 64 bits where the machine has them, else of 32, in the order of their places, the lowest
-/// first. Numbers here are long enough for words to matter, and too short for more than the schoolbook's product: few
-/// have more than a hundred words.
+/// Digits of integers: words of 64 bits where the machine has them, else of 32, in the order of their places, the
+/// lowest first. Numbers here are long enough for words to matter, and too short for more than the schoolbook's
+/// product: few have more than a hundred words.
 ///
 /// TOUCHSTONE_SMALL_WORDS chooses 32 bits anywhere. The name of the inline namespace tells the two apart, so that one
 /// program may hold both.

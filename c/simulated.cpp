@@ -67,6 +67,7 @@ Json simulated(const Json& json, Options options) {
 int touchstone_simulate(const char* scene, const char* options, char** result, touchstone_error* error) {
   using namespace touchstone;
   return c::made(result, error, [&] {
-    return catalogue::one_line(c::simulated(catalogue::parse_document(c::text_of(scene, "scene")), c::Options(options)));
+    const catalogue::Json json = catalogue::parse_document(c::text_of(scene, "scene"));
+    return catalogue::one_line(c::simulated(json, c::Options(options)));
   });
 }

@@ -6,6 +6,23 @@
 #include "c/made.h"
 #include "c/touchstone.h"
 
+namespace touchstone::c {
+namespace {
+
+/// A line of JSON with its numbers as they were typed (catalogue/codec/json.h), not marked.
+std::string line_as_typed(const Json& input) {
+  const std::string mark = R"("\u0001)";
+  std::string line = one_line(input);
+  for (std::size_t at; (at = line.find(mark)) != std::string::npos;) {
+    line.erase(at, mark.size());
+    line.erase(line.find('"', at), 1);
+  }
+  return line;
+}
+
+}  // namespace
+}  // namespace touchstone::c
+
 using namespace touchstone;
 using namespace touchstone::catalogue;
 
@@ -15,7 +32,7 @@ int touchstone_read(const char* operation, const char* text, char** result, touc
     const std::string given = c::text_of(text, "text"), option = audit::option_for(given);
     const Json input = audit::input_in(given, option == "--wkt", option == "--geojson", asked, Json::object());
     asked.parse(input);
-    return one_line(input);
+    return c::line_as_typed(input);
   });
 }
 

@@ -19,17 +19,25 @@ constexpr To bit_cast(const From& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
-/// The fewest digits that read back, in scientific notation or, unless that is asked for, the shorter notation.
+/// The fewest digits that read back, in scientific notation or, unless that is asked for, the shorter notation. Fifteen
+/// digits of a normal number are those of any shorter decimal that reads as it, and zeros.
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format = chars_format::general) {
   char text[32];
-  for (int digits = 0; digits < 17; ++digits) {
+  for (int digits = fabs(value) < 0x1p-1022 ? 0 : 14; digits < 17; ++digits) {
     snprintf(text, sizeof text, "%.*e", digits, value);
     if (strtod(text, nullptr) == value) break;
   }
   string shortest = text;
+  size_t mark = shortest.find('e');
+  if (shortest.find('.') != string::npos) {
+    const size_t last_digit = shortest.find_last_not_of('0', mark - 1);
+    const size_t kept = shortest[last_digit] == '.' ? last_digit : last_digit + 1;
+    shortest.erase(kept, mark - kept);
+    mark = kept;
+  }
   if (format != chars_format::scientific) {
-    const size_t mark = shortest.find('e');
-    const int exponent = atoi(text + mark + 1), digits = static_cast<int>(mark) - (value < 0) - (mark > 2u + (value < 0));
+    const int exponent = atoi(shortest.c_str() + mark + 1), sign = value < 0, point = mark > 2u + sign;
+    const int digits = static_cast<int>(mark) - sign - point;
     const int after_point = digits - 1 - exponent > 0 ? digits - 1 - exponent : 0;
     if (exponent > -8 && exponent < 24) {
       snprintf(text, sizeof text, "%.*f", after_point, value);

@@ -109,7 +109,7 @@ foreach(module ${touchstone_modules})
 endforeach()
 # Of audit and report, what needs no other process, no file and no picture: the C interface has no more.
 set(judge_sources ${audit_sources} ${report_sources})
-list(FILTER judge_sources INCLUDE REGEX "/audit/(counted|parallel|counting/.*|engines/(protocol|question_text|signature)|gate/(gate|shown)|meshes/surface|reducing/.*|text/.*)\\.cpp$|/report/(figures/.*|maps/map_grid|pages/simulation_page|parts/.*|screen/table|words/.*)\\.cpp$")
+list(FILTER judge_sources INCLUDE REGEX "/audit/(counted|parallel|counting/.*|engines/(protocol|question_text|signature)|gate/(gate|shown)|meshes/surface|reducing/.*|text/.*)\\.cpp$|/report/(figures/.*|maps/(map_grid|palette)|pages/simulation_page|parts/.*|screen/table|words/.*)\\.cpp$")
 list(FILTER judge_sources EXCLUDE REGEX "/reducing/until\\.cpp$")
 list(REMOVE_ITEM audit_sources ${judge_sources})
 list(REMOVE_ITEM report_sources ${judge_sources})

@@ -6,7 +6,8 @@ function(touchstone_find_headers package)
   set(folder_of_nlohmann_json nlohmann)
   set(folder_of_fmt fmt)
   set(folder ${folder_of_${package}})
-  find_path(TOUCHSTONE_HEADERS_OF_${package} ${folder} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+  find_path(TOUCHSTONE_HEADERS_OF_${package} ${folder} PATHS /usr/include /usr/local/include NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH
+            REQUIRED)
   mark_as_advanced(TOUCHSTONE_HEADERS_OF_${package})
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/headers)
   file(CREATE_LINK ${TOUCHSTONE_HEADERS_OF_${package}}/${folder} ${PROJECT_BINARY_DIR}/headers/${folder} SYMBOLIC)
@@ -25,8 +26,9 @@ function(touchstone_package_for_npm)
   add_executable(touchstone_wasm ${PROJECT_BINARY_DIR}/module.cpp)
   target_link_libraries(touchstone_wasm PRIVATE touchstone_c)
   target_link_options(
-    touchstone_wasm PRIVATE --no-entry -sMODULARIZE -sEXPORT_ES6 -sUSE_ES6_IMPORT_META -sENVIRONMENT=web,worker -sWASM_BIGINT
-    -sALLOW_MEMORY_GROWTH -sALLOW_TABLE_GROWTH -sINITIAL_MEMORY=16MB -sFILESYSTEM=0 -sEXPORTED_FUNCTIONS=${exported},_malloc,_free
+    touchstone_wasm PRIVATE --no-entry -Wl,--strip-all -sMODULARIZE -sEXPORT_ES6 -sUSE_ES6_IMPORT_META -sENVIRONMENT=web,worker
+    -sWASM_BIGINT -sALLOW_MEMORY_GROWTH -sALLOW_TABLE_GROWTH -sINITIAL_MEMORY=16MB -sFILESYSTEM=0
+    -sEXPORTED_FUNCTIONS=${exported},_malloc,_free
     -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8,getValue,setValue,addFunction,removeFunction)
   set_target_properties(touchstone_wasm PROPERTIES OUTPUT_NAME module SUFFIX .mjs RUNTIME_OUTPUT_DIRECTORY ${package})
 
@@ -44,5 +46,6 @@ function(touchstone_package_for_npm)
   endforeach()
   find_program(TOUCHSTONE_NODE node REQUIRED)
   mark_as_advanced(TOUCHSTONE_NODE)
-  add_custom_target(touchstone_npm ALL COMMAND ${TOUCHSTONE_NODE} ${PROJECT_SOURCE_DIR}/js/types.mjs ${package} DEPENDS touchstone_wasm)
+  add_custom_target(touchstone_npm ALL
+                    COMMAND ${TOUCHSTONE_NODE} ${PROJECT_SOURCE_DIR}/js/types.mjs ${package} DEPENDS touchstone_wasm)
 endfunction()

@@ -11,7 +11,7 @@
 #include "geometry/volumes.h"
 #include "geometry/words.h"
 
-/// What operations answer. A field that the enumerator beside it rules out is empty.
+/// Answers of operations. A field that the enumerator next to it rules out is empty.
 namespace touchstone {
 
 /// relation `on`: point = a + t (b - a), 0 <= t <= 1; t is 0 on a segment of length zero. `off`: no t.
@@ -78,7 +78,7 @@ struct PolygonNormal {
   static constexpr auto members = as_record("class", "normal", "unit");
 };
 
-/// Whether the end of a step is not in front of the plane any more.
+/// Decides whether the end of a step is no longer in front of the plane.
 struct StepTest {
   HitRelation relation;
   static constexpr auto members = as_record("relation");

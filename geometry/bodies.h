@@ -18,7 +18,7 @@ struct Body {
   bool rules(const auto& check) const { return check("mass", rule::mass(mass)); }
 };
 
-/// Of two bodies.
+/// The masses of two bodies.
 template <class Real>
 struct Masses {
   Real first, second;
@@ -75,8 +75,8 @@ struct PointBody {
   bool rules(const auto& check) const { return check("inverse_mass", rule::inverse_mass(inverse_mass)); }
 };
 
-/// Where two bodies of a list touch. The normal points from b to a, so that n . (va - vb) > 0 parts them; it has any
-/// length but 0, which is refused. So are a place that is not there, and a body that touches itself.
+/// The contact of two bodies of a list. The normal points from b to a, so that n . (va - vb) > 0 separates them; it has
+/// any length but 0, which is refused. An index beyond the list and a body that touches itself are refused, too.
 template <class Real>
 struct BodyContact {
   Index a, b;
@@ -90,7 +90,7 @@ struct BodyContact {
   }
 };
 
-/// What two bodies at a contact do at this moment; resting is exactly 0.
+/// The motion of two bodies at a contact at this moment; resting is exactly 0.
 enum class ContactState { separating, resting, colliding };
 constexpr auto words_of(ContactState) { return as_words("separating", "resting", "colliding"); }
 

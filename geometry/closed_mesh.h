@@ -7,8 +7,8 @@
 
 namespace touchstone::validation {
 
-/// Why a mesh does not tell inside from outside: an edge, a pair of vertices in whichever order, in an odd number of
-/// faces. Of several the first face counts, in it the first edge as its corners are named. triangle: one of that face.
+/// The reason why a mesh has no inside and outside: an edge, a pair of vertices in whichever order, in an odd number of
+/// faces. The first such face counts, and in it the first edge in the order of its corners. triangle: one of that face.
 template <class Real>
 [[noreturn]] void refuse_odd_edge(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle, Index from,
                                   Index to) {

@@ -6,7 +6,7 @@
 #include "geometry/points.h"
 #include "geometry/space.h"
 
-/// What operations answer about nearest points.
+/// Answers about nearest points.
 namespace touchstone {
 
 /// The point of a shape that is nearest to another point, and their distance.

@@ -59,7 +59,7 @@ struct AlongRay {
 template <class Real>
 using Command = std::variant<Insert<Real>, Move<Real>, Remove, Ask, InBox<Real>, AtPoint<Real>, AlongRay<Real>>;
 
-/// What is answered to `pairs`: the pairs of bodies i < j, sorted.
+/// The reply to `pairs`: the pairs of bodies i < j, sorted.
 struct PairsReply {
   std::vector<IndexPair> pairs;
   static constexpr auto members = as_record("pairs");
@@ -71,8 +71,8 @@ struct BodiesReply {
   static constexpr auto members = as_record("bodies");
   friend bool operator==(const BodiesReply&, const BodiesReply&) = default;
 };
-/// To `along_ray`: bodies in the order in which the ray meets them; of those that it meets at once, the lesser index
-/// first. What is called `in_order` is judged with its order (catalogue/judge/compare.h).
+/// The reply to `along_ray`: bodies in the order in which the ray meets them; of those that it meets at once, the
+/// lesser index first. A list of the name `in_order` is judged with its order (catalogue/judge/compare.h).
 struct RayReply {
   std::vector<Index> in_order;
   static constexpr auto members = as_record("in_order");
@@ -88,14 +88,14 @@ using AtPointd = AtPoint<double>;
 using AlongRayd = AlongRay<double>;
 using Commandd = Command<double>;
 
-/// Whether a command asks for a reply.
+/// True if a command asks for a reply.
 template <class Real>
 bool is_query(const Command<Real>& command) {
   return command.index() >= 3;
 }
 
-/// What keeps bodies and tells which of them meet each other, a box, a point or a ray. `move` and `remove` are asked of
-/// bodies that are there.
+/// A structure that keeps bodies and answers which of them meet each other, a box, a point or a ray. `move` and
+/// `remove` name present bodies.
 template <class Structure, class Real>
 concept BroadPhase = requires(Structure structure, const Aabb3<Real>& box, Index body, const Point3<Real>& point,
                               const Ray3<Real>& ray) {

@@ -9,7 +9,7 @@
 
 namespace touchstone {
 
-/// `none` where faces do not enclose a volume: the mesh is open, or turns both ways.
+/// `none` where faces do not enclose a volume: the mesh is open, or is not oriented.
 enum class VolumeSign { none, negative, zero, positive };
 constexpr auto words_of(VolumeSign) { return as_words("none", "negative", "zero", "positive"); }
 
@@ -20,8 +20,9 @@ struct SplittingFace {
   friend bool operator==(const SplittingFace&, const SplittingFace&) = default;
 };
 
-/// What a mesh is made of, and whether it is a surface and what it encloses. What the words mean stands in
-/// reference/polyhedra/polyhedron_complexity.h. After the words come their witnesses, each where its word is false.
+/// The parts of a mesh, and whether it is a surface and encloses a volume. The words are defined in
+/// reference/polyhedra/polyhedron_complexity.h. After the words come their witnesses, each present if its word is
+/// false.
 template <class Real>
 struct PolyhedronComplexity {
   Index vertices, edges, faces, components;

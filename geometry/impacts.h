@@ -7,8 +7,8 @@
 
 namespace touchstone {
 
-/// How far a step is answered: to its end; or not, since it has more than sixteen moments, or a moment that is no
-/// rational number with more than six contacts of bodies that hang together.
+/// The extent to which a step is answered: to its end; or not, since it has more than sixteen moments, or a moment that
+/// is no rational number with more than six contacts of connected bodies.
 enum class StepCourse { finished, too_many_moments, too_many_contacts };
 constexpr auto words_of(StepCourse) { return as_words("finished", "too_many_moments", "too_many_contacts"); }
 inline constexpr std::size_t most_moments = 16, most_contacts_at_a_root = 6;

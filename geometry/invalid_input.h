@@ -26,7 +26,7 @@ class InvalidInput : public std::exception {
   }
   ~InvalidInput() override { delete[] text_; }
 
-  /// Whoever calls them includes <string>.
+  /// A caller includes <string>.
   template <class String = std::string>
   String field() const {
     return text_;

@@ -16,7 +16,7 @@ namespace touchstone {
 /// faces, and its triangles are `cut` (catalogue/codec/mesh_json.h).
 enum class Form { list, record, bare, mesh };
 
-/// What a number says.
+/// The meaning of a number.
 enum class Meaning {
   number,     ///< nothing but itself: a parameter, a ratio
   place,      ///< a coordinate of a position

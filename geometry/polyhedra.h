@@ -35,8 +35,8 @@ struct Mesh {
   std::vector<std::vector<Index>> polygons;
   static constexpr auto members = Members<3>{Form::mesh, {"vertices", "faces", "polygons"}};
 
-  /// Corners name vertices, and there are as many triangles as a cut of the polygons has. What takes arithmetic is
-  /// refused by geometry/validation.h.
+  /// Corners name vertices, and there are as many triangles as a cut of the polygons has. Rules that take arithmetic
+  /// are in geometry/validation.h.
   bool rules(const auto& check) const {
     if (!polygon_rules(check)) return false;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -65,13 +65,13 @@ struct Mesh {
 
 using Meshd = Mesh<double>;
 
-/// How many faces a mesh names.
+/// The count of faces that a mesh names.
 template <class Real>
 std::size_t named_faces(const Mesh<Real>& mesh) {
   return mesh.polygons.empty() ? mesh.faces.size() : mesh.polygons.size();
 }
 
-/// Of each triangle, which of the named faces it is a part of.
+/// For each triangle, the named face of which it is a part.
 template <class Real>
 std::vector<Index> named_face_of_each(const Mesh<Real>& mesh) {
   std::vector<Index> named;

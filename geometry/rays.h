@@ -21,7 +21,7 @@ struct Ray3 {
 
 using Ray3d = Ray3<double>;
 
-/// What a ray or a segment has in common with a plane: `inside` is all of it.
+/// The common part of a ray or a segment and a plane: `inside` is all of it.
 enum class LinePlaneRelation { none, point, inside };
 constexpr auto words_of(LinePlaneRelation) { return as_words("none", "point", "inside"); }
 constexpr auto plain_false(LinePlaneRelation) { return LinePlaneRelation::none; }
@@ -36,7 +36,7 @@ struct LinePlane {
   static constexpr auto members = as_record("relation", "t", "point");
 };
 
-/// What a ray has in common with a triangle. relation `point`: the one common point, its t, and where it lies of the
+/// The common part of a ray and a triangle. relation `point`: the one common point, its t, and its place in the
 /// triangle: `inside`, or on its `boundary`, which is all of a triangle without area. `segment`: the first common point
 /// and its t. `none`: no numbers.
 template <class Real>
@@ -48,7 +48,7 @@ struct RayTriangle {
   static constexpr auto members = as_record("relation", "t", "point", "location");
 };
 
-/// Whether a ray or a segment meets a solid.
+/// Decides whether a ray or a segment meets a solid.
 enum class PassageRelation { none, hit };
 constexpr auto words_of(PassageRelation) { return as_words("none", "hit"); }
 constexpr auto plain_false(PassageRelation) { return PassageRelation::none; }

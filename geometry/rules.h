@@ -5,7 +5,7 @@
 
 #include "geometry/members.h"
 
-/// What numbers are asked in rules. Doubles are looked at as bits, so this holds in every floating-point environment
+/// The tests of numbers in rules. Doubles are tested by their bits, so this holds in every floating-point environment
 /// and build type; numbers of other types compare themselves.
 namespace touchstone::validation {
 
@@ -66,8 +66,8 @@ bool same_position(const Point& p, const Point& q) {
   return same(p.x, q.x) && same(p.y, q.y);
 }
 
-/// Whether the last position of a ring repeats the first, as GeoJSON, WKT and editors write rings. Such a position is
-/// no vertex: it is dropped, once, so that every other keeps its index. -0.0 equals 0.0.
+/// Decides whether the last position of a ring repeats the first, as GeoJSON, WKT and editors write rings. Such a
+/// position is no vertex: it is dropped, once, so that every other keeps its index. -0.0 equals 0.0.
 template <class Ring>
 bool closed(const Ring& ring) {
   return ring.size() > 1 && same_position(ring.front(), ring.back());

@@ -8,7 +8,7 @@
 
 namespace touchstone {
 
-/// Whether bodies can move so that no contact's demand is broken.
+/// Decides whether bodies can move so that no contact's demand is broken.
 enum class Resolution { possible, impossible };
 constexpr auto words_of(Resolution) { return as_words("possible", "impossible"); }
 

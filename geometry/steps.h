@@ -13,7 +13,7 @@ namespace touchstone {
 enum class StepMotion { accelerate_then_move, move_then_accelerate, parabola };
 constexpr auto words_of(StepMotion) { return as_words("accelerate_then_move", "move_then_accelerate", "parabola"); }
 
-/// Whether velocities change before bodies move to where contacts were found, or there.
+/// Velocities change before bodies move to the places of their contacts, or after.
 enum class StepTurn { before_move, after_move };
 constexpr auto words_of(StepTurn) { return as_words("before_move", "after_move"); }
 

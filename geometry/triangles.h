@@ -25,7 +25,7 @@ struct Triangle3 {
 using Segment3d = Segment3<double>;
 using Triangle3d = Triangle3<double>;
 
-/// Of which dimension the common part of two triangles is.
+/// The dimension of the common part of two triangles.
 enum class TriangleTriangleRelation { none, point, segment, area };
 constexpr auto words_of(TriangleTriangleRelation) { return as_words("none", "point", "segment", "area"); }
 constexpr auto plain_false(TriangleTriangleRelation) { return TriangleTriangleRelation::none; }

@@ -29,8 +29,8 @@ concept Choice = requires(const T& value) {
   value.valueless_by_exception();
 };
 
-/// Whether a value has a number that is NaN or infinite. An int, so that many numbers make one branch; only doubles can
-/// be so.
+/// Decides whether a value has a number that is NaN or infinite. An int, so that many numbers make one branch; only
+/// doubles can be so.
 template <class T>
 constexpr int not_finite(const T& value) {
   if constexpr (std::is_same_v<T, double>) {
@@ -52,7 +52,7 @@ bool all_finite(const T&... values) {
   return (not_finite(values) | ...) == 0;
 }
 
-/// Whether a value keeps its rules: its own, or those of all that it is made of.
+/// Decides whether a value keeps its rules: its own, or those of all its parts.
 template <class T, class Check>
 bool keeps_rules(const T& value, const Check& check) {
   if constexpr (requires { value.rules(check); }) {
@@ -79,7 +79,8 @@ struct Asking {
   }
 };
 
-/// Whether a value is valid. Names of fields cost more than the geometry: they are made only where this says no.
+/// Decides whether a value is valid. Names of fields cost more than the geometry, so they are made only for invalid
+/// values.
 template <class T>
 bool valid(const T& value) {
   return all_finite(value) && keeps_rules(value, Asking());
@@ -137,7 +138,7 @@ void validate(const std::string& field, const T& value, const Rule& rule) {
   validate(field, value);
   Refusing{field}("", rule(value));
 }
-/// What was decided in exact arithmetic does not hold.
+/// Refuses a value by a rule that was decided in exact arithmetic.
 [[noreturn]] inline void refuse(const std::string& field, const rule::Exact& rule) {
   throw InvalidInput(named(field, rule.member), rule.words);
 }
@@ -156,14 +157,14 @@ class OpenRing {
   Polygon dropped_;
 };
 
-/// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first
-/// elsewhere than in a vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one
-/// with the least `first` counts, edges of length zero before all others, then the least `second`.
+/// The reason why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second`
+/// > first elsewhere than in a vertex that neighbours share. Edge i goes from vertex i to the next. The defect with the
+/// least `first` counts, edges of length zero before all others, then the least `second`.
 struct RingDefect {
   std::size_t first, second;
 };
 
-/// Of a ring of so many vertices.
+/// Refuses a ring of so many vertices.
 [[noreturn]] inline void refuse(const std::string& field, const RingDefect& defect, std::size_t vertices) {
   const std::string vertex = field + "[" + std::to_string(defect.first) + "]";
   const std::string next = std::to_string((defect.first + 1) % vertices);
@@ -201,7 +202,7 @@ template <class Real>
   throw InvalidInput(field + ".faces[" + std::to_string(named_face_of_each(mesh)[triangle]) + "]", rule);
 }
 
-/// What every surface of triangles around a solid needs before anything is measured.
+/// The rules of every surface of triangles around a solid that take no arithmetic.
 template <class Real>
 void validate_triangles(const std::string& field, const Mesh<Real>& mesh) {
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -211,9 +212,10 @@ void validate_triangles(const std::string& field, const Mesh<Real>& mesh) {
   if (named_faces(mesh) < 4) throw InvalidInput(field, "at least 4 faces");
 }
 
-/// Why a mesh is no closed convex surface, in this order: an edge of a face that another face has in the same direction
-/// or that none has in the opposite one; a face of area zero; all vertices on one plane; a vertex beyond the plane of a
-/// face. Of several the first face counts, in it the first edge (a to b, b to c, c to a) or the first vertex.
+/// The reason why a mesh is no closed convex surface, in this order: an edge of a face that another face has in the
+/// same direction or that none has in the opposite one; a face of area zero; all vertices on one plane; a vertex beyond
+/// the plane of a face. The first such face counts, and in it the first edge (a to b, b to c, c to a) or the first
+/// vertex.
 template <class Real>
 [[noreturn]] void refuse_edge(const std::string& field, const Mesh<Real>& mesh, std::size_t triangle, Index from,
                               Index to) {

@@ -7,11 +7,11 @@
 /// and of "not in the closed shape", which a yes-or-no answer has as its no.
 namespace touchstone {
 
-/// Where a point lies of a directed line p0 -> p1: `left` is counter-clockwise (y up).
+/// The side of a directed line p0 -> p1 on which a point lies: `left` is counter-clockwise (y up).
 enum class Side { left, on, right };
 constexpr auto words_of(Side) { return as_words("left", "on", "right"); }
 
-/// Where a point lies of a line that is not vertical; above is +y.
+/// The position of a point relative to a line that is not vertical; above is +y.
 enum class Height { above, on, below };
 constexpr auto words_of(Height) { return as_words("above", "on", "below"); }
 
@@ -20,7 +20,7 @@ enum class Location { inside, boundary, outside };
 constexpr auto words_of(Location) { return as_words("inside", "boundary", "outside"); }
 constexpr auto plain_false(Location) { return Location::outside; }
 
-/// Whether a point lies on a thin closed shape.
+/// Decides whether a point lies on a thin closed shape.
 enum class Incidence { on, off };
 constexpr auto words_of(Incidence) { return as_words("on", "off"); }
 constexpr auto plain_false(Incidence) { return Incidence::off; }
@@ -35,7 +35,7 @@ enum class RayRelation { none, point, overlap };
 constexpr auto words_of(RayRelation) { return as_words("none", "point", "overlap"); }
 constexpr auto plain_false(RayRelation) { return RayRelation::none; }
 
-/// Whether two solids have a common point, and a common interior point.
+/// Decides whether two solids have a common point, and a common interior point.
 enum class Contact { disjoint, touching, overlapping };
 constexpr auto words_of(Contact) { return as_words("disjoint", "touching", "overlapping"); }
 constexpr auto plain_false(Contact) { return Contact::disjoint; }
@@ -46,7 +46,7 @@ constexpr auto words_of(PolygonClass) { return as_words("convex", "concave", "no
 enum class Winding { ccw, cw, none };
 constexpr auto words_of(Winding) { return as_words("ccw", "cw", "none"); }
 
-/// Where a point lies of a plane; the front is where the normal points.
+/// The side of a plane on which a point lies; the normal points to the front.
 enum class PlaneSide { front, on, back };
 constexpr auto words_of(PlaneSide) { return as_words("front", "on", "back"); }
 /// `degenerate`: the normal is the zero vector.

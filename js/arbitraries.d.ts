@@ -8,4 +8,5 @@ export interface Arbitraries {
   /** Small integers and any finite doubles, within the contract; `all` leaves in what it refuses. */
   raw<O extends Operation>(operation: O, options?: { all?: boolean }): FastCheck.Arbitrary<Questions[O]>;
 }
-export default function arbitraries(fc: typeof FastCheck, touchstone: Touchstone): Arbitraries;
+type Generators = "array" | "boolean" | "constantFrom" | "double" | "integer" | "nat" | "oneof" | "record" | "tuple" | "uint8Array";
+export default function arbitraries(fc: Pick<typeof FastCheck, Generators>, touchstone: Touchstone): Arbitraries;

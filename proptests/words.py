@@ -15,8 +15,8 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("audit", "bench", "c", "catalogue", "cmake", "coverage", "docs", "engines", "examples", "fuzz", "geometry",
-           "js", "oracle", "program", "proptests", "python", "reference", "report", "robust", "simulate", "testing")
+FOLDERS = ("arithmetic", "audit", "bench", "c", "catalogue", "cmake", "coverage", "docs", "engines", "examples", "fuzz",
+           "geometry", "js", "oracle", "program", "proptests", "python", "reference", "report", "robust", "simulate", "testing")
 SUFFIXES = {".h", ".cpp", ".py", ".js", ".mjs", ".cmake", ".md"}
 # Replaced identifiers, as patterns of the whole identifier, and their replacements.
 REPLACED = {
@@ -63,9 +63,8 @@ COMMENT_PHRASES = {
     r"for ever": "without limit",
 }
 # Comments are held to this in the folders whose comments have been rewritten.
-COMMENTED = ("audit", "bench", "c", "catalogue/codec", "catalogue/draw", "catalogue/judge", "catalogue/numbers",
-             "catalogue/operation", "fuzz", "oracle", "program", "python", "reference", "report", "robust", "simulate",
-             "testing")
+COMMENTED = ("arithmetic", "audit", "bench", "c", "catalogue", "fuzz", "geometry", "oracle", "program", "python", "reference",
+             "report", "robust", "simulate", "testing")
 
 
 def any_of(phrases):
@@ -188,7 +187,7 @@ CLEAR = {
              "```\nOf code nothing is said.\n```"),
     "robust/a.h": ("/// True if it holds.", "f(\"// Of it\");", "/// Where rings meet, they touch.",
                    "/// `beside` and beside.h.", "int told;", "/// What is it?", "x; // as seen from outside"),
-    "geometry/a.h": ("/// Whether it holds.",),
+    "examples/a.h": ("/// Whether it holds.",),
     "a.py": ('"""Returns whether it holds."""', "# Whether", "x = 'Of strings'"),
     "CHANGELOG.md": ("Of whole numbers.",),
 }

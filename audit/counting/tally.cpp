@@ -28,7 +28,7 @@ void add(double number, Length& sum) {
   const char* end = std::to_chars(text, text + sizeof text, number, std::chars_format::scientific).ptr;
   const char* mark = std::find<const char*>(text, end, 'e');
   if (mark == end) return;
-  const auto significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
+  const std::int64_t significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
   const std::int64_t exponent = std::atoll(std::string(mark + 1, end).c_str());
   sum.digits += static_cast<std::uint64_t>(exponent < 0 ? significant - exponent : std::max(significant, exponent + 1));
   sum.exponents += static_cast<std::uint64_t>(std::abs(exponent));

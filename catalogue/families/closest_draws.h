@@ -5,7 +5,7 @@
 #include "catalogue/families/whole_steps.h"
 #include "geometry/thin_shapes.h"
 
-/// Segments of the plane and of space, and points at known places beside them, drawn from a draw stream.
+/// Segments of the plane and of space, and points at known places near them, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 inline Segment2d without_z(const Segment3d& s) { return {{s.a.x, s.a.y}, {s.b.x, s.b.y}}; }
@@ -54,7 +54,7 @@ inline HalfwayStep halfway_step(DrawStream& draws) {
   return {3 * k, 4 * k};
 }
 
-/// -2^k, 0, 2^k ... : the greatest binades, where differences overflow, beside small numbers.
+/// -2^k, 0, 2^k ... : the greatest binades, where differences overflow, next to small numbers.
 inline double of_full_range(DrawStream& draws) {
   const double n = small_integer(draws, 1);
   return std::ldexp(n, draws.coin() ? 1023 : integer_in(draws, -1, 1));
@@ -94,7 +94,7 @@ inline Radii reaching_radii(DrawStream& draws, double length) {
   return {sum - part, part};
 }
 
-/// The double nearest to a length, or a few beside it.
+/// The double nearest to a length, or one a few ulps from it.
 inline double near_length(DrawStream& draws, const Vector3d& v) {
   return std::fabs(moved_by_ulps(std::sqrt(dot(v, v)), integer_in(draws, -2, 2)));
 }

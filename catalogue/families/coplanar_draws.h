@@ -6,12 +6,12 @@
 
 #include "catalogue/families/triangle_draws.h"
 
-/// What lies in the plane of a triangle, drawn from a draw stream.
+/// Shapes in the plane of a triangle, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 /// A triangle with the corners (0, 0), (12, 0) and (0, 12) in integer coordinates of its plane, which is across an axis
 /// or any of the lattice; and segments and triangles of that plane, which touch it, pass it by one unit, cross it or
-/// lie within. What is said of one edge or corner holds for each, because corners are listed in any order.
+/// lie within. A statement about one edge or corner holds for each, because corners are listed in any order.
 class CoplanarDraws {
  public:
   explicit CoplanarDraws(DrawStream& draws) : draws_(draws), plane_(LatticePlane::of(draws, 6)) {
@@ -22,7 +22,7 @@ class CoplanarDraws {
 
   Triangle3d triangle() { return in_some_order({plane_.at(0, 0), plane_.at(12, 0), plane_.at(0, 12)}, draws_); }
 
-  /// A corner, or an end, on an edge or one unit beside it, inside or outside; the rest is outside of that edge.
+  /// A corner, or an end, on an edge or one unit from it, inside or outside; the rest is outside of that edge.
   Triangle3d triangle_at_edge() { return triangle_of({at_edge(), {any(), -out()}, {any(), -out()}}); }
   Segment3d segment_at_edge() { return segment_of({at_edge(), {any(), -out()}}); }
 
@@ -44,8 +44,8 @@ class CoplanarDraws {
     const double i = on_edge(), j = small_integer(draws_, 1);
     switch (draws_.below(5)) {
       case 0: return segment_of({{i, -out()}, {-out(), on_edge()}});  // across two edges, or past their corner
-      case 1: return segment_of({{any(), j}, {any(), j}});            // along an edge, or one unit beside it
-      case 2: {                                                       // at a corner, or one unit beside it
+      case 1: return segment_of({{any(), j}, {any(), j}});            // along an edge, or one unit from it
+      case 2: {                                                       // at a corner, or one unit from it
         const double x = out(), y = out(), more = one_to(draws_, 3);
         return segment_of({{x + j, -y}, {-more * x + j, more * y}});
       }

@@ -78,7 +78,7 @@ inline double end_of_range(DrawStream& draws) {
 /// An exponent for scaling a whole input: mostly 0, else +-39, one end of the range or the other (see numbers.cpp).
 int scale_exponent(DrawStream& draws);
 
-/// How many elements a list has: mostly 3 to 8, 3 being the simplest; sometimes fewer, sometimes up to 40.
+/// The length of a list: mostly 3 to 8, 3 being the simplest; sometimes fewer, sometimes up to 40.
 std::size_t list_length(DrawStream& draws);
 
 /// `value` moved by `ulps` units in the last place; finite values stay finite, zero passes through the subnormals.

@@ -98,8 +98,8 @@ inline Point3d on_obb(const Obb3d& box, DrawStream& c) {
 }
 
 /// Moves b to where it touches a from outside, as far as their half axes number i and j, a's before b's, are not
-/// parallel: on the axis at right angles to both. What that axis leaves open is drawn: where along the common edges or
-/// faces, by up to so many halves of these. Exact for small integers.
+/// parallel: on the axis at right angles to both. The freedom that this axis leaves, the position along the common
+/// edges or faces, is drawn in halves of these, at most so many. Exact for small integers.
 inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, DrawStream& c, int most_open = 2) {
   const Vector3d* edges[] = {&a.half_axes.u, &a.half_axes.v, &a.half_axes.w,
                              &b.half_axes.u, &b.half_axes.v, &b.half_axes.w};

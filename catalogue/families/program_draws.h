@@ -71,7 +71,7 @@ class Programming {
     commands_.push_back(Insertd{box});
     there_.push_back(next_++);
   }
-  /// Of one of the bodies that are there; nothing where there is none.
+  /// Moves one of the present bodies; does nothing if there is none.
   void move(const Aabb3d& box) {
     if (!there_.empty()) commands_.push_back(Moved{there_[draws_.below(there_.size())], box});
   }
@@ -133,7 +133,7 @@ inline Aabb3d wide_box(DrawStream& c) {
   const Point3d p{integer(c, 6), integer(c, 6), integer(c, 3)};
   return {p, p + Vector3d{up_to(c, 11), up_to(c, 11), up_to(c, 11)}};
 }
-/// Of the lattice of unit boxes.
+/// A cell of the lattice of unit boxes.
 inline Aabb3d cell(DrawStream& c) {
   const Point3d p = small_lattice_point(c);
   return {p, p + Vector3d{1, 1, 1}};

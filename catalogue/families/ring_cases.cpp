@@ -128,7 +128,7 @@ Rings growing_chains(DrawStream& c) {
   return turned({{{0, 1}, {3, 2}, {2, 1}, {3, 0}, {1, 1}}}, c);
 }
 
-/// A chain of a sweep that splits at its end; sides of pieces that are looked at twice.
+/// A chain of a sweep that splits at its end; sides of pieces that are tested twice.
 Rings split_chain(DrawStream& c) {
   if (!c.coin()) return turned({{{2, 0}, {1, 2}, {1, 3}, {0, 1}, {2, 6}, {4, 3}, {2, 2}, {5, 0}}}, c);
   return turned({{{8.000000000000002, 0}, {8, 4}, {8, 8}, {0, 0}, {1, 0}, {2, 0}, {4, 0}}}, c);

@@ -8,7 +8,7 @@
 #include "catalogue/families/hard_case.h"
 #include "catalogue/families/rings.h"
 
-/// What the operations on one simple polygon that cut it into pieces are asked, and how their pieces are drawn.
+/// The questions of operations that cut one simple polygon into pieces, and the figures of the pieces.
 namespace touchstone::catalogue {
 
 /// Convex, star, comb; flat vertices, one in each edge or long runs; strips and needles of width 1; spirals; a slit

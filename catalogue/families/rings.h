@@ -27,7 +27,7 @@ Polygon2d comb_ring(DrawStream& draws);
 /// One of the three above.
 Polygon2d simple_ring(DrawStream& draws);
 
-/// The same ring from another vertex on, or the other way round.
+/// The same ring from another vertex on, or reversed.
 Polygon2d turned(Polygon2d ring, DrawStream& draws);
 
 /// One more vertex in the middle of an edge: exactly on it if both ends are even, else moved towards it by rounding to
@@ -39,7 +39,7 @@ Polygon2d with_flat_vertex(Polygon2d ring, DrawStream& draws);
 Polygon2d with_flat_runs(Polygon2d ring, DrawStream& draws);
 
 /// The points as people type or compute them: in tenths, by steps of 0.1 added up, or rotated by an angle and scaled.
-/// What was in a line is so but for rounding.
+/// Collinear points stay so but for rounding.
 void compute(std::vector<Point2d>& points, DrawStream& draws);
 
 /// One vertex twice in a row, or a detour from a vertex and back.
@@ -72,10 +72,10 @@ Point2d nudged(const Point2d& p, DrawStream& draws);
 
 inline Point2d near_edge(const Polygon2d& ring, DrawStream& draws) { return nudged(on_an_edge(ring, draws), draws); }
 
-/// Four units along a direction of up to 2^40, at most one wide, and a point of its long edges or beside it.
+/// Four units along a direction of up to 2^40, at most one wide, and a point on its long edges or near them.
 std::tuple<Polygon2d, Point2d> needle_and_point(DrawStream& draws);
 
-/// The second vertex is on the line of its neighbours or beside it: its cross product is -1, 0 or 1, of products far
+/// The second vertex is on the line of its neighbours or near it: its cross product is -1, 0 or 1, of products far
 /// beyond 2^53. The others are not flat.
 Polygon2d nearly_flat_ring(DrawStream& draws);
 

@@ -10,7 +10,7 @@
 namespace touchstone::catalogue {
 
 /// 17 to 64 bodies that have a square in common, x = 0 and y and z from 0 to 1, and queries there: all of them are in
-/// the reply, but for some that were moved away. Of so many bodies all pairs would be dear.
+/// the reply, but for some that were moved away. All pairs of so many bodies would be expensive.
 inline Program many_answers(DrawStream& c) {
   Programming p(c);
   const auto body = [&c] {

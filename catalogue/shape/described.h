@@ -14,8 +14,8 @@
 #include "geometry/members.h"
 #include "geometry/polygons.h"
 
-/// What programs that ask any operation know of a type: the members that a struct declares (geometry/members.h), the
-/// enumerators of an enumeration, and what containers hold.
+/// The description of a type, for programs that ask any operation: the members that a struct declares
+/// (geometry/members.h), the enumerators of an enumeration, and what containers hold.
 namespace touchstone::catalogue {
 
 /// call(elements...) of a tuple, and call(alternative) of a variant. As std::apply and std::visit, but they find out
@@ -60,7 +60,7 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
+/// True if a value may be left out where it is read: it is optional, or all its parts are.
 template <class T>
 inline constexpr bool may_be_left_out = is_optional<T>;
 template <class... T>

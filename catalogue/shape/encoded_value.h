@@ -11,8 +11,8 @@
 /// A value of any described type with its type forgotten, and back.
 namespace touchstone::catalogue {
 
-/// What is no number in an encoded value: an enumerator, a flag, an index, the length of a list, the choice among
-/// alternatives.
+/// A part of an encoded value that is no number: an enumerator, a flag, an index, the length of a list, the choice
+/// among alternatives.
 using Word = std::uint32_t;
 
 /// The one form in which questions and answers travel: numbers and words, each in canonical order. A `Shape`

@@ -37,7 +37,7 @@ struct Shape {
   std::vector<const char*> words;     ///< of a word: its enumerators
   int no = -1;  ///< of a word: the enumerator that means "no common point", -1 where there is none
   std::vector<Part> parts;
-  /// How many numbers and words a value takes; only where that is the same for all (nothing optional, no list, no
+  /// The count of numbers and words of a value; only if it is the same for all values (nothing optional, no list, no
   /// choice).
   bool fixed = true;
   std::size_t numbers = 0, word_count = 0;
@@ -57,7 +57,7 @@ template <class T>
 constexpr std::string_view written_by_compiler() {
   return __PRETTY_FUNCTION__;
 }
-/// Of what is written so: the name of the type alone, as users write it with `using namespace touchstone`.
+/// The name of a type alone, from its qualified name, as users write it with `using namespace touchstone`.
 std::string name_of_type(std::string_view written);
 
 /// A type over doubles as users write it: "double", "std::vector<Point3<double>>".
@@ -150,10 +150,10 @@ void walk_encoded(const Shape& shape, Cursor<Real>& at, Visit& visit) {
   }
 }
 
-/// Where each number of a question stands among all its numbers and words in canonical order.
+/// The place of each number of a question among all its numbers and words in canonical order.
 std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& question);
 
-/// How many elements the lists of a question have, all together.
+/// The count of elements of all lists of a question.
 Word elements_of_lists(const Shape& shape, const Question& question);
 
 /// Every number 0, every word 0 (the first alternative), lists of that length.

@@ -34,9 +34,9 @@ test("a question has an exact answer with a proof, and -0 is not 0", () => {
 test("decimals are answered as typed", () => {
   const explained = t.explain("orientation", '{"p0":[0,0],"p1":[0.3,0.9],"p":[0.1,0.3]}');
   assert.deepEqual(explained.as_typed.truth, { side: "on" });
-  assert.deepEqual(explained.truth, { side: "left" });
+  assert.deepEqual(explained.truth, { side: "right" });
   assert.equal(explained.checker, "");
-  assert.equal(explained.sentence, "left of the line");
+  assert.equal(explained.sentence, "right of the line");
 });
 
 test("what is outside the contract is refused by field and rule", () => {
@@ -49,7 +49,7 @@ test("what is outside the contract is refused by field and rule", () => {
 
 test("a scene is played in three arithmetics", () => {
   const scene = {
-    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4 },
+    touchstone_scene: 1, title: "a fall", gravity: [0, 0, -1], advance: { timestep: 0.5, steps: 4, option: 2 },
     bodies: [{ name: "stone", shape: { particle: {} }, position: [0, 0, 8] }],
   };
   const played = t.simulate(scene, { steps: 3 });
@@ -74,7 +74,7 @@ test("an engine is judged in process, by a number of cases or by questions", asy
   const audit = await t.judge(naive, "orientation", 300);
   assert.equal(audit.exit_code, 1);
   assert.match(audit.table, /^touchstone audit of naive 1\.0 \(binary64\), boundary closed; 300 cases/);
-  const [right, wrong] = await t.judge(naive, "orientation", [question, { p0: [0, 0], p1: [1e200, 0], p: [0, 1e200] }]);
+  const [right, wrong] = await t.judge(naive, "orientation", [question, { p0: [0, 0], p1: [1e-200, 0], p: [0, 1e-200] }]);
   assert.equal(right.verdict, "agree");
   assert.ok(wrong.finding && wrong.cause === "rounding", JSON.stringify(wrong));
 });
@@ -82,11 +82,13 @@ test("an engine is judged in process, by a number of cases or by questions", asy
 test("promises give the same verdicts, words stand alone, and failures are invalid", async () => {
   const options = { ops: ["orientation"], cases: 200 };
   const now = await t.audit(naive, options);
-  const later = await t.audit({ ...naive, orientation: async (asked) => sideOf(asked) }, options);
+  const later = await t.audit({ ...naive, orientation: async (asked) => naive.orientation(asked) }, options);
   const counted = ({ tally }) => tally.operations[0].families.map(({ counts }) => counts);
   assert.deepEqual(counted(later), counted(now));
   const [thrown] = await t.judge({ orientation: () => { throw new Error("no"); } }, "orientation", [question]);
   assert.deepEqual([thrown.verdict, thrown.remark], ["invalid", "error: no"]);
+  const [alone] = await t.judge({ orientation: () => "on" }, "orientation", [question]);
+  assert.equal(alone.verdict, "agree");
   const [absent] = await t.judge({ orientation: () => undefined }, "orientation", [question]);
   assert.equal(absent.verdict, "unsupported");
   await assert.rejects(t.audit({ orientation: 3 }, options), InvalidInput);

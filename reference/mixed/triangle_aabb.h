@@ -59,13 +59,11 @@ Contact triangle_aabb(const Triangle3<Real>& triangle, const Aabb3<Real>& aabb) 
   const auto magnitude = [](const Real& x) { return x < Real(0) ? Real(Real(0) - x) : x; };
   bool touching = false;
   const auto separates = [&](const Vector3<Real>& n) {
-    Real least = dot(n, a), greatest = least;
-    for (const Vector3<Real>* corner :
-         {&b, &c}) {  // not by std::minmax, whose order of what is not a number is undefined
-      const Real height = dot(n, *corner);
-      if (height < least) least = height;
-      if (height > greatest) greatest = height;
-    }
+    // Not by std::minmax, whose order is undefined where one is not a number.
+    const Real first = dot(n, a), second = dot(n, b), third = dot(n, c);
+    Real least = second < first ? second : first, greatest = second < first ? first : second;
+    if (third < least) least = third;
+    else if (!(third < greatest)) greatest = third;
     const Real reach = Real(magnitude(n.x) * h.x + magnitude(n.y) * h.y + magnitude(n.z) * h.z);
     const Real opposite = Real(Real(0) - reach);
     if (least == reach || greatest == opposite) touching = true;

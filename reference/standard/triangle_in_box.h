@@ -23,11 +23,9 @@ Contact triangle_aabb(const Triangle3<Real>& triangle, const Aabb3<Real>& aabb) 
   const auto size = [](const Real& x) { return x < Real(0) ? Real(-x) : x; };
   bool touching = false;
   const auto separates = [&](const Real& p, const Real& q, const Real& r, const Real& reach) {
-    Real least = p, greatest = p;
-    for (const Real* height : {&q, &r}) {
-      if (*height < least) least = *height;
-      if (*height > greatest) greatest = *height;
-    }
+    Real least = q < p ? q : p, greatest = q < p ? p : q;
+    if (r < least) least = r;
+    else if (!(r < greatest)) greatest = r;
     if (least == reach || greatest == Real(-reach)) touching = true;
     return least > reach || greatest < Real(-reach);
   };

@@ -11,14 +11,14 @@
 namespace touchstone::report {
 namespace {
 
-struct Part {
+struct CountedPart {
   const char *style, *name;
   std::uint64_t n;
 };
 
 /// The counts, with rounding in its two kinds.
-std::vector<Part> parts_of(const Cell& cell) {
-  std::vector<Part> parts;
+std::vector<CountedPart> parts_of(const Cell& cell) {
+  std::vector<CountedPart> parts;
   const auto counts = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
@@ -32,12 +32,12 @@ std::vector<Part> parts_of(const Cell& cell) {
   return parts;
 }
 
-std::string bar_of(const std::vector<Part>& parts, bool thin) {
+std::string bar_of(const std::vector<CountedPart>& parts, bool thin) {
   std::uint64_t whole = 0;
-  for (const Part& part : parts) whole += part.n;
+  for (const CountedPart& part : parts) whole += part.n;
   if (whole == 0) return "";
   std::string bars, spoken;
-  for (const Part& part : parts) {
+  for (const CountedPart& part : parts) {
     if (part.n == 0) continue;
     const std::string text = std::string(part.name) + " " + grouped(part.n) + " (" + share(part.n, whole) + ")";
     bars += fmt::format("<i class=\"{} hatch\" style=\"width:{:.3f}%\" title=\"{}\"></i>", part.style,

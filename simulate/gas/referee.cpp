@@ -154,8 +154,10 @@ Scene scene_of(const GasScene& gas) {
   add("x", {1, 0, 0}, 0), add("y", {0, 1, 0}, 0), add("z", {0, 0, 1}, low);
   for (std::size_t i = 0; i < gas.cubes.size(); ++i) {
     const auto& [line, velocity] = gas.cubes[i];
-    const auto middle = [&](std::size_t axis) { return metres(gas, line[axis]) + 0.5; };
-    const auto speed = [&](std::size_t axis) { return static_cast<double>(velocity[axis]) / unit_of_speed(gas); };
+    const auto middle = [&, &line = line](std::size_t axis) { return metres(gas, line[axis]) + 0.5; };
+    const auto speed = [&, &velocity = velocity](std::size_t axis) {
+      return static_cast<double>(velocity[axis]) / unit_of_speed(gas);
+    };
     SceneBody body{.name = "cube_" + std::to_string(i), .shape = Shape::box, .half_extents = {0.5, 0.5, 0.5}};
     body.start = {{middle(0), middle(1), gas.planar ? 0 : middle(2)}, {speed(0), speed(1), speed(2)}};
     scene.bodies.push_back(body);

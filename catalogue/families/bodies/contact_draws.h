@@ -13,7 +13,7 @@ struct Meeting {
   Vector3d normal;
 };
 
-/// Where the point of the body is going; exact on small lattices.
+/// The velocity of the point of the body; exact on small lattices.
 inline Vector3d going(const MovingBodyd& body, const Point3d& point) {
   return body.velocity + cross(body.angular_velocity, point - body.position);
 }
@@ -98,7 +98,7 @@ inline Meeting meeting_in_far_units(DrawStream& c) {
   return in_units(m, of_turn, of_place, integer_in(c, -900, 899));
 }
 
-/// What turns has nearly 125 binary digits and cancels the rest, as far as that has digits.
+/// The turning part has nearly 125 binary digits and cancels the rest, as far as that has digits.
 inline Meeting as_wide_as_lattices(DrawStream& c) {
   const auto long_number = [&c] {
     const double less = one_to(c, 64);

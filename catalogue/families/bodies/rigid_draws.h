@@ -20,7 +20,7 @@ inline Inertiad lattice_inertia(DrawStream& c, int most = 4) {
   const double xy = p * s, xz = p * t, yz = s * t + q * u;
   return {{p * p, xy, xz}, {xy, s * s + q * q, yz}, {xz, yz, t * t + u * u + r * r}};
 }
-/// Of a ball, or a box along the axes.
+/// The inertia of a ball, or of a box along the axes.
 inline Inertiad straight_inertia(DrawStream& c) {
   const double x = lattice_mass(c), y = c.coin() ? lattice_mass(c) : x, z = c.coin() ? lattice_mass(c) : x;
   return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};

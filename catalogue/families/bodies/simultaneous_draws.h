@@ -50,7 +50,7 @@ inline void mix(std::vector<BodyContactd>& contacts, DrawStream& c) {
     if (c.one_in(4)) contact = seen_from_b(contact);
 }
 
-/// Three to six balls in a row, the first of which move. Of one mass in general.
+/// Three to six balls in a row, the first of which move; mostly of equal mass.
 inline Touching cradle(DrawStream& c) {
   Touching t;
   const Vector3d n = lattice_normal(c, 4);

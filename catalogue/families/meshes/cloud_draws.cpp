@@ -29,7 +29,7 @@ Point3d axes_turned(const Point3d& p, DrawStream& c) {
   }
 }
 
-/// Of radius 9.
+/// A lattice point on the sphere of radius 9.
 Point3d on_a_sphere(DrawStream& c) {
   static constexpr std::array<Point3d, 4> octant{{{0, 0, 9}, {1, 4, 8}, {4, 4, 7}, {3, 6, 6}}};
   const Point3d p = axes_turned(octant[c.below(4)], c);
@@ -87,7 +87,7 @@ Points one_beside_a_plane(DrawStream& c) {
   return shuffled(points, c);
 }
 
-/// Where the lattices end on which determinants need 53 and 123 bits.
+/// Planes at the ends of the lattices on which determinants need 53 and 123 bits.
 Points planes_at_a_seam(DrawStream& c) {
   const int seam = c.coin() ? 36 : 13, bits = seam + integer_in(c, 0, 4);
   Points points = tilted(c, bits, 12);

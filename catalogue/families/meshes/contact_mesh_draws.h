@@ -19,7 +19,8 @@ Meshd flat_part(DrawStream& draws);
 /// other side, or off the plane.
 Meshd folded_flap(DrawStream& draws);
 
-/// Two tetrahedra without a common index. A vertex of one is a vertex of the other, or on its edge, its face, beside.
+/// Two tetrahedra without a common index. A vertex of one is a vertex of the other, or on its edge, on its face, or
+/// near.
 Meshd touching_solids(DrawStream& draws);
 
 /// Triangles that all have vertex 0 at a corner: their sectors cross, touch, cover each other, or do not.
@@ -35,7 +36,7 @@ Meshd nested_shells(DrawStream& draws);
 /// The mesh as a file of triangles without indices has it: each face with three vertices of its own, or some faces.
 Meshd with_repeated_vertices(const Meshd& mesh, DrawStream& draws);
 
-/// Pairs of faces that a library was reported to be wrong about (reported_triangles.h), beside a tetrahedron.
+/// Pairs of faces that a library was reported to be wrong about (reported_triangles.h), next to a tetrahedron.
 Meshd reported_faces(DrawStream& draws);
 
 /// Each axis times a power of two of its own, past the lattice, past the filters' guards.

@@ -25,7 +25,7 @@ Vector3<Integer> doubled_area(const IntegerCloud& cloud, const Corners& corners)
 /// that triangle a smaller polygon, or nothing.
 class Cutting {
  public:
-  /// Along the axis the polygon is seen to have an area of this sign.
+  /// Projected along the axis the polygon has an area of this sign.
   Cutting(const IntegerCloud& cloud, const Corners& corners, Axis axis, int sign, DrawStream& draws)
       : cloud_(cloud), corners_(corners), axis_(axis), sign_(sign), draws_(draws) {}
 

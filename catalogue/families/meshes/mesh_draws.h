@@ -17,7 +17,7 @@ Meshd lattice_polyhedron(DrawStream& draws);
 /// One of those that test vectors name (catalogue/families/meshes/named_meshes.h).
 const Meshd& named_mesh(DrawStream& draws);
 
-/// Each face the other way round.
+/// Reverses each face.
 void turn_inside_out(Meshd& mesh);
 
 /// Around the mean of the vertices, which is the origin then: as many times as large as there are vertices.

@@ -38,7 +38,7 @@ Corners united(Corners a, Corners b, std::size_t first) {
   return {};
 }
 
-/// A cube, and perhaps others beside it in one layer, around a hole too.
+/// A cube, and perhaps others next to it in one layer, around a hole too.
 Meshd cubes_of_a_layer(DrawStream& draws) {
   std::vector<LatticePoint> cells{{0, 0, 0}};
   for (std::int64_t i = 1; i < 9; ++i) {

@@ -21,8 +21,8 @@ Meshd cgal_9486();
 /// edge (1), on a face (2).
 SolidPair cgal_9192(int on);
 
-/// github.com/elalish/manifold/issues/1656: two tetrahedra on either side of a face. Of one in twenty such pairs the
-/// union keeps the face twice, of these as well.
+/// github.com/elalish/manifold/issues/1656: two tetrahedra on either side of a face. For one in twenty such pairs the
+/// union keeps the face twice; for these two as well.
 SolidPair manifold_1656();
 /// Their union with that face, and as it should be.
 Meshd manifold_1656_kept();
@@ -49,8 +49,8 @@ Meshd trimesh_242();
 /// said to miss. They are parallel to four of its sides.
 Meshd edyn_155();
 
-/// After github.com/dimforge/parry/issues/171, which was ncollide's 335: a roof whose ridge a ray touches on its way
-/// past, "from inside".
+/// After github.com/dimforge/parry/issues/171, which was ncollide's 335: a roof whose ridge a passing ray touches "from
+/// inside".
 Meshd parry_171();
 
 /// github.com/elalish/manifold/issues/676: cubes side by side, of which the union is one part near the origin, and two

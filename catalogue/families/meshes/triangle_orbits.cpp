@@ -15,10 +15,10 @@ constexpr int greatest_size = 6;
 
 using Places = std::array<int, 3>;
 
-/// How many orders three places have.
+/// The number of orders of three places.
 std::uint64_t orders(const Places& p) { return p[0] == p[2] ? 1 : p[0] == p[1] || p[1] == p[2] ? 3 : 6; }
 
-/// Where each place goes, by each of the 48 maps: axes in another order, and some of them the other way round.
+/// The image of each place under each of the 48 maps: axes in another order, some of them reversed.
 std::vector<std::vector<int>> symmetries(int size) {
   std::vector<std::vector<int>> maps;
   std::array<int, 3> axes{0, 1, 2};

@@ -11,8 +11,8 @@
 namespace touchstone::catalogue {
 
 /// Pairs of triangles with corners on the grid of size^3. The order of corners changes no answer, nor does a symmetry
-/// of the grid (48 of them): so a pair stands for all ordered pairs of triangles that it becomes by them. Of the first
-/// triangle one of each orbit is asked, of the second every set of corners.
+/// of the grid (48 of them): so a pair stands for all ordered pairs of triangles that it becomes by them. One first
+/// triangle of each orbit is asked, with every set of corners as the second.
 class TriangleOrbits {
  public:
   /// Made once for each size. Throws InvalidInput beyond 6, where the sets would be too many to list.

@@ -42,7 +42,7 @@ const CutPolygon square_with_a_bridge{
 const CutPolygon square_with_a_corner_twice{
     {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}, {0, 4, 1, 2, 3}, {{0, 4, 1}, {0, 1, 2}, {0, 2, 3}}};
 
-/// A dart, and one triangle of it beside one across the corner that points inwards: together the hull of the dart.
+/// A dart, and one triangle of it next to one across the corner that points inwards: together the hull of the dart.
 const CutPolygon dart_as_its_hull{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}, {0, 1, 2, 3}, {{0, 1, 2}, {1, 3, 2}}};
 
 /// The square with a bridge, cut over the wrong one of the two vertices in one position.

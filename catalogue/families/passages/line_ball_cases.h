@@ -87,7 +87,7 @@ void line_ball_cases(HardCases<typename Row::Question>& add) {
     return in_either<Row>(c, {from, of_any_size(c, displacement)}, ball);
   });
   add("rounded_tangent", [](DrawStream& c) -> Question {
-    // A touch at the start, at the nearest point, or at t = 1, as far as doubles can tell, or some ulps beside.
+    // A touch at the start, at the nearest point, or at t = 1, as far as doubles can tell, or some ulps from there.
     const auto tenth = [&c] { return small_integer(c, 40) / 10; };
     const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = 1 + std::fabs(tenth());
     const bool in_plane = vx != 0 && c.coin();

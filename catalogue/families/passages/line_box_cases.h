@@ -39,7 +39,7 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     return Row::of(course_through(c, x, lattice_normal(c, 3)), box, false);
   });
   add("along_face", [](DrawStream& c) -> Question {
-    // In its plane, or just beside it.
+    // In its plane, or just outside of it.
     const Aabb3d box = lattice_box(c, 12);
     Point3d x = on_boundary(c, box, 1);
     x.x += small_integer(c, 1);
@@ -100,7 +100,7 @@ void line_box_cases(HardCases<typename Row::Question>& add) {
     return in_either<Row>(c, {from, of_any_size(c, displacement)}, box);
   });
   add("rounded_corner_pass", [](DrawStream& c) -> Question {
-    // Out of x's slab when into y's, as far as doubles can tell, or an ulp beside that.
+    // Out of x's slab when into y's, as far as doubles can tell, or an ulp from that.
     const double t = (1 + std::fabs(ordinary(c))) / 4, x = 1 + std::fabs(ordinary(c)), y = 1 + std::fabs(ordinary(c));
     const double u = std::ldexp(ordinary(c), -54), v = std::ldexp(ordinary(c), -54);
     const int ulps = integer_in(c, -1, 1);

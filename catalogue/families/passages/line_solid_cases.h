@@ -8,7 +8,7 @@
 #include "catalogue/families/space_draws.h"
 #include "geometry/rays.h"
 
-/// What families of lines and solids share.
+/// Shared by families of lines and solids.
 namespace touchstone::catalogue {
 
 /// Where a line starts and, at t = 1, is, or whereto a ray leads.

@@ -146,7 +146,7 @@ struct broad_phase : signatures::broad_phase {
           c, [&one](DrawStream& d) { return d.one_in(4) ? small_box(d) : one; }, 6, 8);
     });
     add("along_faces", [](DrawStream& c) -> Question {
-      // Along lines of the lattice: through corners, along edges and faces, or beside all of them.
+      // Along lines of the lattice: through corners, along edges and faces, or past all of them.
       Programming p(c);
       for (std::size_t left = 1 + c.below(8); left > 0; --left) p.start_with(cell(c));
       for (std::size_t left = 1 + c.below(3); left > 0; --left) {
@@ -297,7 +297,7 @@ struct broad_phase : signatures::broad_phase {
   }
 
  protected:
-  /// What a row draws that searches a structure: that as well.
+  /// Draws the search of a structure as well.
   template <class Structure>
   static void draw_in(Drawing& drawing, const StructureWords& words, const Question& question, const Replies& truth) {
     const auto [bodies, query] = at_last_query(question);
@@ -339,7 +339,7 @@ struct broad_phase : signatures::broad_phase {
   static bool touching(const Aabb3d& a, const Aabb3d& b) {
     return ::touchstone::oracle::aabb_aabb(a, b).answer == Contact::touching;
   }
-  /// Of a body that the query meets.
+  /// True if a body that the query meets only touches it.
   static bool only_touches(const Commandd& query, const Aabb3d& body) {
     using ::touchstone::oracle::exact, ::touchstone::oracle::in_interior;
     if (const auto* box = std::get_if<InBoxd>(&query)) return touching(box->box, body);

@@ -143,7 +143,7 @@ struct capsule_capsule : signatures::capsule_capsule {
     });
   }
 
-  /// What would make a radius negative is taken without its sign.
+  /// Radii lose their sign.
   static void repair(Question& q) {
     std::get<0>(q).radius = std::fabs(std::get<0>(q).radius);
     std::get<1>(q).radius = std::fabs(std::get<1>(q).radius);

@@ -94,7 +94,7 @@ struct ray_triangle : signatures::ray_triangle {
       return {ray_to(c, {x, 0, 0}, lattice_normal(c, 4)), t};
     });
     add("from_far_away", [](DrawStream& c) -> Question {
-      // A thousand million times as far as the triangle is large, aimed at a point beside a corner or on it.
+      // A thousand million times as far as the triangle is large, aimed at a point near a corner or on it.
       const double far = -power_of_two(c, 20, 50);
       const Vector3d displacement = lattice_normal(c, 2);
       return {{along({small_integer(c, 1), small_integer(c, 1), 0}, far, displacement), displacement},
@@ -129,7 +129,7 @@ struct ray_triangle : signatures::ray_triangle {
     });
   }
 
-  /// Open: without the origin and the edges. What has no area is empty then.
+  /// Open: without the origin and the edges. A triangle without area is empty then.
   static std::optional<RayTriangle<mpq_class>> as_open_sets(const RayTriangle<mpq_class>& truth,
                                                             const Question& question) {
     const RayTriangle<mpq_class> none{SegmentTriangleRelation::none, {}, {}, {}};
@@ -170,7 +170,7 @@ struct ray_triangle : signatures::ray_triangle {
     return {along(x, -before - 1, displacement), (either_sign(c) * length) * displacement};
   }
 
-  /// A triangle around a point, or beside it, and a ray to the point.
+  /// A triangle around a point, or near it, and a ray to the point.
   static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c);
     const Triangle3d t = plane.triangle(c);

@@ -61,7 +61,7 @@ struct sphere_capsule : signatures::sphere_capsule {
       return {{line.at(k, 0), r}, {{line.at(i, 0), line.at(j, 0)}, s}};
     });
     add("no_radius", [](DrawStream& c) -> Question {
-      // A point, a segment, or both, deep in the other solid or beside it.
+      // A point, a segment, or both, deep in the other solid or outside of it.
       const LatticePlane line = LatticePlane::of(c, 4);
       const double none = zero(c), other = up_to(c, 63);
       const bool both = c.one_in(4), point = c.coin();
@@ -128,7 +128,7 @@ struct sphere_capsule : signatures::sphere_capsule {
       return {{p, r}, {{a, c.coin() ? b : Point3d{1, b.y, b.z}}, s}};
     });
     add.unscaled("negative_radius", [](DrawStream& c) -> Question {
-      // Of one of the two or of both, of solids that a filter would part.
+      // In one of the two solids or in both, which a filter would separate.
       const Point3d p = lattice_point_in_space(c, 16), a = lattice_point_in_space(c, 16);
       const double r = one_to(c, 8), s = one_to(c, 8);
       const std::uint64_t which = c.below(3);
@@ -136,7 +136,7 @@ struct sphere_capsule : signatures::sphere_capsule {
     });
   }
 
-  /// What would make a radius negative is taken without its sign.
+  /// Radii lose their sign.
   static void repair(Question& q) {
     std::get<0>(q).radius = std::fabs(std::get<0>(q).radius);
     std::get<1>(q).radius = std::fabs(std::get<1>(q).radius);

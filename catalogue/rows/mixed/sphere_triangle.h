@@ -134,7 +134,7 @@ struct sphere_triangle : signatures::sphere_triangle {
     });
   }
 
-  /// What would make a radius negative is taken without its sign.
+  /// Radii lose their sign.
   static void repair(Question& q) { std::get<0>(q).radius = std::fabs(std::get<0>(q).radius); }
 
   /// A ball that reaches the corner (24, 24, 24) by the triple 3, 4, 5; moves its center.

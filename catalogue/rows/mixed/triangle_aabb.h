@@ -102,7 +102,7 @@ struct triangle_aabb : signatures::triangle_aabb {
       return {{nearby(c, box), nearby(c, box), nearby(c, box)}, box};
     });
     add("flat_without_area", [](DrawStream& c) -> Question {
-      // A rectangle, a segment or a point, and a segment through, along or beside it.
+      // A rectangle, a segment or a point, and a segment through it, along it or past it.
       const Aabb3d box = flat_box(c, 6);
       const Point3d p = within(box, c).max;
       const Vector3d displacement = lattice_normal(c, 3), off = lattice_normal(c, 2);
@@ -113,7 +113,7 @@ struct triangle_aabb : signatures::triangle_aabb {
               box};
     });
     add("flat_in_one_plane", [](DrawStream& c) -> Question {
-      // A segment parallel to an axis, and a triangle in a plane with it, or beside such a plane.
+      // A segment parallel to an axis, and a triangle in a plane with it, or near such a plane.
       Aabb3d box = lattice_box(c, 6);
       box.max.y = box.min.y, box.max.z = box.min.z;
       const LatticePlane plane{box.min, {1, 0, 0}, lattice_normal(c, 4)};
@@ -150,7 +150,7 @@ struct triangle_aabb : signatures::triangle_aabb {
           c, {from(touch.at + lattice_across(c, touch.normal)), from(touch.above(c)), from(touch.above(c))});
     });
     add("rounded_onto_corner", [](DrawStream& c) -> Question {
-      // The middle of an edge is rounded onto the corner max, or an ulp beside it.
+      // The middle of an edge is rounded onto the corner max, or an ulp from it.
       const Point3d max = ordinary_point_in_space(c), p = ordinary_point_in_space(c);
       const Aabb3d box{{max.x - 0.25, max.y - 0.5, max.z - 1}, max};
       const Point3d q{2 * max.x - p.x, 2 * max.y - p.y, moved_by_ulps(2 * max.z - p.z, small(c))};

@@ -46,7 +46,7 @@ struct convex_partition : signatures::convex_partition {
     return excess_of_pieces(std::get<0>(question), pieces);
   }
 
-  /// Whether the first vertex is flat: the classroom example of orientation as a ring.
+  /// The classroom example of orientation as a ring: is the first vertex flat?
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<convex_partition> hooks() {

@@ -92,7 +92,7 @@ struct point_in_convex_polygon : signatures::point_in_convex_polygon {
     });
   }
 
-  /// The convex hull of the vertices, every second time clockwise. What has none stays and is refused.
+  /// The convex hull of the vertices, every second time clockwise. Points without a hull stay and are refused.
   static void repair(Question& question) {
     std::vector<Point2d>& vertices = std::get<0>(question).vertices;
     if (vertices.size() < 3) return;

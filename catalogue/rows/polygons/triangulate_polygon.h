@@ -45,7 +45,7 @@ struct triangulate_polygon : signatures::triangulate_polygon {
     return excess_of_pieces(std::get<0>(question), pieces);
   }
 
-  /// Whether the first vertex is flat: the classroom example of orientation as a ring.
+  /// The classroom example of orientation as a ring: is the first vertex flat?
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<triangulate_polygon> hooks() {

@@ -125,7 +125,7 @@ struct segment_triangle : signatures::segment_triangle {
     add("coplanar_in_any_order", coplanar<&CoplanarDraws::segment>);
   }
 
-  /// Open: without ends and edges. What has no length or no area is empty then.
+  /// Open: without ends and edges. A segment without length or a triangle without area is empty then.
   static std::optional<SegmentTriangle<mpq_class>> as_open_sets(const SegmentTriangle<mpq_class>& truth,
                                                                 const Question& question) {
     const SegmentTriangle<mpq_class> none{SegmentTriangleRelation::none, {}, {}, {}};

@@ -113,8 +113,9 @@ struct impact_step : signatures::impact_step {
     drawing.notes.push_back("restitution " + decimal(restitution) + ", timestep " + decimal(timestep));
   }
 
-  /// Two balls of radius 1 and 2 on the x axis and one beside it, of inverse mass 0, 1 or 2 and of speed -3, 0 or 3,
-  /// before a wall; e is 0, 1/2 or 1. Where a run makes every number less by 1 others are valid: so the timestep is 2.
+  /// Two balls of radius 1 and 2 on the x axis and one off it, of inverse mass 0, 1 or 2 and of speed -3, 0 or 3,
+  /// before a wall; e is 0, 1/2 or 1. A run that makes every number less by 1 still needs valid ones, so the timestep
+  /// is 2.
   static constexpr std::uint64_t masses = 3, speeds = 3, restitutions = 3;
   static std::uint64_t domain_count(int size) {
     const auto n = static_cast<std::uint64_t>(size), one = n * masses * speeds;

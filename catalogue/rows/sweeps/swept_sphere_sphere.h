@@ -123,7 +123,7 @@ struct swept_sphere_sphere : signatures::swept_sphere_sphere {
     });
   }
 
-  /// Lengths and velocities alike: t stays. What would make a radius negative is taken without its sign.
+  /// Lengths and velocities alike: t stays. Radii lose their sign.
   static void repair(Question& question) {
     auto& [a, b, va, vb] = question;
     a.radius = std::fabs(a.radius), b.radius = std::fabs(b.radius);

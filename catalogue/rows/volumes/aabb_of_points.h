@@ -58,7 +58,7 @@ struct aabb_of_points : signatures::aabb_of_points {
     });
     add("either_zero", [](DrawStream& c) -> Question { return seen(points_of(c, zero), c); });
     add("subnormal", [](DrawStream& c) -> Question {
-      // Where subnormals are read as zero all of these are equal.
+      // All of these are equal in an environment that reads subnormals as zero.
       const double shift = small_integer(c, 4);
       return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
     });

@@ -118,7 +118,7 @@ struct bounding_sphere : signatures::bounding_sphere {
     });
   }
 
-  /// What has no points gets one.
+  /// An empty list gets one point.
   static void repair(Question& question) {
     if (std::get<0>(question).empty()) std::get<0>(question).push_back({1, 2, 3});
   }

@@ -146,7 +146,7 @@ struct convex_hull_2d : signatures::convex_hull_2d {
     const Vector2d v = lattice_direction(c);
     return one_by_one(c, 12, [&](DrawStream& d) { return along(p, small_integer(d), v); });
   }
-  /// Of two points: exact where both are even.
+  /// The middle of two points, exact if both are even.
   static Point2d middle(const Points& points, DrawStream& c) {
     const Point2d p = points[c.below(points.size())], q = points[c.below(points.size())];
     return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};

@@ -42,7 +42,7 @@ struct obb_obb : signatures::obb_obb {
       return touching_obbs(c, [](DrawStream& d) { return d.coin() ? turned_half_axes(d) : straight_half_axes(d); });
     });
     add("crossing_edges", [](DrawStream& c) -> Question {
-      // What only an axis of two edges decides.
+      // Boxes that only an axis of two edges separates, or none.
       Question q{lattice_obb(c), {{}, lattice_half_axes(c)}};
       auto& [a, b] = q;
       const std::size_t i = c.below(3), j = 3 + c.below(3);

@@ -135,7 +135,7 @@ struct sphere_aabb : signatures::sphere_aabb {
     });
   }
 
-  /// What would make the radius negative is taken without its sign.
+  /// The radius loses its sign.
   static void repair(Question& question) {
     std::visit(
         [](auto& solids) {

@@ -124,7 +124,7 @@ struct sphere_sphere : signatures::sphere_sphere {
     });
   }
 
-  /// What would make a radius negative is taken without its sign.
+  /// Radii lose their sign.
   static void repair(Question& question) {
     std::visit(
         [](auto& solids) {

@@ -203,11 +203,10 @@ inline bool triangle_aabb(const Triangle3d& triangle, const Aabb3d& box, bool ed
   const Vector3d h{(box.max.x - box.min.x) / 2, (box.max.y - box.min.y) / 2, (box.max.z - box.min.z) / 2};
   const Vector3d v[]{triangle.a - center, triangle.b - center, triangle.c - center};
   const auto separates = [&](const Vector3d& n) {
-    double least = dot(n, v[0]), most = least;
-    for (const double height : {dot(n, v[1]), dot(n, v[2])}) {
-      if (height < least) least = height;
-      if (height > most) most = height;
-    }
+    const double first = dot(n, v[0]), second = dot(n, v[1]), third = dot(n, v[2]);
+    double least = second < first ? second : first, most = second < first ? first : second;
+    if (third < least) least = third;
+    else if (!(third < most)) most = third;
     const double reach = std::fabs(n.x) * h.x + std::fabs(n.y) * h.y + std::fabs(n.z) * h.z;
     return least > reach || most < -reach;
   };

@@ -146,7 +146,7 @@ static void errors(void) {
 
 static void scenes(void) {
   static const char* const falls =
-      "{\"touchstone_scene\":1,\"title\":\"a fall\",\"gravity\":[0,0,-1],\"advance\":{\"timestep\":0.5,\"steps\":4},"
+      "{\"touchstone_scene\":1,\"title\":\"a fall\",\"gravity\":[0,0,-1],\"advance\":{\"timestep\":0.5,\"steps\":4,\"option\":2},"
       "\"bodies\":[{\"name\":\"p\",\"shape\":{\"particle\":{}},\"position\":[0,0,8]}]}";
   touchstone_error error;
   char* text;
