@@ -63,10 +63,9 @@ async function follow(fragment) {
 
 // As high as what it shows.
 frame.addEventListener("load", () => {
-  const { documentElement } = frame.contentDocument;
-  new ResizeObserver(() => {
-    frame.style.height = `${documentElement.scrollHeight}px`;
-  }).observe(frame.contentDocument.body);
+  const { body } = frame.contentDocument;
+  const fit = () => { frame.style.height = `${body.offsetHeight + 2}px`; };
+  new ResizeObserver(fit).observe(body);
 });
 one("#name").innerHTML = names
   .map((name) => `<option value="${name}">${name.replaceAll("_", " ")}</option>`)
