@@ -5,7 +5,7 @@ import { InvalidInput } from "./core.mjs";
 export { InvalidInput };
 
 const names = ["operations", "operation", "answer", "truth", "ask", "askText", "explain", "drawing", "map", "certify", "draw",
-               "read", "regressionTest", "replay", "accepts", "judgeReply", "audit", "judge", "shrink"];
+               "read", "regressionTest", "replay", "accepts", "judgeReply", "audit", "judge", "shrink", "simulate"];
 
 async function started(address) {
   if (!globalThis.process?.versions?.node) return new Worker(address, { type: "module" });

@@ -296,6 +296,11 @@ def scenes_play(reader):
     assert reader.until(f"document.querySelector('#summary').textContent === {json.dumps(wanted)}"), reader.text("#summary")
     drawn = "document.querySelector('#player').contentDocument?.querySelectorAll('[data-player] .turning').length"
     assert reader.until(f"{drawn} === 3"), reader.run(drawn)
+    reader.browser.resize(*PHONE)
+    reader.run("new Promise(resolve => setTimeout(resolve, 300))")
+    assert reader.run("document.documentElement.scrollWidth <= innerWidth")
+    assert reader.run("document.querySelector('#player').offsetHeight") < 6000
+    reader.browser.resize(*WIDE)
     reader.run(f"document.querySelector('#scene').value = {json.dumps(scene.read_text().replace('position', 'place'))}")
     reader.click("#play")
     assert reader.until("/position/.test(document.querySelector('#status').textContent)"), reader.text("#status")

@@ -55,8 +55,10 @@ class Reader:
 
     def follow(self, fragment):
         """Follows a link within the page."""
-        self.run(f"location.hash = {json.dumps(fragment)}")
-        self.run("new Promise(resolve => setTimeout(resolve))")
+        self.run(f"""new Promise(resolve => {{
+          addEventListener('hashchange', () => setTimeout(resolve), {{once: true}});
+          location.hash = {json.dumps(fragment)};
+        }})""")
         self.settle()
 
     def settle(self):

@@ -16,13 +16,19 @@ export function coded(value) {
 export const badge = (word) => `<span class="badge ${escaped(word)}">${escaped(word.replaceAll("_", " "))}</span>`;
 const upper = (text) => text.replace(/^./, (c) => c.toUpperCase());
 
+/** An exact number in a few digits, where it can be said so. */
+function about(exact) {
+  const [p, q = "1"] = exact.split("/").map(Number);
+  const value = p / Number(q);
+  return exact.length > 6 && value > 0 && Number.isFinite(value) ? ` (about ${+value.toPrecision(3)})` : "";
+}
 function marginOf({ margin, touch }) {
   const words =
     margin === undefined
       ? "Nothing is decided, so there is no margin."
       : margin === "0"
         ? "Margin 0: the smallest change may change the answer."
-        : `Margin ${coded(margin)}`;
+        : `Margin ${coded(margin)}${about(margin)}`;
   return words + (touch ? " They touch: as open sets they would be answered otherwise." : "");
 }
 
@@ -41,14 +47,15 @@ function asTyped({ as_typed, truth }) {
 /** The verdict in one word: of a wrong answer its cause. */
 export const verdictOf = ({ verdict, cause }) => (verdict === "wrong" ? (cause ?? "wrong") : verdict);
 
-function row(who, part, words) {
+/** truth: that of the question in doubles. */
+function row(who, part, words, truth) {
   if (!part) return "";
   const heading = `<tr data-part="${who}"><th scope="row">${words}</th>`;
   if (part.not_evaluated) return `${heading}<td>not evaluated: ${escaped(part.not_evaluated)}</td><td></td></tr>`;
   const ulps = part.ulps ? `<br><span class="small quiet">${escaped(part.ulps)} ulps off</span>` : "";
   const why = part.why ? `<br><span class="small quiet">${escaped(part.why)}</span>` : "";
   const remark = part.remark ? `<br><span class="small quiet">${escaped(part.remark)}</span>` : "";
-  const rounded = part.input
+  const rounded = part.input && (part.verdict !== "agree" || JSON.stringify(part.truth) !== JSON.stringify(truth))
     ? `<br><span class="small quiet">The numbers as floats: ${coded(part.input)}, for which the truth is ` +
       `${coded(part.truth)}</span>`
     : "";
@@ -60,21 +67,21 @@ function row(who, part, words) {
 
 /** others: the same of other formulas for the same question, by their names. */
 export function answered(said, others = {}) {
+  const { truth, sentence = "" } = said;
   const rows = [
-    row("robust", said.robust, "robust"),
-    row("double", said.reference, "the formula in double"),
-    row("float", said.reference_in_float, "the formula in float"),
+    row("robust", said.robust, "robust", truth),
+    row("double", said.reference, "the formula in double", truth),
+    row("float", said.reference_in_float, "the formula in float", truth),
   ];
   for (const [name, { reference, reference_in_float }] of Object.entries(others)) {
     const words = escaped(name.replaceAll("_", " "));
-    rows.push(
-      row(`${name}-double`, reference, `${words} in double`),
-      row(`${name}-float`, reference_in_float, `${words} in float`),
-    );
+    rows.push(row(`${name}-double`, reference, `${words} in double`, truth));
+    rows.push(row(`${name}-float`, reference_in_float, `${words} in float`, truth));
   }
   return (
     `<section class="card truth-card" data-part="truth"><p class="kicker">The exact truth</p>` +
-    `<p class="sentence">${escaped(upper(said.sentence ?? ""))}</p><div class="exact">${coded(said.truth)}</div>` +
+    `<p class="sentence${sentence.length > 70 ? " wordy" : ""}">${escaped(upper(sentence))}</p>` +
+    `<div class="exact">${coded(said.truth)}</div>` +
     `<p class="small quiet" data-part="margin">${marginOf(said)}</p>${asTyped(said)}</section>` +
     `<section class="card"><h2>Who says what</h2><table class="said"><tbody>${rows.join("")}</tbody></table>` +
     "</section>" +

@@ -143,8 +143,8 @@ export class Formula {
     const late = new Promise((_, reject) => {
       timer = setTimeout(() => {
         this.#worker = null;
-        worker.terminate();
         reject(new Error(`no answer within ${milliseconds / 1000} s: the formula was stopped`));
+        worker.terminate();
       }, milliseconds);
     });
     try {

@@ -18,8 +18,10 @@ const one = (selector) => document.querySelector(selector);
 const first = "orientation", mostUndone = 200;
 
 const began = performance.now();
-// Answers follow the reader's hand from one worker; what takes longer has another.
-const [live, slow] = await Promise.all([inWorker(), inWorker()]);
+// Answers follow the reader's hand from one worker; what takes longer has another, which starts when it is first asked.
+const live = await inWorker();
+let other;
+const slow = async (name, ...given) => (await (other ??= inWorker()))[name](...given);
 const operations = await live.operations();
 const byName = new Map(operations.map((each) => [each.name, each]));
 
@@ -94,7 +96,9 @@ function show(html) {
   place.innerHTML = html;
   const details = [...place.querySelectorAll("details")];
   if (details.length === open.length) details.forEach((each, i) => { each.open = open[i]; });
-  const notes = said ? [...drawing.notes, drawing.search].filter(Boolean) : [];
+  // Notes say in words what a figure shows, too.
+  const isDrawn = said && drawing.figures.length + drawing.space.length > 0;
+  const notes = said ? [...(isDrawn ? [] : drawing.notes), drawing.search].filter(Boolean) : [];
   one("#notes").innerHTML = notes.map((note) => `<p class="small quiet">${escaped(note)}</p>`).join("");
   picture.set({ tree, parts, drawing }, fitsNext);
   fitsNext = false;
@@ -155,8 +159,8 @@ const address = () => {
     formula: formula.text,
   });
 };
-function fromAddress() {
-  const chosen = chosenIn(location.hash);
+function follow(fragment) {
+  const chosen = chosenIn(fragment);
   one("#snap").value = chosen.snap ?? "pixel";
   if (one("#snap").selectedIndex < 0) one("#snap").value = "pixel";
   for (const details of document.querySelectorAll("details.tool"))
@@ -190,21 +194,21 @@ async function copy(words, what) {
 const picture = new Picture(one("#picture"), { moved: (to) => change(to), turned: remember, numberAt, stepAt });
 const numbers = new Numbers(one("#numbers"), (to) => change(to));
 const maps = new Maps(one("#map-place"), {
-  map: (...given) => slow.map(...given),
+  map: (...given) => slow("map", ...given),
   go: (to) => change(to),
   chosen: remember,
 });
 const formula = new Formula(one("#formula"), { started: inWorker, load, changed: remember });
 const picker = new Picker(one("#picker"), {
   operations: operations.filter((each) => !each.implementation_of),
-  drawing: (...given) => slow.drawing(...given),
+  drawing: (...given) => slow("drawing", ...given),
   pick: (name) => load(name, jsonOf(byName.get(name).example)),
 });
 
 async function draw() {
   const families = one("#family").value ? [one("#family").value] : [], from = `${operation.name} ${families}`;
   if (drawn.from !== from) drawn = { from, list: [], seed: 1 };
-  if (!drawn.list.length) drawn.list = await slow.draw(operation.name, { families, cases: 40, seed: drawn.seed++ });
+  if (!drawn.list.length) drawn.list = await slow("draw", operation.name, { families, cases: 40, seed: drawn.seed++ });
   const { input, family, index } = drawn.list.shift();
   status(`Question ${index} of the family ${family}`);
   change(parsed(jsonOf(input)), { fit: true });
@@ -213,7 +217,7 @@ async function shrink(options) {
   status("Shrinking ...");
   const from = text;
   try {
-    const { input, candidates } = await slow.shrink(operation.name, from, options);
+    const { input, candidates } = await slow("shrink", operation.name, from, options);
     if (text !== from) return status("");
     change(parsed(jsonOf(input)), { fit: true });
     status(`The least of ${candidates} questions on which the formula is wrong in the same way`);
@@ -227,7 +231,7 @@ async function read(given) {
       current: operation,
       tree,
       operations,
-      read: (...texts) => slow.read(...texts),
+      read: (...texts) => slow("read", ...texts),
     });
     load(found.op, found.text, { fit: true });
     one("#text").removeAttribute("aria-invalid");
@@ -239,7 +243,7 @@ async function read(given) {
 }
 async function showTest() {
   try {
-    one("#test pre").textContent = await slow.regressionTest(operation.name, text, one("#framework").value);
+    one("#test pre").textContent = await slow("regressionTest", operation.name, text, one("#framework").value);
   } catch (failure) {
     one("#test pre").textContent = failure.rule ?? failure.message;
   }
@@ -284,11 +288,12 @@ addEventListener("keydown", (event) => {
   if (event.key === "z" && (event.ctrlKey || event.metaKey) && !typing && before.length)
     (event.preventDefault(), one("#undo").click());
 });
-addEventListener("hashchange", fromAddress);
+// Of the event: the address itself may have been written meanwhile.
+addEventListener("hashchange", ({ newURL }) => follow(new URL(newURL).hash));
 matchMedia("(prefers-color-scheme: dark)").addEventListener(
   "change",
   () => one("#neighbours").open && maps.show(question()),
 );
 
-fromAddress();
+follow(location.hash);
 status(`${picker.operations.length} operations, ready in ${Math.round(performance.now() - began)} ms`);

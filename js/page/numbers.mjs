@@ -14,14 +14,16 @@ const button = (path, attributes, name, words) =>
 const numberField = (path, tree, name) =>
   `<span class="number">${button(path, 'data-ulps="-1"', `${name}: one ulp less`, "\u2212")}` +
   `<input inputmode="decimal" autocomplete="off" spellcheck="false" ${pathOf(path)} aria-label="${name}" ` +
-  `value="${escaped(at(tree, path).text)}" size="8">${button(path, 'data-ulps="1"', `${name}: one ulp more`, "+")}</span>`;
+  `value="${escaped(at(tree, path).text)}" size="8">` +
+  `${button(path, 'data-ulps="1"', `${name}: one ulp more`, "+")}</span>`;
 
 function fieldOf(part, tree) {
   const name = escaped(spelled(part.path)), value = at(tree, part.path);
   if (part.kind === "word" || part.kind === "flag") {
     const option = (word) =>
       `<option value="${escaped(JSON.stringify(word))}"${word === value ? " selected" : ""}>${word}</option>`;
-    return `<select ${pathOf(part.path)} aria-label="${name}">${(part.words ?? [true, false]).map(option).join("")}</select>`;
+    const options = (part.words ?? [true, false]).map(option).join("");
+    return `<select ${pathOf(part.path)} aria-label="${name}">${options}</select>`;
   }
   if (part.kind === "list") {
     const less = `data-longer="false"${value.length > 1 ? "" : " disabled"}`;

@@ -52,8 +52,8 @@ async function remember() {
     fragmentOf({ name: nameOf(), scene: isOwn ? box.value : "", runs: runs === "float,double,robust" ? "" : runs }),
   );
 }
-async function fromAddress() {
-  const { name, scene, runs } = chosenIn(location.hash);
+async function follow(fragment) {
+  const { name, scene, runs } = chosenIn(fragment);
   one("#name").value = names.includes(name) ? name : first;
   box.value = scene ?? (await textOfScene(nameOf()));
   if (runs)
@@ -63,10 +63,9 @@ async function fromAddress() {
 
 // As high as what it shows.
 frame.addEventListener("load", () => {
-  const { documentElement } = frame.contentDocument;
-  new ResizeObserver(() => {
-    frame.style.height = `${documentElement.scrollHeight}px`;
-  }).observe(frame.contentDocument.body);
+  const { body } = frame.contentDocument;
+  const fit = () => { frame.style.height = `${body.offsetHeight + 2}px`; };
+  new ResizeObserver(fit).observe(body);
 });
 one("#name").innerHTML = names
   .map((name) => `<option value="${name}">${name.replaceAll("_", " ")}</option>`)
@@ -93,5 +92,5 @@ one("#link").addEventListener("click", async () => {
     () => say("The link is the page's address."),
   );
 });
-addEventListener("hashchange", fromAddress);
-await fromAddress();
+addEventListener("hashchange", ({ newURL }) => follow(new URL(newURL).hash));
+await follow(location.hash);
