@@ -349,6 +349,7 @@ def main():
     if chromium is None or not (arguments.package / "module.wasm").exists():
         print("skipped: there is no " + ("chromium" if chromium is None else "module: ./dev wasm builds it"))
         return SKIPPED
+    checks = [] if arguments.pictures else [check for check in CHECKS if arguments.only in check.__name__]
     with tempfile.TemporaryDirectory() as name:
         site = pathlib.Path(name) / "site"
         subprocess.run([ROOT / "js/page/site", arguments.package, arguments.program, site], check=True, stdout=subprocess.DEVNULL)
@@ -359,9 +360,7 @@ def main():
                 browser.resize(*WIDE)
                 if arguments.pictures:
                     pictures(reader, arguments.pictures)
-                for check in [] if arguments.pictures else CHECKS:
-                    if arguments.only not in check.__name__:
-                        continue
+                for check in checks:
                     browser.messages = []
                     try:
                         check(reader)
@@ -370,7 +369,7 @@ def main():
                     found += [f"{check.__name__}: the console says: {message}" for message in browser.messages]
         finally:
             browser.close()
-    print("\n".join(found) or f"{len(CHECKS)} checks hold")
+    print("\n".join(found) or f"{len(checks)} checks hold")
     return 1 if found else 0
 
 

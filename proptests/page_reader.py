@@ -91,7 +91,6 @@ class Reader:
           box.value = {json.dumps(text)};
           box.dispatchEvent(new Event('change', {{bubbles: true}}));
         }})()""")
-        self.run("new Promise(resolve => setTimeout(resolve, 100))")
         self.settle()
 
     def type(self, selector, text):

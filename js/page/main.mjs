@@ -58,11 +58,12 @@ function change(to, { fit = false, undone = false, op = operation } = {}) {
 const load = (name, json, options) => change(parsed(json), { op: byName.get(name), ...options });
 
 // One question at a time is asked; of those that come meanwhile the last.
+const setBusy = (isBusy) => one("#answers").setAttribute("aria-busy", isBusy);
 let asking = false, again = false, fitsNext = false;
 async function ask(fit = false) {
   fitsNext ||= fit;
   again = true;
-  one("#answers").setAttribute("aria-busy", "true");
+  setBusy(true);
   if (asking) return;
   asking = true;
   while (again) {
@@ -86,7 +87,7 @@ async function ask(fit = false) {
     }
   }
   asking = false;
-  one("#answers").setAttribute("aria-busy", "false");
+  setBusy(false);
   picture.set({ tree, parts, drawing }, fitsNext);
   fitsNext = false;
   followed();
@@ -226,6 +227,7 @@ async function shrink(options) {
   }
 }
 async function read(given) {
+  setBusy(true);
   try {
     const found = await pasted(given, {
       current: operation,
@@ -237,6 +239,7 @@ async function read(given) {
     one("#text").removeAttribute("aria-invalid");
     one("#text-says").textContent = "";
   } catch (failure) {
+    setBusy(asking);
     one("#text").setAttribute("aria-invalid", "true");
     one("#text-says").textContent = failure.field ? `${failure.field}: ${failure.rule}` : failure.message;
   }
@@ -283,10 +286,11 @@ for (const details of document.querySelectorAll("details.tool")) {
   });
 }
 addEventListener("keydown", (event) => {
-  const typing = event.target.matches("input, textarea, select") || one("#picker").open;
-  if (event.key === "/" && !typing) (event.preventDefault(), picker.open(operation.name));
-  if (event.key === "z" && (event.ctrlKey || event.metaKey) && !typing && before.length)
-    (event.preventDefault(), one("#undo").click());
+  if (event.target.matches("input, textarea, select") || one("#picker").open) return;
+  if (event.key === "/") picker.open(operation.name);
+  else if (event.key === "z" && (event.ctrlKey || event.metaKey)) one("#undo").click();
+  else return;
+  event.preventDefault();
 });
 // Of the event: the address itself may have been written meanwhile.
 addEventListener("hashchange", ({ newURL }) => follow(new URL(newURL).hash));

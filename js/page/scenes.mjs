@@ -75,14 +75,19 @@ one("#name").addEventListener("change", async () => {
   await Promise.all([play(), remember()]);
 });
 one("#play").addEventListener("click", () => {
-  (play(), remember());
+  play();
+  remember();
 });
 one("#stop").addEventListener("click", () => {
-  (++playing, stop(), say("Stopped"));
+  ++playing;
+  stop();
+  say("Stopped");
 });
 box.addEventListener("change", remember);
 box.addEventListener("keydown", (event) => {
-  if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) (event.preventDefault(), one("#play").click());
+  if (event.key !== "Enter" || !(event.ctrlKey || event.metaKey)) return;
+  event.preventDefault();
+  one("#play").click();
 });
 for (const run of document.querySelectorAll("[name=run]")) run.addEventListener("change", remember);
 one("#link").addEventListener("click", async () => {
