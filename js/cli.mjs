@@ -26,8 +26,9 @@ const usage = `npx touchstone COMMAND, of an exact reference for collision tests
   ask OP [FILE]        truth, certificate, robust and formula for each question, a line of JSON each
     --engine E.mjs     also what this engine answers
   draw OP              questions with their truths; --cases N (100), --seed N, --families A,B
-  certify [FILE]       check claims: lines of ask or draw with a certificate
-  ops [--json]         list the operations
+  certify [FILE]       check claims: lines of ask
+  ops [OP]             list the operations; of one its question, answer, families and an example
+    --json             all of each as JSON
 
 Exit codes: 0 nothing found, 1 findings, 2 wrong usage or input, 3 the engine cannot be run.
 `;
@@ -61,7 +62,7 @@ async function engineIn(file) {
   }
 }
 
-const print = (line) => process.stdout.write(`${line}\n`);
+const print = (line) => void process.stdout.write(`${line}\n`);
 
 /** Each line of a file; of a refused one the field and the rule, and 2 as the exit code. */
 async function eachLine(file, answer) {
@@ -92,7 +93,7 @@ const commands = {
     };
     const { exit_code: code, table, tally } = await t.audit(await engineIn(file), run);
     process.stdout.write(table);
-    if (values.json !== undefined) writeFileSync(values.json, `${JSON.stringify(tally)}\n`);
+    if (values.json !== undefined) writeFileSync(values.json, `${jsonOf(tally)}\n`);
     if (code === 2) console.error("touchstone: nothing was judged");
     return code;
   },
@@ -110,7 +111,7 @@ const commands = {
   draw(t, [operation], values) {
     if (operation === undefined) throw new UsageError("draw: expected an operation");
     const chosen = { families: namesIn(values.families), cases: countIn(values, "cases", 100), seed: countIn(values, "seed", 1) };
-    for (const drawn of t.draw(operation, chosen)) print(JSON.stringify(drawn));
+    for (const drawn of t.draw(operation, chosen)) print(jsonOf(drawn));
   },
   certify(t, [file]) {
     return eachLine(file, (line) => {
@@ -119,9 +120,12 @@ const commands = {
       return complaint === "" ? 0 : 1;
     });
   },
-  ops(t, _, values) {
-    if (values.json) return print(JSON.stringify(t.operations(), null, 1));
-    for (const { name, question } of t.operations()) print(`${name}  ${question}`);
+  ops(t, [name], values) {
+    if (values.json) return print(JSON.stringify(name === undefined ? t.operations() : t.operation(name), null, 1));
+    if (name === undefined) return t.operations().forEach((each) => print(`${each.name}  ${each.question}`));
+    const { question, input, answer, families, example } = t.operation(name);
+    for (const [what, value] of Object.entries({ question, input, answer, example, families: families.join(", ") }))
+      print(`${what.padEnd(9)} ${typeof value === "string" ? value : jsonOf(value)}`);
   },
 };
 
@@ -137,6 +141,15 @@ async function main([command, ...rest]) {
   return (await commands[command](await touchstone(), parsed.positionals, parsed.values)) ?? 0;
 }
 
+process.stdout.on("error", (failure) => {
+  if (failure.code !== "EPIPE") throw failure;
+  process.exit();  // the reader has seen enough, as head does
+});
+const waits = () => {  // for nothing that can still come
+  console.error("touchstone: the engine has given a promise that is never settled");
+  process.exit(3);
+};
+process.on("beforeExit", waits);
 try {
   process.exitCode = await main(process.argv.slice(2));
 } catch (failure) {
@@ -144,3 +157,4 @@ try {
   console.error(`touchstone: ${expected ? failure.message : failure.stack}`);
   process.exitCode = failure instanceof EngineError || failure.field === "greeting" || !expected ? 3 : 2;
 }
+process.off("beforeExit", waits);

@@ -15,6 +15,7 @@ async function started(address) {
 
 /** All functions return promises, `draw` one of a list; an engine is the address of a module that exports it. */
 export default async function inWorker() {
+  let ended;
   const worker = await started(new URL("./worker.mjs", import.meta.url));
   const waiting = new Map();
   const settle = ({ id, result, failure }) => {
@@ -28,11 +29,13 @@ export default async function inWorker() {
     for (const { reject } of waiting.values()) reject(failure);
     waiting.clear();
   };
-  if (worker.on) worker.on("message", settle).on("error", fail);
+  const exit = () => fail(ended ??= new Error("the worker has ended"));
+  if (worker.on) worker.on("message", settle).on("error", fail).on("exit", exit);
   else worker.onmessage = ({ data }) => settle(data), worker.onerror = (event) => fail(new Error(event.message));
   let calls = 0;
   const call = (name, given) =>
     new Promise((resolve, reject) => {
+      if (ended) return reject(ended);
       waiting.set(++calls, { resolve, reject });
       worker.ref?.();
       worker.postMessage({ id: calls, name, given });
@@ -40,7 +43,7 @@ export default async function inWorker() {
   const client = Object.fromEntries(names.map((name) => [name, (...given) => call(name, given)]));
   /** Ends the worker; calls that it has not answered fail. */
   client.terminate = () => {
-    fail(new Error("the worker was ended"));
+    fail(ended ??= new Error("the worker was ended"));
     return worker.terminate();
   };
   await client.operations();

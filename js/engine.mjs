@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // An engine is an object: its functions have the names of operations and take the fields of a question; its other
 // members are what an engine over pipes declares (docs/engines.md), with `name` for its name and version.
-import { Answers, jsonOf, textOf } from "./core.mjs";
+import { Answers, InvalidInput, jsonOf, textOf } from "./core.mjs";
 
 const declared = ["number", "boundary", "tolerance", "pairs", "nearest", "skew_boxes", "polygons", "alternatives"];
 /** Of an engine that answers with promises: the audit is made again with the answers so far, at most so many times. */
@@ -17,6 +17,10 @@ export function greetingOf(touchstone, engine) {
   if (!isEngine(engine)) throw new TypeError("an engine is an object with a function for each of its operations");
   const greeting = { engine: engine.name ?? "unnamed" };
   greeting.ops = touchstone.operations().map((each) => each.name).filter((name) => typeof engine[name] === "function");
+  const others = Object.keys(engine).filter((name) => typeof engine[name] === "function");
+  if (greeting.ops.length === 0)
+    throw new InvalidInput("greeting", `engine ${greeting.engine}: it has no function with the name of an operation` +
+      (others.length > 0 ? `, but ${others.join(", ")}` : ""));
   for (const field of declared) if (engine[field] !== undefined) greeting[field] = engine[field];
   return greeting;
 }
@@ -28,7 +32,7 @@ function fieldOf(operation, word) {
 }
 
 /** What a function returned, as the reply of an engine: undefined and null are "unsupported", an enumerator may stand alone. */
-function replyOf(operation, answer) {
+export function replyOf(operation, answer) {
   if (answer === undefined || answer === null) return '{"unsupported":true}';
   if (typeof answer === "string") {
     const field = fieldOf(operation, answer);

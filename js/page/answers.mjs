@@ -65,10 +65,11 @@ function row(who, part, words, truth) {
   );
 }
 
-/** others: the same of other formulas for the same question, by their names. */
-export function answered(said, others = {}) {
+/** others: the same of other formulas for the same question, by their names; given: a pasted answer with its verdict. */
+export function answered(said, others, given) {
   const { truth, sentence = "" } = said;
   const rows = [
+    row("given", given, "the pasted answer", truth),
     row("robust", said.robust, "robust", truth),
     row("double", said.reference, "the formula in double", truth),
     row("float", said.reference_in_float, "the formula in float", truth),

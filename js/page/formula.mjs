@@ -162,8 +162,8 @@ export class Formula {
       const [judged] = await this.#within(forOne, (worker) => worker.judge(this.#engine(), operation.name, [text]));
       if (asked !== this.#asked) return;
       this.place.querySelector(".verdict").innerHTML =
-        `<p>${badge(verdictOf(judged))} ${coded(judged.answer ?? null)}` +
-        `${judged.remark ? ` <span class="small quiet">${escaped(judged.remark)}</span>` : ""}</p>` +
+        `<p>${badge(verdictOf(judged))} ${judged.answer === undefined ? "" : coded(judged.answer)}` +
+        `${judged.remark && judged.remark !== judged.why ? ` <span class="small quiet">${escaped(judged.remark)}</span>` : ""}</p>` +
         (judged.why ? `<p class="small quiet">${escaped(judged.why)}</p>` : "");
     } catch (failure) {
       if (asked === this.#asked) this.#say(failure.rule ?? failure.message);

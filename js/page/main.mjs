@@ -13,6 +13,7 @@ import { pasted } from "./pasted.mjs";
 import { Numeral, numeral, parsed, partsOf, textOf } from "./question.mjs";
 import inWorker from "./touchstone/client.mjs";
 import { jsonOf } from "./touchstone/core.mjs";
+import { replyOf } from "./touchstone/engine.mjs";
 
 const one = (selector) => document.querySelector(selector);
 const first = "orientation", mostUndone = 200;
@@ -27,12 +28,15 @@ const byName = new Map(operations.map((each) => [each.name, each]));
 
 let operation, tree, parts, text; // the question
 let said, drawing; // its answers and figures, as soon as they are there
-let before = [], drawn = { list: [], from: "" };
+let claimed; // the question that was pasted with an answer, and that
+let before = [], lastHold, drawn = { list: [], from: "" };
 
 // The question and the questions before it.
 const question = () => ({ operation, tree, parts, text });
 function change(to, { fit = false, undone = false, op = operation } = {}) {
-  if (text !== undefined && !undone) before = [...before.slice(-mostUndone), [operation.name, text]];
+  const { hold } = picture, goesOn = hold !== undefined && hold === lastHold;
+  lastHold = hold;
+  if (text !== undefined && !undone && !goesOn) before = [...before.slice(-mostUndone), [operation.name, text]];
   if (op !== operation) {
     operation = op;
     drawing = undefined;
@@ -77,9 +81,11 @@ async function ask(fit = false) {
       const by = {};
       for (const each of picture.isHeld ? [] : others) by[each.name] = await live.explain(each.name, asked);
       if (name !== operation.name) continue;
+      const isClaimed = claimed?.op === name && claimed.text === asked;
+      const given = isClaimed && (await live.judgeReply({ engine: "pasted", ops: [name] }, name, asked, claimed.reply));
       said = now;
       drawing = figures;
-      show(answered(said, by));
+      show(answered(said, by, given));
     } catch (failure) {
       if (name !== operation.name) continue;
       said = drawing = undefined;
@@ -235,6 +241,7 @@ async function read(given) {
       operations,
       read: (...texts) => slow("read", ...texts),
     });
+    claimed = found.answer !== undefined && { ...found, reply: replyOf(byName.get(found.op), found.answer) };
     load(found.op, found.text, { fit: true });
     one("#text").removeAttribute("aria-invalid");
     one("#text-says").textContent = "";

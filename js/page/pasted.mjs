@@ -31,7 +31,7 @@ function firstInput(value, op) {
   if (typeof value !== "object" || value === null) return undefined;
   const named = typeof value.op === "string" ? value.op : typeof value.operation === "string" ? value.operation : op;
   if (typeof value.input === "object" && value.input !== null && !Array.isArray(value.input))
-    return { op: named, tree: value.input };
+    return { op: named, tree: value.input, answer: value.answer };
   for (const part of Object.values(value)) {
     const found = firstInput(part, named);
     if (found) return found;
@@ -59,7 +59,9 @@ const isMesh = (meaning) =>
   meaning !== null && typeof meaning === "object" && "vertices" in meaning && "faces" in meaning;
 
 /**
- * {op, text}: the operation's name (that of the text, otherwise `current`) and a question in JSON.
+ * {op, text, answer}: the operation's name (that of the text, otherwise `current`, otherwise the first that asks for such
+ * geometries or fields) and a question in JSON.
+ * answer: what an object with an input holds beside it, to be judged.
  * tree: the question that is shown; of a mesh file its first mesh is replaced.
  * Throws Error with what is wrong in words.
  */
@@ -76,9 +78,21 @@ export async function pasted(text, { current, tree, operations, read }) {
     const said =
       given.op ?? /touchstone ask (\w+)/.exec(text)?.[1] ?? text.match(/\w+/g)?.find((word) => names.has(word));
     if (said !== undefined && !names.has(said)) throw new Error(`there is no operation ${said}`);
-    return { op: said ?? operationFor(given.tree, current, operations).name, text: textOf(given.tree) };
+    const answer = given.answer === undefined ? undefined : JSON.parse(textOf(given.answer));
+    return { op: said ?? operationFor(given.tree, current, operations).name, text: textOf(given.tree), answer };
   }
-  return { op: current.name, text: await read(current.name, text) };
+  // Geometries of WKT on lines of their own, as reports have them.
+  const geometries = text.trim().replace(/\)\s*\n\s*(?=[a-z])/gi, "); ");
+  let failure;
+  for (const { name } of [current, ...operations]) {
+    try {
+      return { op: name, text: await read(name, geometries) };
+    } catch (each) {
+      failure ??= each;
+    }
+  }
+  if (failure.field !== "line") throw failure;
+  throw new Error(failure.rule === "one JSON object" ? "this is no JSON, WKT, GeoJSON or OBJ" : failure.rule);
 }
 
 /** The current operation, if the question has its form; otherwise the first of which it has the form. */

@@ -33,7 +33,9 @@ export class Picker {
     search.addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
       event.preventDefault();
-      list.querySelector("li:not([hidden]) button")?.click();
+      const named = search.value.trim().toLowerCase().replace(/[\s_]+/g, "_");
+      const found = list.querySelector(`[data-name="${CSS.escape(named)}"]`) ?? list.querySelector("li:not([hidden])");
+      found?.querySelector("button").click();
     });
     dialog.querySelector(".close").addEventListener("click", () => dialog.close());
     dialog.addEventListener("click", ({ target }) => target === dialog && dialog.close());

@@ -52,7 +52,11 @@ export class Picture {
     this.draw();
   }
   get isHeld() {
-    return this.#held?.handle !== undefined;
+    return this.hold !== undefined;
+  }
+  /** While a handle is dragged an object, another for each drag. */
+  get hold() {
+    return this.#held?.handle && this.#held;
   }
   /** Shows a question and its figures, in the plane where they are; what has another dimension has no handles. */
   set({ tree, parts, drawing = nothing }, fit = false) {
