@@ -4,6 +4,7 @@
 #include "catalogue/numbers/exact.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
+#include "proptests/uses.h"
 
 /// The number type in which the judge runs the slides' formulas again without rounding.
 namespace touchstone::proptests::exact_numbers_tests {
