@@ -76,13 +76,4 @@ TEST_CASE("Exact: arc cosines, also of numbers as near to 1 and -1 as cosines of
   }
 }
 
-TEST_CASE("formulas: -0 is not less than 0, so that what is clamped at 0 keeps its sign") {
-  // clang 14 for WebAssembly makes a maximum of `x < 0 ? 0 : x`, which is 0.
-  volatile double zero = -0.0;
-  reference::RootsOfSphere<double> roots;
-  roots.real = true, roots.smaller = zero, roots.greater = 1;
-  const double entry = reference::passage_of_ray(roots).first.value();
-  CHECK((entry == 0 && std::signbit(entry)));
-}
-
 }  // namespace touchstone::proptests::exact_numbers_tests

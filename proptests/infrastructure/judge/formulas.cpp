@@ -342,4 +342,13 @@ TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no ot
   T::inconclusive() = false;
 }
 
+TEST_CASE("formulas: -0 is not less than 0, so that what is clamped at 0 keeps its sign") {
+  // clang 14 for WebAssembly makes a maximum of `x < 0 ? 0 : x`, which is 0.
+  volatile double zero = -0.0;
+  reference::RootsOfSphere<double> roots;
+  roots.real = true, roots.smaller = zero, roots.greater = 1;
+  const double entry = reference::passage_of_ray(roots).first.value();
+  CHECK((entry == 0 && std::signbit(entry)));
+}
+
 }  // namespace touchstone::proptests::formulas_tests
