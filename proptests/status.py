@@ -242,6 +242,9 @@ def main():
     options = parser.parse_args()
     told = subprocess.run([options.program, "ops", "--json"], check=True, text=True, stdout=subprocess.PIPE).stdout
     operations = [operation for operation in json.loads(told) if "implementation_of" not in operation]
+    for name in (operation["name"] for operation in operations):
+        if not (ROOT / f"vectors/{name}.jsonl").is_file():
+            sys.exit(f"vectors/{name}.jsonl: missing (./dev vectors {name})")
     page, asked = status(options.program, operations)
     written = ROOT / "build/status.md"
     written.parent.mkdir(exist_ok=True)

@@ -47,6 +47,7 @@ EACH_OPERATION("draws the questions of its vectors, in their order, whatever com
   }
   for (const auto& [family, wanted] : inputs) {
     INFO(family << ": not drawn: " << (met[family] < wanted.size() ? wanted[met[family]] : ""));
+    INFO("if the family was changed on purpose, write its vectors anew (./dev vectors " << operation.name() << ")");
     CHECK(met[family] == wanted.size());
   }
 }

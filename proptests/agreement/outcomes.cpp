@@ -164,14 +164,19 @@ EACH_OPERATION("every outcome and stage is reached, and every family asks what i
       CHECK(rules.size() == 1);
       CHECK(is_hard_case(operation, name));
     }
-    if (is_named_after_a_hazard(name) && !reached.outcomes.empty())
+    if (is_named_after_a_hazard(name) && !reached.outcomes.empty()) {
+      const std::string reasons = "proptests/agreement/never_wrong.jsonl";
+      INFO((reached.wrong.empty() ? "the formula in double is never wrong here: draw numbers that round, or explain in "
+                                  : "the formula in double is wrong here: delete the line of ")
+           << reasons);
       CHECK(reached.wrong.empty() == !why_never_wrong(operation, name).empty());
+    }
     ledger.push_back(reached.line(name));
   }
   INFO("no family reaches: " << Catch::Detail::stringify(missing) << Catch::Detail::stringify(missing_stages));
   CHECK(missing.empty());
   CHECK(missing_stages.empty());
-  INFO(file);
+  INFO(file << ", which TOUCHSTONE_WRITE_GOLDEN=1 writes anew");
   if (std::getenv("TOUCHSTONE_WRITE_GOLDEN") != nullptr) {
     std::ofstream written(file);
     for (const std::string& line : ledger) written << line << '\n';
