@@ -54,7 +54,7 @@ function row(who, part, words, truth) {
   if (part.not_evaluated) return `${heading}<td>not evaluated: ${escaped(part.not_evaluated)}</td><td></td></tr>`;
   const ulps = part.ulps ? `<br><span class="small quiet">${escaped(part.ulps)} ulps off</span>` : "";
   const why = part.why ? `<br><span class="small quiet">${escaped(part.why)}</span>` : "";
-  const remark = part.remark ? `<br><span class="small quiet">${escaped(part.remark)}</span>` : "";
+  const remark = part.remark && part.remark !== part.why ? `<br><span class="small quiet">${escaped(part.remark)}</span>` : "";
   const rounded = part.input && (part.verdict !== "agree" || JSON.stringify(part.truth) !== JSON.stringify(truth))
     ? `<br><span class="small quiet">The numbers as floats: ${coded(part.input)}, for which the truth is ` +
       `${coded(part.truth)}</span>`
