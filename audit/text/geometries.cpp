@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
@@ -103,8 +104,10 @@ Json value_of(const Json& geometry, const Shape& shape, const std::string& field
 /// otherwise unchanged.
 Json in_order_of(const std::vector<const Shape::Part*>& fields, const Json& geometries) {
   Json ordered = Json::array();
+  std::set<std::string> kinds;
   for (const Shape::Part* field : fields) {
     const std::string wanted = wanted_by(*field->shape).type;
+    if (!kinds.insert(wanted).second) return geometries;
     const auto fits = [&](const Json& geometry) {
       const auto& type = geometry["type"];
       return type == wanted || (wanted == "Polygon" && type == "MultiPolygon");

@@ -10,14 +10,14 @@ import re
 import subprocess
 import sys
 
-COMPONENTS = "geometry|reference|robust|oracle|certify|audit|testing|c"
+COMPONENTS = "geometry|reference|robust|oracle|certify|judge|audit|testing|c"
 LIB = r"lib(/[\w.-]+)?"
 ROWS = pathlib.Path(__file__).resolve().parents[2] / "catalogue/rows"
 CHAPTER = "({})".format("|".join(sorted(folder.name for folder in ROWS.iterdir())))
 # Every installed file is one of these, and each of these is there.
 HELD = [
     r"bin/touchstone",
-    rf"{LIB}/libtouchstone_(robust|oracle|certify|c|module_(catalogue|audit|simulate|report|program))\.a",
+    rf"{LIB}/libtouchstone_(robust|oracle|certify|c|module_(catalogue|judge|audit|simulate|report|program))\.a",
     rf"{LIB}/cmake/touchstone/touchstone-config(-version)?\.cmake",
     rf"{LIB}/cmake/touchstone/touchstone-({COMPONENTS})(-\w+)?\.cmake",
     rf"{LIB}/cmake/touchstone/(components|touchstone_add_(audit|engine)|FindGMP|FindMPFR)\.cmake",
