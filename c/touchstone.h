@@ -66,8 +66,8 @@ int touchstone_draw(const char* operation, const char* families, uint64_t cases,
 int touchstone_replay(const char* operation, const char* family, const uint8_t* bytes, size_t count, char** result,
                       touchstone_error* error);
 
-/* A question in JSON, from a text in JSON, WKT or GeoJSON, as in `touchstone ask --wkt` and --geojson; its decimals stay
- * as they were typed. */
+/* A question in JSON, from a text in JSON, WKT or GeoJSON, as in `touchstone ask --wkt` and --geojson; its decimals
+ * stay as they were typed. */
 int touchstone_read(const char* operation, const char* text, char** result, touchstone_error* error);
 
 /* The file that `touchstone ask --as` prints: a regression test of the question for "catch2", "gtest", "pytest" or
@@ -87,8 +87,8 @@ int touchstone_judge(const char* greeting, const char* operation, const char* qu
 
 /* An audit in this process, as `touchstone audit` makes it: {"exit_code":0,"table":"..","tally":{..}}, with the exit
  * code and the table of the program, and the tally of its --json. `options`, which may be NULL: an object of "ops" and
- * "families" (lists of names; left out: all), "cases" (20000), "seed" (1), "by_cost", "ordinary_only", "fail_on" (a list
- * of causes), "summary", and "program" and "options", with which the table says how to ask again. */
+ * "families" (lists of names; left out: all), "cases" (20000), "seed" (1), "by_cost", "ordinary_only", "fail_on" (a
+ * list of causes), "summary", and "program" and "options", with which the table says how to ask again. */
 int touchstone_audit(const char* options, const char* greeting, touchstone_engine engine, void* user, char** result,
                      touchstone_error* error);
 
@@ -101,7 +101,8 @@ int touchstone_shrink(const char* operation, const char* question, const char* o
 
 /* A scene (docs/simulate.md), as `touchstone simulate` plays it: {"summary":"..","page":".."}, what the program prints
  * and the page of its --page; of an exact gas the summary alone; and "ended", why, where a step cannot be made.
- * `options`, which may be NULL: an object of "runs" (["float","double","robust"]) and "steps" (0: those of the scene). */
+ * `options`, which may be NULL: an object of "runs" (["float","double","robust"]) and "steps" (0: those of the scene).
+ */
 int touchstone_simulate(const char* scene, const char* options, char** result, touchstone_error* error);
 
 /* A list of all operations: names, fields, answers, enumerators, families. */

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The functions of index.mjs, answered by a worker: const t = await inWorker(); await t.ask("orientation", {...})
-import { InvalidInput } from "./core.mjs";
+import { Answers, InvalidInput } from "./core.mjs";
+import { Touchstone } from "./engine.mjs";
 
 export { InvalidInput };
 
-const names = ["operations", "operation", "answer", "truth", "ask", "askText", "explain", "drawing", "map", "certify", "draw",
-               "read", "regressionTest", "replay", "accepts", "judgeReply", "audit", "judge", "shrink", "simulate"];
+const names = [Answers, Touchstone]
+  .flatMap(({ prototype }) => Object.getOwnPropertyNames(prototype)).filter((name) => name !== "constructor");
 
 async function started(address) {
   if (!globalThis.process?.versions?.node) return new Worker(address, { type: "module" });

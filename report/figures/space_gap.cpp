@@ -175,7 +175,8 @@ class Search {
 /// question.
 bool has_rounded_corners(const SpaceFigure& figure) {
   const std::vector<SpaceVertex> v = vertices_of(figure);
-  if (figure.kind != SpaceKind::mesh || v.size() != 8 || figure.faces.empty() || figure.faces[0].size() != 4) return false;
+  if (figure.kind != SpaceKind::mesh || v.size() != 8 || figure.faces.empty() || figure.faces[0].size() != 4)
+    return false;
   const auto differ = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
     const SpaceVector first = v[a] - v[b], second = v[c] - v[d];
     return first.x != second.x || first.y != second.y || first.z != second.z;

@@ -54,7 +54,8 @@ HalfAxes<double> at_right_angles(const Axes& half_axes) {
   Displacement second = v;
   for (int pass = 0; pass < 2; ++pass) second = second - Real(dot(u, second) / dot(u, u)) * u;  // twice is enough
   const Displacement third = unit(cross(u, second));
-  const Real height = std::fmax(std::fabs(dot(w, third)), 0x1p-40L * wide_length(w));  // computed from what rounding leaves
+  const Real height =
+      std::fmax(std::fabs(dot(w, third)), 0x1p-40L * wide_length(w));  // computed from what rounding leaves
   const Axes turned{half_axes.u, in_doubles(second), in_doubles(height * third)};
   return is_finite(turned.v) && is_finite(turned.w) ? turned : half_axes;
 }

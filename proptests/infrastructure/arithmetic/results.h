@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// What an arithmetic finds for a drawn case. results.cpp is compiled once for each: with GMP and MPFR, and with ours in
-/// words of 64 and of 32 bits.
+/// The results of an arithmetic for a drawn case. results.cpp is compiled once for each: with GMP and MPFR, and with
+/// ours in words of 64 and of 32 bits.
 namespace touchstone::proptests::arithmetic_results {
 
 struct Result {
