@@ -31,7 +31,8 @@ Perhaps<Location> stages::implicit_circle::lattice(const Circle2d& circle, const
 }
 
 Location stages::implicit_circle::exact(const Circle2d& circle, const Point2d& point) {
-  return location(kernel::integers_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y).at);
+  const auto integers = kernel::integers_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y);
+  return location(integers.at);
 }
 
 Decided<Location> stages::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {
