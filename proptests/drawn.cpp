@@ -9,8 +9,6 @@ namespace touchstone::proptests {
 
 namespace {
 
-constexpr std::uint64_t least_cases = 8;
-
 /// A generator that asks for a complaint about a whole batch from one seed, and gives RapidCheck the first question
 /// about which there is one (or the last question, at place 0): RapidCheck then judges that one question, and shrinks
 /// it.
@@ -30,8 +28,8 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 
 }  // namespace
 
-std::uint64_t affordable(const Operation& operation, std::uint64_t questions) {
-  return std::max(least_cases, questions / static_cast<std::uint64_t>(operation.metadata().cost));
+std::uint64_t affordable(const Operation& operation, std::uint64_t questions, std::uint64_t least) {
+  return std::max(least, questions / static_cast<std::uint64_t>(operation.metadata().cost));
 }
 
 void never_at(const Operation& operation, const std::string& sentence, const ComplaintAt& complaint, int usual,

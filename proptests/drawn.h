@@ -26,8 +26,12 @@ using Complaint = std::function<std::string(const Question&)>;
 /// How many cases one pick of RapidCheck drives.
 inline constexpr std::uint64_t batch = 64;
 
-/// How many questions of a family are asked instead of so many, by the cost of a question (Metadata::cost).
-std::uint64_t affordable(const Operation& operation, std::uint64_t questions);
+/// How many questions of a family are asked however dear they are.
+inline constexpr std::uint64_t least_cases = 8;
+
+/// How many questions of a family are asked instead of so many, by the cost of a question (Metadata::cost), but not
+/// fewer than `least`.
+std::uint64_t affordable(const Operation& operation, std::uint64_t questions, std::uint64_t least = least_cases);
 
 /// The property that `complaint(question)` is empty for every question of every family of an operation: `usual` batches
 /// of `size` in each family, divided by the cost of a question.

@@ -6,6 +6,7 @@
 #include "oracle/certificates/check.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/oracle/claims.h"
+#include "proptests/property.h"
 
 namespace touchstone::proptests::checkers_agree_tests {
 namespace {
@@ -227,7 +228,7 @@ TEST_CASE("certificates: both programs say the same of odd JSON, line by line, a
 
 TEST_CASE("certificates: both checkers accept what the oracle claims") {
   Shown shown;
-  const auto claims = drawn_claims("claims", 4);
+  const auto claims = drawn_claims("claims", static_cast<std::uint64_t>(scaled(4)));
   REQUIRE(claims.size() > 500);
   for (const json& claim : claims) CHECK(shown.accepts(claim));
   CHECK(shown.said_in_python_too());
@@ -236,7 +237,7 @@ TEST_CASE("certificates: both checkers accept what the oracle claims") {
 TEST_CASE("certificates: both checkers refuse another truth, for the same reason") {
   Shown shown;
   DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "other truths", 0));
-  for (const json& claim : drawn_claims("other truths", 3)) {
+  for (const json& claim : drawn_claims("other truths", static_cast<std::uint64_t>(scaled(3)))) {
     // Of a grown ball a claim proves that it holds every point and is not too large; so may be another.
     if (claim["certificate"]["kind"] == "lower_bound") continue;
     for (const auto& place : some_of(leaves(claim, "truth"))) {

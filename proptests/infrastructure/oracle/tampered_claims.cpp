@@ -7,6 +7,7 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/oracle/claims.h"
 #include "proptests/infrastructure/oracle/tampering.h"
+#include "proptests/property.h"
 
 namespace touchstone::proptests::tampered_claims_tests {
 namespace {
@@ -93,7 +94,7 @@ TEST_CASE("certificates: drawn claims made malformed are refused, and of altered
   Verdicts verdicts;
   DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "tampered", 0));
   const auto by_operation = tamperings(written_claims());
-  for (const json& claim : drawn_claims("tampered", 2)) {
+  for (const json& claim : drawn_claims("tampered", static_cast<std::uint64_t>(scaled(2)))) {
     const Tampering& tampering = by_operation.at(claim["op"]);
     const auto places = Tampering::places(claim);
     for (int i = 0; i < 2; ++i) {
