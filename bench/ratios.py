@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the benchmarks and prints ratios: everything that is compared is timed in one process, in turns.
 
-  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--page FILE.html] [--keep FILE.json]
+  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--guard] [--page FILE.html] [--keep FILE.json]
   bench/ratios.py --picture FILE.svg --times FILE.json
 
 BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three
 where three take more than two seconds: other load only ever adds time. The ratios of the medians are printed beside those
 that have a goal. --write puts the tables into bench/ratios.json and bench/README.md (tables.py), --page writes them with
-bars and curves (page.py), --keep keeps the times of a run. --picture draws the README's picture from the times of this
+bars and curves (page.py), --keep keeps the times of a run. --guard names what is worse than in bench/ratios.json by more
+than 15 % (guard.py); the exit code is 1 then. --picture draws the README's picture from the times of this
 run, or of one that was kept.
 """
 
@@ -27,6 +28,7 @@ import sys
 import tempfile
 import types
 
+import guard
 import page
 import tables
 
@@ -342,6 +344,7 @@ def main():
     parser.add_argument("--ops", type=lambda text: text.split(","), default=[])
     parser.add_argument("--repetitions", type=int, default=15)
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--guard", action="store_true")
     parser.add_argument("--page", type=pathlib.Path)
     parser.add_argument("--picture", type=pathlib.Path)
     parser.add_argument("--keep", type=pathlib.Path)
@@ -382,9 +385,15 @@ def main():
         options.keep.write_text(json.dumps({"circumstances": circumstances(options.build), "timed": kept}))
     if options.picture:
         draw_picture(options.picture, circumstances(options.build), timed)
+    new = [part for part in parts if isinstance(part, tables.Table)]
+    kept = tables.read(tables.DATA.read_text())
     if options.write:
         run = f"{circumstances(options.build)} One run of `bench/ratios.py {shlex.join(sys.argv[1:])}`."
-        tables.keep([part for part in parts if isinstance(part, tables.Table)], run)
+        tables.keep(new, run)
+    if options.guard:
+        lines, found = guard.said(kept, new)
+        print("\n".join(["", *dict.fromkeys(f"kept: {table.measured}" for table in kept), *lines]))
+        sys.exit(1 if found else 0)
 
 
 if __name__ == "__main__":
