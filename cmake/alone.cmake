@@ -57,6 +57,18 @@ GMP and MPFR are under the GNU Lesser General Public License, version 3 (linked/
 the program anew: ./dev package in the sources of touchstone links whatever libgmp.a and libmpfr.a it finds.
 ]])
 
+set(bill "")
+if(notices)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/CITATION.cff released REGEX "^date-released: ")
+  string(REPLACE "date-released: " "" released "${released}")
+  set(bill ${PROJECT_BINARY_DIR}/touchstone.spdx.json)
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/bill_of_materials.py ${PROJECT_VERSION} ${released} ${bill}
+                          ${notices} RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "cmake/bill_of_materials.py failed")
+  endif()
+endif()
+
 # Of the package, and of no other installation.
 set(carried COMPONENT carried EXCLUDE_FROM_ALL)
 install(PROGRAMS ${PROJECT_BINARY_DIR}/alone/touchstone DESTINATION ${CMAKE_INSTALL_BINDIR} ${carried})
@@ -65,7 +77,7 @@ install(FILES ${documentation}/touchstone.bash DESTINATION ${CMAKE_INSTALL_DATAD
 install(FILES ${documentation}/_touchstone DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions ${carried})
 install(DIRECTORY vectors DESTINATION ${data_dir} ${carried})
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried})
-install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried})
+install(FILES ${PROJECT_BINARY_DIR}/copyright ${bill} DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried} PATTERN __pycache__ EXCLUDE PATTERN node_modules EXCLUDE)
 foreach(package ${notices})
   install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/linked RENAME ${package} ${carried})

@@ -20,3 +20,10 @@ for library in libgmp-dev libmpfr-dev; do
   grep -qi gmp "$prefix/share/doc/touchstone/copyright" && [ -s "$prefix/share/doc/touchstone/linked/$library" ] ||
     { echo "no notice of $library" && exit 1; }
 done
+# Every source package that the notices name is in the bill of materials, with its version.
+sed -n 's/^  \([a-z0-9.+-]*\) \([^ ]*\)$/\1 \2/p' "$prefix/share/doc/touchstone/copyright" | sort -u >"$folder/named"
+[ "$(wc -l <"$folder/named")" -ge 8 ]
+python3 -c 'import json, sys
+for one in json.load(open(sys.argv[1]))["packages"]:
+    print(one["name"], one["versionInfo"])' "$prefix/share/doc/touchstone/touchstone.spdx.json" | grep -v '^touchstone ' | sort >"$folder/listed"
+diff "$folder/named" "$folder/listed"
