@@ -8,6 +8,7 @@
 #include "catalogue/operation/probes/shrink.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
+#include "proptests/property.h"
 
 namespace touchstone::proptests::draw_stream_tests {
 namespace {
@@ -105,7 +106,7 @@ TEST_CASE("draws: numbers stay in their ranges") {
 EACH_OPERATION("recorded bytes replay to the same question, and recording changes nothing") {
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     INFO(operation.families()[family]);
-    for (std::uint64_t i = 0; i < 200; ++i) {
+    for (int i = 0; i < scaled(200); ++i) {
       const std::uint64_t seed = catalogue::seed_of(5, operation.families()[family].c_str(), i);
       DrawStream plain = DrawStream::seeded(seed);
       const Drawn drawn = recorded(operation, family, seed);
@@ -121,7 +122,7 @@ EACH_OPERATION("any bytes give finite numbers in every family, and no bytes the 
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     const Question none = replayed(operation, family, {}).question;
     CHECK(bits_of(none) == bits_of(replayed(operation, family, Bytes(200, 0)).question));
-    for (std::uint64_t i = 0; i < 50; ++i) {
+    for (int i = 0; i < scaled(50); ++i) {
       DrawStream draws = DrawStream::seeded(catalogue::seed_of(6, "bytes", i));
       Bytes bytes(draws.below(40));
       for (auto& byte : bytes) byte = static_cast<std::uint8_t>(draws.below(256));

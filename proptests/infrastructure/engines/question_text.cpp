@@ -5,6 +5,7 @@
 
 #include "audit/counting/audit_run.h"
 #include "proptests/catch.h"
+#include "proptests/property.h"
 
 using namespace touchstone::audit;
 
@@ -23,7 +24,7 @@ TEST_CASE(
   for (const Operation* operation : all_operations()) {
     const QuestionText text(*operation);
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
-      for (std::uint64_t i = 0; i < 200; ++i) {
+      for (int i = 0; i < touchstone::proptests::scaled(200); ++i) {
         DrawStream draws = case_draws(*operation, family, 1, i);
         const Question question = operation->draw(draws, family);
         std::string written;

@@ -15,6 +15,7 @@
 #include "oracle/exact/numbers/nearest_double.h"
 #include "oracle/lines/explicit_line.h"
 #include "proptests/catch.h"
+#include "proptests/property.h"
 #include "proptests/refusal.h"
 
 namespace touchstone::proptests::rationals_tests {
@@ -108,7 +109,7 @@ TEST_CASE("rationals: the truth for doubles and for the rationals that they are 
     };
     int different = 0;
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
-      for (std::uint64_t i = 0; i < 40; ++i) {
+      for (int i = 0; i < scaled(40); ++i) {
         DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "rationals", family));
         const catalogue::Question question = operation->draw(draws, family);
         const auto exactly =
@@ -134,7 +135,7 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
   const Rational third(1, 3);
   const catalogue::Operation& operation = catalogue::operation_of_row<TestType>();
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
-    for (std::uint64_t i = 0; i < 20; ++i) {
+    for (int i = 0; i < scaled(20); ++i) {
       DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "thirds", family));
       const auto question =
           exactly<TestType>(catalogue::unpacked<typename TestType::Question>(operation.draw(draws, family)));
