@@ -10,7 +10,7 @@ namespace {
 /// n: the center, the radius, the point.
 template <class Integer>
 Location location(const std::array<Integer, 5>& n) {
-  const Integer dx = n[3] - n[0], dy = n[4] - n[1], r = n[2];
+  const Integer dx = Integer(n[3] - n[0]), dy = Integer(n[4] - n[1]), r = n[2];
   const kernel::Second<Integer> within = kernel::multiply(r, r) - kernel::multiply(dx, dx) - kernel::multiply(dy, dy);
   const int sign = kernel::sign_of(within);
   return sign > 0 ? Location::inside : sign < 0 ? Location::outside : Location::boundary;
