@@ -31,8 +31,7 @@ def number(cell):
 
 
 def worse(kept, new):
-    """(the table, the row and the column in words, before, now, how many times as bad), the worst first; and how many
-    ratios were compared."""
+    """([(row and column in words, before, now, how many times as bad)], the worst first; the count of compared ratios)"""
     found, compared = [], 0
     before = {table.name: table for table in kept}
     for table in filter(None, new):
@@ -52,7 +51,7 @@ def worse(kept, new):
 
 
 def said(kept, new):
-    """What is worse, in words, a line each; and a line that counts."""
+    """(lines in words, one for each worse ratio and one that counts; whether the guard fails)"""
     found, compared = worse(kept, new)
     lines = [f"worse: {what}: {now:g} after {then:g}, {factor:.2f} times as bad" for what, then, now, factor in found]
     return [*lines, f"{len(found)} of {compared} ratios are worse by more than {WORSE - 1:.0%}"], bool(found) or not compared
