@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/kernel/filters/strict_math.h"
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#else
-#include <cfenv>
-#endif
+#include "robust/kernel/filters/processor.h"
 
 namespace touchstone::robust {
 
@@ -21,23 +15,15 @@ namespace touchstone::robust {
 /// control word, and may move code of the same function out of the scope; `with_exceptions_masked` prevents that.
 class MaskedExceptions {
  public:
-#if defined(__SSE2__)
-  MaskedExceptions() : host_(_mm_getcsr()) { _mm_setcsr(host_ | all_masks); }
-  ~MaskedExceptions() { _mm_setcsr(host_); }
-#else
-  MaskedExceptions() { std::feholdexcept(&host_); }
-  ~MaskedExceptions() { std::fesetenv(&host_); }
-#endif
+  MaskedExceptions() : host_(kernel::processor::control()) {
+    kernel::processor::set_control(kernel::processor::masked(host_));
+  }
+  ~MaskedExceptions() { kernel::processor::set_control(host_); }
   MaskedExceptions(const MaskedExceptions&) = delete;
   MaskedExceptions& operator=(const MaskedExceptions&) = delete;
 
  private:
-#if defined(__SSE2__)
-  static constexpr unsigned all_masks = 0x1f80;
-  unsigned host_;
-#else
-  std::fenv_t host_;
-#endif
+  kernel::processor::Control host_;
 };
 
 /// Returns ask(), computed with exceptions masked. Its operands are captured by reference, as in

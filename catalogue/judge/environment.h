@@ -2,19 +2,17 @@
 #pragma once
 
 #include <array>
-#include <cfenv>
 #include <cstdint>
 #include <string>
 
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
+#include "robust/kernel/filters/processor.h"
 
 /// The floating-point environments that a host application can set.
 namespace touchstone::catalogue {
 
 /// Four rounding modes; results flushed to zero or not; subnormal operands read as zero or not. Number 0 is the
-/// environment in which a program starts.
+/// environment in which a program starts. A processor that has one switch for results and operands flushes both where
+/// one is asked for.
 inline constexpr std::size_t environment_count = 16;
 
 inline std::string environment_name(std::size_t number) {
@@ -26,28 +24,16 @@ inline std::string environment_name(std::size_t number) {
 /// across both: use `in_environment`.
 class Environment {
  public:
-#if defined(__SSE2__)
-  explicit Environment(std::size_t number) : before_(_mm_getcsr()) {
-    const auto n = static_cast<unsigned>(number);
-    _mm_setcsr((before_ & ~0xe040u) | (n & 3) << 13 | (n >> 2 & 1) << 15 | (n >> 3 & 1) << 6);
+  explicit Environment(std::size_t number) : before_(robust::kernel::processor::control()) {
+    using namespace robust::kernel::processor;
+    set_control(in_environment(before_, number & 3, (number & 4) != 0, (number & 8) != 0));
   }
-  ~Environment() { _mm_setcsr(before_); }
-#else
-  explicit Environment(std::size_t number) : before_(std::fegetround()) {
-    static constexpr std::array<int, 4> modes{FE_TONEAREST, FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO};
-    std::fesetround(modes[number & 3]);
-  }
-  ~Environment() { std::fesetround(before_); }
-#endif
+  ~Environment() { robust::kernel::processor::set_control(before_); }
   Environment(const Environment&) = delete;
   Environment& operator=(const Environment&) = delete;
 
  private:
-#if defined(__SSE2__)
-  unsigned before_;
-#else
-  int before_;
-#endif
+  robust::kernel::processor::Control before_;
 };
 
 /// Returns ask(argument) in an environment. Compilers do not know that arithmetic depends on the control word, so

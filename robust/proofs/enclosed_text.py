@@ -72,7 +72,8 @@ class Kernel:
         """The structs, as Coq records."""
         text = "".join(f"Definition {name} := {value}.\n" for name, value, _ in self.constants)
         text += f"Definition precision := {self.precision}%Z.\nDefinition kept := {self.kept}%Z.\n"
-        for name, before in (("tiny", "double tiny = "), ("least", "size < Two("), ("most", "sizes_ <= Two(")):
+        for name, before in (("tiny", "double tiny = processor::at_run_time("), ("least", "size < Two("),
+                             ("most", "sizes_ <= Two(")):
             (found,) = re.findall(re.escape(before) + r"0x1p(-?\d+)\b", self.window)
             text += f"Definition {name} := {'/ ' * found.startswith('-')}2 ^ {found.lstrip('-')}.\n"
         for name, fields in self.structs.items():

@@ -366,7 +366,7 @@ def plane_numbers(shapes):
 def all_of(root):
     """As lane_text.all_of."""
     shapes, found = Shapes(Source(root), root), []
-    shared = [str(sorted(shapes.source.constants.items())), (root / lane_text.LANES).read_text(encoding="utf-8")]
+    shared = [str(sorted(shapes.source.constants.items())), lane_text.text_of_lanes(root)]
     for row in FILTERS:
         definition, parts = extracted(shapes, *row)
         if not row[1]:

@@ -11,7 +11,9 @@ from fractions import Fraction
 from tokens import Tokens
 
 HEADERS = [f"robust/batch/isa/{name}.h" for name in ("kernels", "triangles", "beside")]
-LANES = "robust/batch/isa/lanes.h"  # what the functions of lanes.v are; its text is reviewed with each filter
+# What the functions of lanes.v are; their text is reviewed with each filter.
+LANES = ["robust/batch/isa/lanes.h",
+         *(f"robust/batch/isa/lanes/{name}.h" for name in ("lanes", "avx512", "avx2", "sse2", "neon", "one"))]
 HEAD = """(* Written by extract.py from robust/batch/isa. *)
 From Coq Require Import Reals ZArith Bool.
 From Filters Require Import floats lanes.
@@ -32,6 +34,10 @@ TRUTHS = {"above", "not_below", "equal", "negative"}
 OPERATORS = {"+": "plus", "-": "minus", "*": "times"}
 TOKEN = re.compile(r"\s*(0x[0-9a-f.]+p-?\d+|\d+|[A-Za-z_]\w*(?:::\w+)*"
                    r"|\+=|&=|\|=|==|&&|\+\+|[-+*/%(){}\[\],;<>=&|?:.~])")
+
+
+def text_of_lanes(root):
+    return "".join((root / name).read_text(encoding="utf-8") for name in LANES)
 
 
 class Term(str):
@@ -306,7 +312,7 @@ def extracted(source, name, owner, dimensions):
 def all_of(root):
     """The file of definitions, and for each its name, its definition and the text that it came from."""
     source, found = Source(root), []
-    operations = (root / LANES).read_text(encoding="utf-8")
+    operations = text_of_lanes(root)
     if BY_SIGN not in (root / HEADERS[0]).read_text(encoding="utf-8"):
         raise SystemExit("kernels.h: by_sign is another")
     for name, owner, dimensions in FILTERS:

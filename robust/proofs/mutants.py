@@ -71,7 +71,7 @@ def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in [*TEXTS, lane_text.LANES, lane_shapes.NUMBERS]:
+        for name in [*TEXTS, *lane_text.LANES, lane_shapes.NUMBERS]:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):

@@ -3,14 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/ordered_bits.h"
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include "robust/kernel/filters/processor.h"
 
 /// Eight boxes compared with a ninth at once, by coarse integers that keep the order of the coordinates.
 namespace touchstone::robust::structures {
@@ -47,45 +45,30 @@ struct alignas(16) PairLeaf {
 };
 
 /// A bit for each place: set if a[k] > b.
-#if defined(__SSE2__)
 class Bits {
  public:
   void add_where_greater(const std::array<std::int32_t, 8>& a, std::int32_t b) {
-    const __m128i all = _mm_set1_epi32(b);
-    first_ = _mm_or_si128(first_, _mm_cmpgt_epi32(half(a, 0), all));
-    second_ = _mm_or_si128(second_, _mm_cmpgt_epi32(half(a, 4), all));
+    const Half all{b, b, b, b};
+    first_ |= reinterpret_cast<Found>(half(a, 0) > all);
+    second_ |= reinterpret_cast<Found>(half(a, 4) > all);
   }
   void add_where_less(const std::array<std::int32_t, 8>& a, std::int32_t b) {
-    const __m128i all = _mm_set1_epi32(b);
-    first_ = _mm_or_si128(first_, _mm_cmpgt_epi32(all, half(a, 0)));
-    second_ = _mm_or_si128(second_, _mm_cmpgt_epi32(all, half(a, 4)));
+    const Half all{b, b, b, b};
+    first_ |= reinterpret_cast<Found>(all > half(a, 0));
+    second_ |= reinterpret_cast<Found>(all > half(a, 4));
   }
-  unsigned mask() const {
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(first_))) |
-           static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(second_))) << 4;
-  }
+  unsigned mask() const { return kernel::processor::signs(first_) | kernel::processor::signs(second_) << 4; }
 
  private:
-  static __m128i half(const std::array<std::int32_t, 8>& a, std::size_t from) {
-    return _mm_load_si128(reinterpret_cast<const __m128i*>(a.data() + from));
+  using Half = kernel::processor::FourIntegers;
+  using Found = kernel::processor::TwoBits;  // g++ 12 copies less than with four
+  static Half half(const std::array<std::int32_t, 8>& a, std::size_t from) {
+    Half four;
+    std::memcpy(&four, __builtin_assume_aligned(a.data() + from, alignof(Half)), sizeof four);
+    return four;
   }
-  __m128i first_ = _mm_setzero_si128(), second_ = _mm_setzero_si128();
+  Found first_{}, second_{};
 };
-#else
-class Bits {
- public:
-  void add_where_greater(const std::array<std::int32_t, 8>& a, std::int32_t b) {
-    for (unsigned k = 0; k < 8; ++k) mask_ |= static_cast<unsigned>(a[k] > b) << k;
-  }
-  void add_where_less(const std::array<std::int32_t, 8>& a, std::int32_t b) {
-    for (unsigned k = 0; k < 8; ++k) mask_ |= static_cast<unsigned>(a[k] < b) << k;
-  }
-  unsigned mask() const { return mask_; }
-
- private:
-  unsigned mask_ = 0;
-};
-#endif
 
 /// The places of a leaf whose boxes may meet a box; the others certainly do not.
 inline unsigned may_meet(const PairLeaf& leaf, const CoarseBox& box) {

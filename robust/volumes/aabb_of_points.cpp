@@ -7,6 +7,7 @@
 
 #include "robust/kernel/filters/box_differences.h"
 #include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/filters/processor.h"
 #include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
@@ -32,16 +33,7 @@ template <class Point, class Visit>
 }
 
 /// Returns whether comparisons read a subnormal as 0.
-bool subnormals_are_zero() {
-  double tiny = 0x1p-1074;
-#if defined(__SSE2__)
-  asm volatile("" : "+x"(tiny));  // at run time, here
-#else
-  volatile double kept = tiny;
-  tiny = kept;
-#endif
-  return !(tiny > 0);
-}
+bool subnormals_are_zero() { return !(kernel::processor::at_run_time(0x1p-1074) > 0); }
 
 bool below_normal(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) == 0; }
 

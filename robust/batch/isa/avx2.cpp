@@ -3,9 +3,8 @@
 #define TOUCHSTONE_LANES 4
 #elif defined(__SSE2__)
 #define TOUCHSTONE_LANES 2
-#else
-#define TOUCHSTONE_LANES 1
 #endif
+#ifdef TOUCHSTONE_LANES
 #include "robust/batch/isa/table.h"
 
 namespace touchstone::robust::batch::isa {
@@ -13,3 +12,4 @@ namespace touchstone::robust::batch::isa {
 const Filters avx2_filters = filters_of_this_unit;
 
 }  // namespace touchstone::robust::batch::isa
+#endif

@@ -46,7 +46,7 @@ Mask finite(const Lanes* p) {
   return all;
 }
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
 
 /// Parts of a shape that a filter cannot decide, at most one for each lane, so that all lanes are examined at once.
 struct Waiting {
@@ -118,7 +118,7 @@ class Ring {
     return {~open, ~odd, 0};
   }
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
   static Located closely(const Shared& shared, const Lanes* p) {
     Mask odd = 0, on = 0, open = ~finite<columns>(p);
     Waiting waiting;
@@ -170,7 +170,7 @@ class Ring {
     }
   }
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
   [[gnu::noinline]] static Sides exact_turn(const Gathered& from, const Gathered& to, const Lanes* point, Mask asked) {
     const Lanes a[] = {from[0], from[1]}, b[] = {to[0], to[1]};
     Sides turn = close_turn({b[0], a[0]}, {b[1], a[1]}, {point[1], a[1]}, {point[0], a[0]});
@@ -194,7 +194,7 @@ struct ConvexSolid {
     return {out | in, out, 0};
   }
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
   static Located closely(const Shared& shared, const Lanes* p) {
     Mask out = 0, on = 0, open = 0;
     Waiting waiting;
@@ -234,7 +234,7 @@ void filter_beside(const double* const* columns, const std::size_t* steps, std::
   }
 }
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
 
 template <class Shape>
 struct CloseBeside {

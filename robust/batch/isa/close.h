@@ -9,7 +9,7 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
 
 /// The lanes in which three points certainly turn left, turn right, or are collinear.
 struct Sides {
@@ -157,24 +157,6 @@ struct CloseSegmentSegment {
     return {apart | turns.known(), ~(apart | overlap), overlap};
   }
 };
-
-/// Writes the byte 1, 2 or 0 for each row of `where`, and nothing else.
-void put_answers(std::uint8_t* to, std::uint64_t where, std::uint64_t one, std::uint64_t two) {
-#if TOUCHSTONE_LANES == 8
-  _mm512_mask_storeu_epi8(to, where, _mm512_mask_set1_epi8(_mm512_maskz_set1_epi8(one, 1), two, 2));
-#else
-  std::uint8_t ones[chunk], twos[chunk];
-  put_bytes(ones, one, 1, 0);
-  put_bytes(twos, two, 2, 0);
-  for (std::size_t i = 0; i < chunk; ++i) ones[i] |= twos[i];
-  if (where == ~std::uint64_t{0}) {
-    std::memcpy(to, ones, chunk);
-    return;
-  }
-  for (std::size_t i = 0; i < chunk; ++i)
-    if ((where >> i & 1) != 0) to[i] = ones[i];
-#endif
-}
 
 template <class F>
 std::uint64_t close(const double* const* columns, std::uint64_t asked, const Shared& shared, std::uint8_t* answers) {

@@ -8,7 +8,7 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
 
 /// The sum of three products and the offset, in seven terms, all multiples of 2^-1064 if all numbers are in the window.
 /// A normal of length 0 is to be refused.

@@ -10,7 +10,7 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
 
 /// A displacement with its rounding error.
 struct Way {

@@ -66,7 +66,7 @@ class Solid {
     return {~open, ~odd, 0};
   }
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
   static Located closely(const Shared& shared, const Lanes* p) {
     Mask odd = 0, on = 0, open = ~finite<columns>(p), left = 0;
     Waiting waiting;

@@ -16,7 +16,7 @@ struct Signs {
   Signs of(Mask asked) const { return {positive & asked, negative & asked, zero & asked}; }
 };
 
-#if TOUCHSTONE_LANES > 2
+#ifdef TOUCHSTONE_SECOND_STAGE
 
 /// x + y and its exact rounding error: sum and error of Knuth's two-sum. If anything in it overflows, the head or the
 /// tail is infinite or NaN.
@@ -56,13 +56,7 @@ Mask in_window(Lanes x, double greatest = 0x1p480) {
 /// 2^620 if the size is less than 2^-240, 2^-620 if it is more than 2^240, 1 otherwise.
 Lanes factor_of(Lanes size) {
   const Lanes up = same(0x1p620), down = same(0x1p-620), low = same(0x1p-240), high = same(0x1p240);
-#if TOUCHSTONE_LANES == 8
-  const auto small_ones = _mm512_mask_blend_pd(static_cast<__mmask8>(above(low, size)), same(1).v, up.v);
-  return Lanes(_mm512_mask_blend_pd(static_cast<__mmask8>(above(size, high)), small_ones, down.v));
-#else
-  const auto small_ones = _mm256_blendv_pd(same(1).v, up.v, _mm256_cmp_pd(low.v, size.v, _CMP_GT_OQ));
-  return Lanes(_mm256_blendv_pd(small_ones, down.v, _mm256_cmp_pd(size.v, high.v, _CMP_GT_OQ)));
-#endif
+  return where_above(size, high, down, where_above(low, size, up, same(1)));
 }
 
 /// Multiplies the numbers of each lane by one power of two if the greatest of them is far from 1 and all products are

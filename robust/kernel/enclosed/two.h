@@ -3,14 +3,15 @@
 
 #include "geometry/points.h"
 #include "robust/kernel/filters/float_format.h"
+#include "robust/kernel/filters/processor.h"
 
 namespace touchstone::robust::kernel {
 
 /// Two doubles that are processed together, by one instruction for both if there is one. A comparison returns true if
 /// it holds for both.
 struct Two {
-  __extension__ typedef double Lanes __attribute__((vector_size(16)));
-  __extension__ typedef long long Bits __attribute__((vector_size(16)));
+  using Lanes = processor::TwoNumbers;
+  using Bits = processor::TwoBits;
 
   Lanes lanes;
 
@@ -30,16 +31,8 @@ struct Two {
   friend Two operator*(Two a, Two b) { return Two(a.lanes * b.lanes); }
   friend Two operator/(Two a, Two b) { return Two(a.lanes / b.lanes); }
   friend Two operator-(Two a) { return Two(-a.lanes); }
-  friend bool operator>=(Two a, Two b) { return both(a.lanes >= b.lanes); }
-  friend bool operator<=(Two a, Two b) { return both(a.lanes <= b.lanes); }
-
-  static bool both(Bits said) {
-#if defined(__SSE2__)
-    return __builtin_ia32_movmskpd(reinterpret_cast<Lanes>(said)) == 3;
-#else
-    return (said[0] & said[1]) != 0;
-#endif
-  }
+  friend bool operator>=(Two a, Two b) { return processor::both(a.lanes >= b.lanes); }
+  friend bool operator<=(Two a, Two b) { return processor::both(a.lanes <= b.lanes); }
 };
 
 /// The first numbers of a and b, and the second ones.

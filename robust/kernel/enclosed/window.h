@@ -10,13 +10,7 @@ namespace touchstone::robust::kernel {
 /// Returns whether the processor rounds to nearest, i.e. to 1 for both: in any other mode the sum is above 1 or the
 /// difference below. The numbers are normal, so that FTZ and DAZ have no effect.
 inline bool rounds_to_nearest() {
-  double tiny = 0x1p-60;
-#if defined(__SSE2__)
-  asm volatile("" : "+x"(tiny));  // at run time, here
-#else
-  volatile double kept = tiny;
-  tiny = kept;
-#endif
+  const double tiny = processor::at_run_time(0x1p-60);
   return 1 + tiny <= 1 - tiny;
 }
 

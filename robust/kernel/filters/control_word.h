@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/kernel/filters/strict_math.h"
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#else
-#include <cfenv>
-#endif
+#include "robust/kernel/filters/processor.h"
 
 namespace touchstone::robust::kernel {
 
@@ -16,28 +10,15 @@ namespace touchstone::robust::kernel {
 /// flush to zero.
 class ControlWord {
  public:
-#if defined(__SSE2__)
-  ControlWord() : host_(_mm_getcsr()) {
-    if ((host_ & ~exception_flags) != ieee) _mm_setcsr(ieee);
+  ControlWord() : host_(processor::control()) {
+    if (!processor::is_ieee(host_)) processor::set_ieee();
   }
-  ~ControlWord() { _mm_setcsr(host_); }
-#else
-  ControlWord() {
-    std::fegetenv(&host_);
-    std::fesetenv(FE_DFL_ENV);
-  }
-  ~ControlWord() { std::fesetenv(&host_); }
-#endif
+  ~ControlWord() { processor::set_control(host_); }
   ControlWord(const ControlWord&) = delete;
   ControlWord& operator=(const ControlWord&) = delete;
 
  private:
-#if defined(__SSE2__)
-  static constexpr unsigned ieee = 0x1f80, exception_flags = 0x3f;
-  unsigned host_;
-#else
-  std::fenv_t host_;
-#endif
+  processor::Control host_;
 };
 
 }  // namespace touchstone::robust::kernel

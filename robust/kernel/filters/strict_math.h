@@ -12,6 +12,11 @@
 #error "touchstone/robust does not hold under -ffast-math, -Ofast or -ffinite-math-only"
 #endif
 
+// x87 rounds a double to 64 bits, and again when it is stored.
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error "touchstone/robust does not hold in x87 arithmetic: -msse2 -mfpmath=sse"
+#endif
+
 // -funsafe-math-optimizations does the same by -fassociative-math, and changes divisions by -freciprocal-math. g++
 // defines macros for these from version 12 on; clang does not: there only this comment and the README can warn.
 // (-fno-signed-zeros, which is part of it, and -fno-trapping-math are fine: signs are read from bits.)

@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Builds the program for other processors and compares what it prints under an emulator: platforms.py [NAME...]
+
+A NAME is a preset that inherits `platform`; without one, all are built. The libraries of that processor are Debian's, unpacked
+below build/libraries; nothing is installed. Each check runs under the emulator and on this machine; the outputs have to be
+the same, byte for byte. A platform is skipped where its compiler, emulator or libraries are missing.
+
+  --ask NAME    the checks of one platform that is already built, as a test: 77 if it is not
+"""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"
+LIBRARIES = ["libgmp-dev", "libmpfr-dev", "libpng-dev", "zlib1g-dev", "libexpat1-dev", "libfmt-dev"]
+OF_TESTS = ["catch2", "librapidcheck-dev"]  # without them the tests are left out
+HEADERS = ["nlohmann-json3-dev", "libcli11-dev"]  # of every architecture
+# What is asked of the program.
+CHECKS = {
+    "vectors": ["vectors", "check", "build/vectors_share", "--ops", "{operations}"],
+    "soak": ["soak", "all", "--cases", "{cases}", "--json", "-"],
+    "exhaust": ["exhaust", "segment_segment,triangle_triangle", "--grid", "2", "--decisions", "--json", "-"],
+}
+
+
+def platforms():
+    """Name, triple and folder of libraries of each."""
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
+    return {p["name"]: (p["cacheVariables"]["TOUCHSTONE_TRIPLE"],
+                        pathlib.Path(p["cacheVariables"]["TOUCHSTONE_LIBRARIES"].replace("${sourceDir}", str(ROOT))))
+            for p in presets if p.get("inherits") == "platform"}
+
+
+def emulator_of(triple):
+    """The command; its C library is that of the compiler."""
+    processor = triple.split("-")[0]
+    return ["qemu-" + {"i686": "i386"}.get(processor, processor), "-L", f"/usr/{triple}"]
+
+
+def unpack_libraries(folder):
+    """Why they are missing; empty if they are there."""
+    if (folder / "complete").exists():
+        return ""
+    lists = folder.parent / f"{folder.name}_lists"
+    for each in (folder, lists / "partial", lists / "cache/archives/partial"):
+        each.mkdir(parents=True, exist_ok=True)
+    apt = ["apt-get", "-qq", "-o", f"Dir::State::Lists={lists}", "-o", f"Dir::Cache={lists}/cache",
+           "-o", f"APT::Architectures::={folder.name}", "-o", "Acquire::Retries=3"]
+    if os.geteuid() == 0:
+        apt += ["-o", "APT::Sandbox::User=root"]
+
+    def download(names):
+        return subprocess.run([*apt, "download", *names], cwd=folder, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL).returncode == 0
+
+    subprocess.run([*apt, "update"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    if not download([f"{name}:{folder.name}" for name in LIBRARIES] + HEADERS):
+        return f"no libraries of {folder.name} in this release"
+    for name in OF_TESTS:
+        download([f"{name}:{folder.name}"])
+    # The configuration of {fmt} wants the shared library to be there too.
+    wanted = subprocess.run(["dpkg-deb", "-f", *folder.glob("libfmt-dev_*.deb"), "Depends"], stdout=subprocess.PIPE,
+                            text=True, check=True).stdout
+    download([f"{wanted.split()[0]}:{folder.name}"])
+    for package in folder.glob("*.deb"):
+        subprocess.run(["dpkg-deb", "-x", package, folder], check=True)
+    (folder / "complete").touch()
+    return ""
+
+
+def build(name, triple, libraries, jobs):
+    """Why it is skipped; empty if it is built."""
+    for program in (f"{triple}-g++", emulator_of(triple)[0]):
+        if shutil.which(program) is None:
+            return f"no {program}"
+    if missing := unpack_libraries(libraries):
+        return missing
+    subprocess.run(["cmake", "--preset", name], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", BUILD / name, "-j", str(jobs), "--target", "touchstone"], check=True)
+    return ""
+
+
+def share_of_vectors(share):
+    """Writes every share-th vector of each operation; the operations."""
+    to = BUILD / "vectors_share"
+    shutil.rmtree(to, ignore_errors=True)
+    to.mkdir(parents=True)
+    shutil.copytree(ROOT / "vectors/meshes", to / "meshes")
+    files = sorted((ROOT / "vectors").glob("*.jsonl"))
+    for file in files:
+        lines = file.read_text(encoding="utf-8").splitlines(keepends=True)
+        (to / file.name).write_text("".join(lines[::share]), encoding="utf-8")
+    return ",".join(file.stem for file in files)
+
+
+def printed(command):
+    run = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    return f"exit {run.returncode}\n{run.stdout}{run.stderr if run.returncode else ''}"
+
+
+def shown(text):
+    """A hash of what a run says of each operation."""
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def ask(name, triple, native, given, operations):
+    """Prints a row of the table; whether all is the same as here."""
+    row, same, began = [name, f"{triple}-g++", emulator_of(triple)[0]], True, time.time()
+    for check, arguments in CHECKS.items():
+        arguments = [part.format(cases=given.cases, operations=operations) for part in arguments]
+        if check not in native:
+            native[check] = printed([BUILD / "release/touchstone", *arguments])
+        here = printed([*emulator_of(triple), BUILD / name / "touchstone", *arguments])
+        row.append(shown(here) + ("" if here == native[check] else " differs"))
+        if here != native[check] or not here.startswith("exit 0\n"):
+            same = False
+            (BUILD / name / f"{check}.txt").write_text(here, encoding="utf-8")
+            (BUILD / name / f"{check}.native.txt").write_text(native[check], encoding="utf-8")
+            print(f"{name}: compare build/{name}/{check}.txt with {check}.native.txt", file=sys.stderr)
+    print("| " + " | ".join([*row, f"{time.time() - began:.0f} s"]) + " |", flush=True)
+    return same
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("names", nargs="*", metavar="NAME")
+    options.add_argument("--ask", action="store_true")
+    options.add_argument("--jobs", type=int, default=os.cpu_count())
+    options.add_argument("--cases", type=int, default=200, help="questions of each operation in the soak")
+    options.add_argument("--share", type=int, default=16, help="every SHARE-th vector is checked")
+    given = options.parse_args()
+    known, native, right = platforms(), {}, True
+    for name in given.names:
+        if name not in known:
+            sys.exit(f"platforms: {name} is none of {', '.join(known)}")
+    names = given.names or list(known)
+    if given.ask and not all((BUILD / name / "touchstone").exists() for name in names):
+        print(f"skipped: ./dev platforms {' '.join(names)} builds it")
+        sys.exit(77)
+    operations = share_of_vectors(given.share)
+    print("| platform | compiler | emulator | " + " | ".join(CHECKS) + " | time |\n|---|---|---|" + "---|" * (len(CHECKS) + 1))
+    for name in names:
+        triple, libraries = known[name]
+        skipped = "" if given.ask else build(name, triple, libraries, given.jobs)
+        if skipped:
+            print(f"| {name} | skipped: {skipped} |", flush=True)
+        else:
+            right &= ask(name, triple, native, given, operations)
+    sys.exit(0 if right else 1)
+
+
+if __name__ == "__main__":
+    main()

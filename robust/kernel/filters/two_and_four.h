@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// Vectors of 16 bytes, whose arithmetic the compiler knows for every processor.
+namespace touchstone::robust::kernel::processor {
+
+__extension__ typedef double TwoNumbers __attribute__((vector_size(16)));
+__extension__ typedef long long TwoBits __attribute__((vector_size(16)));
+__extension__ typedef int FourIntegers __attribute__((vector_size(16)));
+__extension__ typedef float FourFloats __attribute__((vector_size(16)));
+
+}  // namespace touchstone::robust::kernel::processor
