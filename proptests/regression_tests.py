@@ -173,7 +173,7 @@ def in_rust(value):
 
 
 def run_rust(rustc, text, folder):
-    """How many tests pass, and of those that fail the messages."""
+    """The number of tests that pass, and the messages of those that fail."""
     source, program = folder / "tests.rs", folder / "tests"
     source.write_text(STAND_IN + text)
     subprocess.run([rustc, "--edition", "2021", "--test", "-C", "debuginfo=0", "-o", program, source], check=True)

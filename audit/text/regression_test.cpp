@@ -32,7 +32,7 @@ std::string literal(const Json& value, const Literals& literals) {
     return digits == "-inf" ? literals.minus_infinity : digits;
   }
   if (!value.is_structured()) return one_line(value);
-  // Of a longer list the macro json! would recurse beyond the compiler's limit.
+  // On a longer list the macro json! recurses beyond the compiler's limit.
   const bool vector = literals.rust && value.is_array() && value.flatten().size() > 24;
   std::string parts;
   for (const auto& [name, part] : value.items()) {

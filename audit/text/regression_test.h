@@ -10,7 +10,7 @@
 
 namespace touchstone::audit {
 
-/// Of rust the tests are those of cargo, with serde_json.
+/// The tests in rust are for cargo, with serde_json.
 inline constexpr std::array<const char*, 5> test_frameworks{"catch2", "gtest", "pytest", "jest", "rust"};
 
 /// The name of a file of tests: "test_catch2.cpp", "test_pytest.py".

@@ -191,7 +191,7 @@ std::size_t typed_place(const std::string& text, std::size_t marked_place) {
   return low;
 }
 
-/// Where and why a text is not JSON.
+/// The first place at which a text is not JSON, and what stands there.
 struct Refusal {
   std::size_t line;
   std::string place;  ///< "line 3, column 21", both from 1; a column is a byte
