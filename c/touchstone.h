@@ -70,8 +70,8 @@ int touchstone_replay(const char* operation, const char* family, const uint8_t* 
  * stay as they were typed. */
 int touchstone_read(const char* operation, const char* text, char** result, touchstone_error* error);
 
-/* The file that `touchstone ask --as` prints: a regression test of the question for "catch2", "gtest", "pytest" or
- * "jest". */
+/* The file that `touchstone ask --as` prints: a regression test of the question for "catch2", "gtest", "pytest",
+ * "jest" or "rust". */
 int touchstone_regression_test(const char* operation, const char* question, const char* framework, char** result,
                                touchstone_error* error);
 

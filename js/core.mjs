@@ -132,7 +132,7 @@ export class Answers {
   read(operation, text) {
     return this.#calls.text("read", operation, text);
   }
-  /** A regression test of a question, as a file for "catch2", "gtest", "pytest" or "jest". */
+  /** A regression test of a question, as a file for "catch2", "gtest", "pytest", "jest" or "rust". */
   regressionTest(operation, question, framework = "jest") {
     return this.#calls.text("regression_test", operation, textOf(question), framework);
   }

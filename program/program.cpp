@@ -51,9 +51,7 @@ void add_ask(CLI::App& program, Action& action) {
                                      "Also print the truth for the decimals as typed, before rounding to double");
   auto* truth = command->add_flag("--truth", options->truth,
                                   "Print only the truth and its margin: no certificate, no robust, no reference");
-  command
-      ->add_option("--as", options->as,
-                   "Print regression tests of your own code instead: catch2, gtest, pytest or jest")
+  command->add_option("--as", options->as, "Print regression tests of your own code instead")
       ->check(CLI::IsMember(std::vector<std::string>(test_frameworks.begin(), test_frameworks.end())))
       ->excludes(as_typed)
       ->excludes(truth)

@@ -44,16 +44,24 @@ def pasted_json(reader):
 def pasted_line_of_a_report(reader):
     table = reader.told("audit", "--ops", "orientation", "--cases", "200", "--jobs", "1")
     line = next(line for line in table.splitlines() if line.lstrip().startswith("repeat"))
-    for text in (line, '{"op":"orientation","input":' + COLLINEAR + ',"answer":{"side":"on"}}'):
+    answered = '{"op":"orientation","input":' + COLLINEAR + ',"answer":{"side":"on"}}'
+    for text in (line, answered):
         reader.open("#op=ray_sphere")
         reader.paste(text)
-        reader.answered("orientation", text[text.index('{"p0"'):text.index("]}") + 2])
+        wanted = reader.answered("orientation", text[text.index('{"p0"'):text.index("]}") + 2])
+    given = "document.querySelector('[data-part=given] .badge')?.textContent"
+    assert reader.run(given) == "rounding", reader.text("#answers")
+    reader.paste(answered.replace("on\"}}", wanted["truth"]["side"] + "\"}}"))
+    assert reader.run(given) == "agree", reader.text("#answers")
+    reader.click("[data-path='[\"p\",0]'][data-ulps='1']")
+    assert reader.run(given) is None, "an answer is not that of another question"
 
 
 def pasted_geometries(reader):
-    reader.open("#op=segment_segment")
-    reader.paste("LINESTRING (0 0, 2 0); LINESTRING (1 0, 0.10 3)")
-    reader.answered("segment_segment", '{"a":[[0,0],[2,0]],"b":[[1,0],[0.1,3]]}')
+    for between in ("; ", "\n", "\n  \n"):
+        reader.open("#op=segment_segment")
+        reader.paste(f"LINESTRING (0 0, 2 0){between}LINESTRING (1 0, 0.10 3)")
+        reader.answered("segment_segment", '{"a":[[0,0],[2,0]],"b":[[1,0],[0.1,3]]}')
     reader.open("#op=point_in_polygon")
     reader.paste('{"type":"GeometryCollection","geometries":[{"type":"Polygon","coordinates":[[[0,0],[4,0],[0,4],[0,0]]]},'
                  '{"type":"Point","coordinates":[1,1]}]}')
@@ -66,8 +74,9 @@ def pasted_geometries(reader):
 
 def what_is_wrong_is_said(reader):
     reader.open("#op=orientation")
-    reader.paste("{")
-    assert reader.text("#text-says")
+    for text, why in (("{", "not JSON: the text ends in column 2"), ("p: 1 2", "this is no JSON, WKT, GeoJSON or OBJ")):
+        reader.paste(text)
+        assert reader.text("#text-says") == why, reader.text("#text-says")
     reader.paste('{"p0":[0,0],"p1":[1,1],"p":[1]}')
     assert "p: " in reader.text("[data-part=refused]"), reader.text("#answers")
     reader.paste(COLLINEAR)
@@ -87,6 +96,8 @@ def dragged_in_the_plane(reader):
     now = json.loads(reader.text())
     assert now["a"] == [[0, 0], [2, 0]] and now["b"][0] == [1, 0] and now["b"][1][1] > 0.1, now
     reader.answered("segment_segment")
+    reader.click("#undo")  # of the drag, which moved it eight times
+    reader.answered("segment_segment", OVERLAP)
     reader.run("document.querySelector('#snap').value = '-1'")
     reader.drag("a[0]", -33, 21)
     assert all(x == round(x, 1) for x in json.loads(reader.text())["a"][0]), reader.text()
@@ -147,6 +158,12 @@ def picked_by_a_word(reader):
     reader.run("document.querySelector('#picker li:not([hidden]) button').click()")
     reader.settle()
     reader.answered("ray_sphere")
+    # Enter takes the operation of that name, before others that have these words.
+    reader.press("/", 191)
+    reader.type("#picker input", "point in obb")
+    assert reader.run("document.querySelector('#picker li:not([hidden])').dataset.name") != "point_in_obb"
+    reader.press("Enter", 13)
+    reader.answered("point_in_obb")
     reader.click("#pick")
     pictures = "document.querySelectorAll('#picker .thumbnail').length"
     assert reader.until(f"{pictures} > 60 && {pictures}"), reader.run(pictures)
@@ -216,7 +233,9 @@ def the_link_holds_all(reader):
 def regression_tests(reader):
     reader.ask("segment_segment", OVERLAP)
     reader.click("#test summary")
-    for framework in ("catch2", "gtest", "pytest", "jest"):
+    frameworks = reader.run("[...document.querySelector('#framework').options].map(one => one.value)")
+    assert len(frameworks) == 5, frameworks
+    for framework in frameworks:
         wanted = reader.told("ask", "segment_segment", "--as", framework, text=OVERLAP)
         reader.run(f"document.querySelector('#framework').value = '{framework}', "
                    "document.querySelector('#framework').dispatchEvent(new Event('change'))")

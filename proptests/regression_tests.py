@@ -4,8 +4,9 @@
 
 --catch2 FILE writes the tests for Catch2 into a file, of some vectors of every operation, with robust in the place of the
 user's functions: cmake/proptests.cmake builds and runs it, but for the operations of which many answers are right; these
-are tagged. --run runs those for pytest and Jest, without these frameworks,
-against the `rounded` of the vectors, and holds those for GoogleTest against those for Catch2, which are compiled.
+are tagged. --run runs those for pytest, Jest and Rust, without these frameworks,
+against the `rounded` of the vectors, and holds those for GoogleTest against those for Catch2, which are compiled. It also
+holds every list of the frameworks against that of the program.
 """
 import argparse
 import json
@@ -130,6 +131,99 @@ def check_jest(node, texts, all_vectors):
     assert len(wrong) == count, len(wrong)
 
 
+STAND_IN = """
+use std::collections::BTreeMap;
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value { Bool(bool), Number(f64), Text(String), List(Vec<Value>), Object(BTreeMap<String, Value>) }
+impl std::fmt::Display for Value {
+    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result { write!(to, "{self:?}") }
+}
+impl From<bool> for Value { fn from(value: bool) -> Self { Value::Bool(value) } }
+impl From<f64> for Value { fn from(value: f64) -> Self { Value::Number(value) } }
+impl From<i64> for Value { fn from(value: i64) -> Self { Value::Number(value as f64) } }
+impl From<&str> for Value { fn from(value: &str) -> Self { Value::Text(value.to_string()) } }
+impl From<Vec<Value>> for Value { fn from(value: Vec<Value>) -> Self { Value::List(value) } }
+macro_rules! json {
+    (@fields $to:ident) => {};
+    (@fields $to:ident $name:literal: {$($in:tt)*} $(, $($rest:tt)*)?) =>
+        { $to.insert($name.to_string(), json!({$($in)*})); $(json!(@fields $to $($rest)*);)? };
+    (@fields $to:ident $name:literal: [$($in:tt)*] $(, $($rest:tt)*)?) =>
+        { $to.insert($name.to_string(), json!([$($in)*])); $(json!(@fields $to $($rest)*);)? };
+    (@fields $to:ident $name:literal: $value:expr $(, $($rest:tt)*)?) =>
+        { $to.insert($name.to_string(), json!($value)); $(json!(@fields $to $($rest)*);)? };
+    (@parts $to:ident) => {};
+    (@parts $to:ident {$($in:tt)*} $(, $($rest:tt)*)?) => { $to.push(json!({$($in)*})); $(json!(@parts $to $($rest)*);)? };
+    (@parts $to:ident [$($in:tt)*] $(, $($rest:tt)*)?) => { $to.push(json!([$($in)*])); $(json!(@parts $to $($rest)*);)? };
+    (@parts $to:ident $value:expr $(, $($rest:tt)*)?) => { $to.push(json!($value)); $(json!(@parts $to $($rest)*);)? };
+    ({$($in:tt)*}) => {{ #[allow(unused_mut)] let mut to = BTreeMap::new(); json!(@fields to $($in)*); Value::Object(to) }};
+    ([$($in:tt)*]) => {{ #[allow(unused_mut)] let mut to: Vec<Value> = vec![]; json!(@parts to $($in)*); Value::List(to) }};
+    ($value:expr) => { Value::from($value) };
+}
+"""
+
+
+def in_rust(value):
+    """For the stand-in, whatever its length."""
+    if isinstance(value, dict):
+        return "json!({" + ", ".join(f"{json.dumps(name)}: {in_rust(part)}" for name, part in value.items()) + "})"
+    if isinstance(value, list):
+        return "Value::List(vec![" + ", ".join(map(in_rust, value)) + "])"
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return f"Value::Number({float(value)!r})" if is_number else f"json!({json.dumps(value)})"
+
+
+def run_rust(rustc, text, folder):
+    """The number of tests that pass, and the messages of those that fail."""
+    source, program = folder / "tests.rs", folder / "tests"
+    source.write_text(STAND_IN + text)
+    subprocess.run([rustc, "--edition", "2021", "--test", "-C", "debuginfo=0", "-o", program, source], check=True)
+    said = subprocess.run([program, "--test-threads", "1"], capture_output=True, text=True, check=False).stdout
+    return int(re.search(r"(\d+) passed", said)[1]), re.findall(r"panicked at .*\n(.*)", said)
+
+
+def check_rust(rustc, texts, all_vectors):
+    """A third of the operations: the compiler takes its time."""
+    names = sorted(texts)[::3]
+    count = sum(len(all_vectors[name]) for name in names)
+    prelude = "use serde_json::{json, Value};\n"
+    assert all(text.count(prelude) == 1 for text in texts.values())
+    printed_tests = "".join(texts[name].replace(prelude, "") for name in names)
+    right = printed_tests
+    for name in names:
+        answers = "".join(f"    if *question == {in_rust(vector['input'])} {{ return {in_rust(vector['rounded'])}; }}\n"
+                          for vector in all_vectors[name])
+        right, replaced = re.subn(rf'(fn my_{name}\(.*\) -> Value {{\n)(    panic!\(".*)\n',
+                                  lambda match, answers=answers: match[1] + answers + match[2] + "\n", right)
+        assert replaced == 1, name
+    with tempfile.TemporaryDirectory() as folder:
+        stubs = run_rust(rustc, printed_tests, pathlib.Path(folder))
+        assert stubs[0] == 0 and len(stubs[1]) == count, stubs
+        assert all(message.startswith("call your implementation here: ") for message in stubs[1]), stubs[1][:3]
+        assert run_rust(rustc, right, pathlib.Path(folder)) == (count, [])
+        # Each answer is another one's.
+        wrong = re.sub(r"return (.*); }", r'return json!({"other": \1}); }', right)
+        passed, messages = run_rust(rustc, wrong, pathlib.Path(folder))
+        assert passed == 0 and all("left == right" in message for message in messages), (passed, messages[:3])
+
+
+def check_lists(program):
+    """The frameworks that the pages, the types and the interfaces list are the program's."""
+    said = subprocess.run([program, "ask", "--help"], check=True, capture_output=True, text=True).stdout
+    wanted = re.search(r"--as TEXT:{([a-z0-9,]+)}", said)[1].split(",")
+    root = VECTORS.parent
+    for file, before, after in (("js/page/index.html", 'id="framework">', "</select>"),
+                                ("js/index.d.ts.in", "type TestFramework =", ";"),
+                                ("js/core.mjs", "A regression test of a question, as a file for", "."),
+                                ("js/README.md", "`regressionTest(op, question, framework)`", "\n"),
+                                ("c/touchstone.h", "a regression test of the question for", "."),
+                                ("docs/testing.md", "`touchstone ask OP --as", ":"),
+                                ("docs/testing.md", "With `--as", "that command")):
+        listed = (root / file).read_text().split(before)[1].split(after)[0]
+        found = [word for word in re.findall(r"[a-z0-9]+", listed.split("| a test")[-1]) if word in {*wanted}]
+        found = list(dict.fromkeys(found))
+        assert found == wanted, (file, before, found, wanted)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", required=True)
@@ -155,8 +249,13 @@ def main():
     node = shutil.which("node")
     if node:
         check_jest(node, of_framework("jest"), all_vectors)
+    rustc = shutil.which("rustc")
+    if rustc:
+        check_rust(rustc, of_framework("rust"), all_vectors)
+    check_lists(arguments.program)
     tried = sum(len(vectors) for vectors in all_vectors.values())
-    print(f"{tried} questions of {len(operations)} operations" + ("" if node else "; no node, so Jest's were not run"))
+    print(f"{tried} questions of {len(operations)} operations" + ("" if node else "; no node, so Jest's were not run") +
+          ("" if rustc else "; no rustc, so Rust's were not run"))
 
 
 if __name__ == "__main__":

@@ -7,11 +7,13 @@
 namespace touchstone::audit {
 namespace {
 
-/// The literals that differ from JSON in Python or JavaScript.
+/// The literals that differ from JSON in Python, JavaScript or serde_json.
 struct Literals {
-  const char *yes, *no, *infinity;
+  const char *yes, *no, *infinity, *minus_infinity;
+  bool rust = false;
 };
-constexpr Literals python{"True", "False", "float(\"inf\")"}, javascript{"true", "false", "Infinity"};
+constexpr Literals python{"True", "False", "float(\"inf\")", "-float(\"inf\")"},
+    javascript{"true", "false", "Infinity", "-Infinity"}, rust{"true", "false", "\"inf\"", "\"-inf\"", true};
 
 /// Precedes a number's digits; no enumerator begins with it.
 constexpr char number_mark = '#';
@@ -27,15 +29,19 @@ std::string literal(const Json& value, const Literals& literals) {
   if (value.is_string() && value.get<std::string>().starts_with(number_mark)) {
     const std::string digits = value.get<std::string>().substr(1);
     if (digits == "inf") return literals.infinity;
-    return digits == "-inf" ? std::string("-") + literals.infinity : digits;
+    return digits == "-inf" ? literals.minus_infinity : digits;
   }
   if (!value.is_structured()) return one_line(value);
+  // On a longer list the macro json! recurses beyond the compiler's limit.
+  const bool vector = literals.rust && value.is_array() && value.flatten().size() > 24;
   std::string parts;
   for (const auto& [name, part] : value.items()) {
     parts += parts.empty() ? "" : ", ";
     if (value.is_object()) parts += "\"" + name + "\": ";
-    parts += literal(part, literals);
+    const std::string text = literal(part, literals);
+    parts += vector ? "json!(" + text + ")" : text;
   }
+  if (vector) return "vec![" + parts + "]";
   return value.is_object() ? "{" + parts + "}" : "[" + parts + "]";
 }
 
@@ -102,7 +108,11 @@ constexpr const char* to_be_written = "call your implementation here";
 }  // namespace
 
 std::string test_file(const std::string& framework) {
-  return "test_" + framework + (framework == "pytest" ? ".py" : framework == "jest" ? ".test.js" : ".cpp");
+  const char* const ending = framework == "pytest" ? ".py"
+                             : framework == "jest" ? ".test.js"
+                             : framework == "rust" ? ".rs"
+                                                   : ".cpp";
+  return "test_" + framework + ending;
 }
 
 std::string RegressionTests::next(const Examination& examination, const Json& engine) {
@@ -110,7 +120,7 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
   const std::string name = operation.name() + "_" + std::to_string(++count_), mine = "my_" + operation.name();
   const auto once = [this](const std::string& text) { return printed_.insert(text).second ? text : std::string(); };
   const bool pytest = framework_ == "pytest";
-  if (!pytest && framework_ != "jest") {
+  if (framework_ == "catch2" || framework_ == "gtest") {
     const bool catch2 = framework_ == "catch2";
     const InCpp cpp = in_cpp(operation, examination.question(), right_answer(examination));
     std::string text =
@@ -127,7 +137,8 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
     return text + "  " + (catch2 ? "CHECK" : "EXPECT_TRUE") +
            "(catalogue::packed(answer) == catalogue::packed(expected));\n}\n";
   }
-  const Literals& literals = pytest ? python : javascript;
+  const bool in_rust = framework_ == "rust";
+  const Literals& literals = pytest ? python : in_rust ? rust : javascript;
   const Json input = json_of<double>(operation.question_shape(), examination.question(), marked);
   Json expected = json_of<double>(operation.answer_shape(), right_answer(examination), marked);
   const std::string bare = operation.metadata().answer;
@@ -135,6 +146,15 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
   // An engine that answers true or false is tested for that.
   const auto plainly = yes_or_no(operation.answer_shape(), right_answer(examination).words);
   if (plainly && engine.is_object() && engine["answer"].is_boolean()) expected = *plainly;
+  if (in_rust) {
+    std::string text = once("use serde_json::{json, Value};\n");
+    text +=
+        once("\nfn " + mine + "(question: &Value) -> Value {\n    panic!(\"" + to_be_written + ": {question}\")\n}\n");
+    text += "\n" + comments(examination, engine, "//") + "#[test]\nfn " + name + "() {\n";
+    text += "    let question = json!(" + literal(input, literals) + ");\n";
+    text += "    let expected = json!(" + literal(expected, literals) + ");\n";
+    return text + "    assert_eq!(" + mine + "(&question), expected);\n}\n";
+  }
   const std::string fields = parameters(operation, pytest);
   if (pytest) {
     std::string text =

@@ -10,7 +10,8 @@
 
 namespace touchstone::audit {
 
-inline constexpr std::array<const char*, 4> test_frameworks{"catch2", "gtest", "pytest", "jest"};
+/// The tests in rust are for cargo, with serde_json.
+inline constexpr std::array<const char*, 5> test_frameworks{"catch2", "gtest", "pytest", "jest", "rust"};
 
 /// The name of a file of tests: "test_catch2.cpp", "test_pytest.py".
 std::string test_file(const std::string& framework);

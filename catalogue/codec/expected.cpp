@@ -5,6 +5,7 @@
 
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/shape_json.h"
 
 namespace touchstone::catalogue {
 namespace {
@@ -60,7 +61,7 @@ Json example_of(const Shape& shape) {
     case Shape::Kind::number:
     case Shape::Kind::index: return 0;
     case Shape::Kind::flag: return false;
-    case Shape::Kind::word: return shape.words[0];
+    case Shape::Kind::word: return json_of(shape);
     case Shape::Kind::optional:
     case Shape::Kind::choice: return example_of(*shape.parts[0].shape);
     case Shape::Kind::list: return Json::array({example_of(*shape.parts[0].shape)});

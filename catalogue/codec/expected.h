@@ -19,7 +19,8 @@ std::string no_such_field(const std::string& key, const std::vector<const char*>
 /// The system's text for an error number, as the end of a sentence: "no such file or directory".
 std::string why_of(int error);
 
-/// An example of a shape: the first enumerator of each, 0 for numbers, one element in each list, nothing optional.
+/// An example of a shape: 0 for numbers, one element in each list, nothing optional; of an enumeration all enumerators,
+/// as "left | on | right".
 Json example_of(const Shape& shape);
 
 }  // namespace touchstone::catalogue

@@ -181,14 +181,6 @@ Json parsed(const std::string& text) {
   return builder.built();
 }
 
-Json parsed_line(const std::string& text) {
-  try {
-    return parsed(text);
-  } catch (const NoJson&) {
-    throw InvalidInput("line", "one JSON object");
-  }
-}
-
 /// The position in the typed text of a character of the marked text.
 std::size_t typed_place(const std::string& text, std::size_t marked_place) {
   std::size_t low = 0, high = text.size() + 1;  // this many characters, once marked, end before it; and do not
@@ -199,8 +191,14 @@ std::size_t typed_place(const std::string& text, std::size_t marked_place) {
   return low;
 }
 
-/// The error for a text that is not JSON from `place` on: what stands there, and where.
-InvalidInput no_json(const std::string& text, std::size_t place) {
+/// The first place at which a text is not JSON, and what stands there.
+struct Refusal {
+  std::size_t line;
+  std::string place;  ///< "line 3, column 21", both from 1; a column is a byte
+  std::string rule;
+};
+
+Refusal no_json(const std::string& text, std::size_t place) {
   const auto of_number = [&](std::size_t i) {
     return starts_number(text[i]) || std::isalnum(static_cast<unsigned char>(text[i])) != 0;
   };
@@ -210,22 +208,41 @@ InvalidInput no_json(const std::string& text, std::size_t place) {
                     column = place - (before == std::string::npos ? 0 : before + 1) + 1,
                     last = place == 0 ? std::string::npos : text.find_last_not_of(" \t\r\n", place - 1);
   const std::string found =
-      place < text.size() ? "unexpected \"" + excerpt(text.substr(place, 1), 1) + "\"" : "the text ends there";
+      place < text.size() ? "unexpected \"" + excerpt(text.substr(place, 1), 1) + "\"" : "the text ends";
   const bool comma = last != std::string::npos && text[last] == ',';
-  return {"line " + std::to_string(line) + ", column " + std::to_string(column),
-          "one JSON object; " + found + (comma ? " after a comma" : "")};
+  return {line, "line " + std::to_string(line) + ", column " + std::to_string(column),
+          "not JSON: " + found + (comma ? " after a comma" : "")};
+}
+
+InvalidInput no_json_in_line(const std::string& text, std::size_t place) {
+  const auto [line, at, rule] = no_json(text, place);
+  return {"line", rule + " in " + (line == 1 ? at.substr(std::strlen("line 1, ")) : at)};
 }
 
 }  // namespace
 
-Json parse_line(const std::string& text) { return parsed_line(with_marked_numbers(text)); }
-Json parse_own_line(const std::string& text) { return parsed_line(text); }
+Json parse_line(const std::string& text) {
+  try {
+    return parsed(with_marked_numbers(text));
+  } catch (const NoJson& from) {
+    throw no_json_in_line(text, typed_place(text, from.at));
+  }
+}
+
+Json parse_own_line(const std::string& text) {
+  try {
+    return parsed(text);
+  } catch (const NoJson& from) {
+    throw no_json_in_line(text, from.at);
+  }
+}
 
 Json parse_document(const std::string& text) {
   try {
     return parsed(with_marked_numbers(text));
   } catch (const NoJson& from) {
-    throw no_json(text, typed_place(text, from.at));
+    const Refusal refusal = no_json(text, typed_place(text, from.at));
+    throw InvalidInput(refusal.place, refusal.rule);
   }
 }
 

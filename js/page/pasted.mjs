@@ -92,7 +92,8 @@ export async function pasted(text, { current, tree, operations, read }) {
     }
   }
   if (failure.field !== "line") throw failure;
-  throw new Error(failure.rule === "one JSON object" ? "this is no JSON, WKT, GeoJSON or OBJ" : failure.rule);
+  const isNone = failure.rule.startsWith("not JSON") && !/^\s*[[{]/.test(text);
+  throw new Error(isNone ? "this is no JSON, WKT, GeoJSON or OBJ" : failure.rule);
 }
 
 /** The current operation, if the question has its form; otherwise the first of which it has the form. */

@@ -123,7 +123,10 @@ test("a worker answers the same, and takes engines by address", async () => {
   const [judged] = await worker.judge(`data:text/javascript,${encodeURIComponent(source)}`, "orientation", [question]);
   assert.equal(judged.verdict, "wrong");
   assert.equal((await worker.draw("orientation", { cases: 3 })).length, 3);
-  await worker.terminate();
+  const waiting = worker.ask("orientation", question);
+  worker.terminate();
+  await assert.rejects(waiting, /^Error: the worker was ended$/);
+  await assert.rejects(worker.ask("orientation", question), /^Error: the worker was ended$/);
 });
 
 test("fast-check: questions of families and raw ones, which shrink", async () => {
@@ -136,12 +139,17 @@ test("fast-check: questions of families and raw ones, which shrink", async () =>
   fc.assert(fc.property(raw("segment_segment"), (asked) => t.accepts("segment_segment", asked)), { numRuns: 100, seed: 1 });
 });
 
+const cli = join(process.cwd(), "node_modules", "touchstone", "cli.mjs");
+const folder = mkdtempSync(join(tmpdir(), "touchstone-"));
+const run = (given, input = "") => spawnSync(process.execPath, [cli, ...given], { encoding: "utf8", input });
+function engineFile(name, source) {
+  const file = join(folder, `${name}.mjs`);
+  writeFileSync(file, source);
+  return file;
+}
+
 test("the command has the table and the exit codes of the program", () => {
-  const cli = join(process.cwd(), "node_modules", "touchstone", "cli.mjs");
-  const folder = mkdtempSync(join(tmpdir(), "touchstone-"));
-  const engine = join(folder, "engine.mjs");
-  writeFileSync(engine, `export default { name: "left", orientation: () => "left" };\n`);
-  const run = (given, input = "") => spawnSync(process.execPath, [cli, ...given], { encoding: "utf8", input });
+  const engine = engineFile("left", `export default { name: "left", orientation: () => "left" };`);
   const audited = run(["audit", engine, "--cases", "50", "--json", join(folder, "tally.json")]);
   assert.equal(audited.status, 1, audited.stderr);
   assert.match(audited.stdout, /^touchstone audit of left/);
@@ -154,7 +162,24 @@ test("the command has the table and the exit codes of the program", () => {
   assert.equal(run(["audit", engine, "--case", "5"]).status, 2);
   const asked = run(["ask", "orientation"], JSON.stringify(question));
   assert.equal(asked.stdout.trim(), t.askText("orientation", question));
+  assert.equal(asked.status, 0);
   assert.equal(run(["certify"], asked.stdout).stdout, "proved\n");
   assert.equal(run(["ask", "orientation"], "{}").status, 2);
+  assert.match(run(["ask", "orientation"], "p0: 0 0\n").stdout, /not JSON: unexpected \\"p\\" in column 1/);
   assert.equal(run(["ask", "orientation", "--engine", engine], JSON.stringify(question)).status, 1);
+});
+
+test("the command prints -0, in questions and in a tally", () => {
+  const drawn = run(["draw", "orientation", "--cases", "40"]);
+  assert.match(drawn.stdout, /-0\.0/);
+  assert.deepEqual(drawn.stdout.trim().split("\n").map((line) => JSON.parse(line)), [...t.draw("orientation", { cases: 40 })]);
+  const engine = engineFile("wrong", `export const segment_segment = () => ({ relation: "none" });`);
+  const file = join(folder, "tally.json");
+  run(["audit", engine, "--families", "zero_length", "--cases", "20", "--json", file]);
+  assert.match(readFileSync(file, "utf8"), /-0\.0/);
+});
+
+test("an engine that settles no promise cannot be run", () => {
+  const audited = run(["audit", engineFile("silent", "export const orientation = () => new Promise(() => {});")]);
+  assert.deepEqual([audited.status, audited.stderr], [3, "touchstone: the engine has given a promise that is never settled\n"]);
 });

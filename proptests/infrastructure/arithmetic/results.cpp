@@ -190,6 +190,18 @@ mpq_class rational(DrawStream& draws) {
   }
 }
 
+/// A rational as near to another as a denominator of its own lets it be: the two products of the comparison are nearly
+/// equal, while the lengths of their factors often are not.
+mpq_class neighbour_of(const mpq_class& a, DrawStream& draws) {
+  const mpz_class below = abs(nonzero(draws, 12));
+  mpz_class above = a.get_num() * below;
+  mpz_fdiv_q(above.get_mpz_t(), above.get_mpz_t(), a.get_den_mpz_t());
+  above += small(draws, 1);
+  mpq_class q(above, below);
+  q.canonicalize();
+  return q;
+}
+
 /// digits and exponent of what is not 0
 void found_number(Found& found, const char* what, mpfr_srcptr x) {
   mpz_class digits;
@@ -265,7 +277,11 @@ Results rationals(std::uint64_t seed) {
   DrawStream draws = DrawStream::seeded(seed);
   Found found;
   mpq_class a = rational(draws), b = rational(draws);
-  if (draws.below(5) == 0) b = a + mpq_class(1, mpz_class(1) << draws.below(70));
+  switch (draws.below(5)) {
+    case 0: b = a + mpq_class(1, mpz_class(1) << draws.below(70)); break;
+    case 1: b = neighbour_of(a, draws); break;
+    default: break;
+  }
   if (sgn(b) == 0) b = 1;
   found.rational("a", a), found.rational("b", b);
   found.rational("sum", a + b), found.rational("difference", a - b), found.rational("product", a * b),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <ctime>
+#include <utility>
 
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/nearest_double.h"
@@ -152,9 +153,18 @@ TEST_CASE("lines: a key given twice and what is no JSON are refused") {
   CHECK(refused(R"({"a":1,"a":2})") == "a: given once");
   CHECK(refused(R"({"a":{"b":1,"c":[{"b":2}],"b":3}})") == "b: given once");
   CHECK(refused(R"([{"a":1},{"a":2}])") == "accepted");
-  for (const char* text : {"", "{", "[1,2", R"({"a":})", "{'a':1}", "nonsense", R"({"a":1} x)", R"({"a":1,})"}) {
+  const std::pair<const char*, const char*> all[]{{"", "the text ends in column 1"},
+                                                  {"{", "the text ends in column 2"},
+                                                  {"[1,2", "the text ends in column 5"},
+                                                  {R"({"a":})", R"(unexpected "}" in column 6)"},
+                                                  {"{'a':1}", R"(unexpected "'" in column 2)"},
+                                                  {"nonsense", R"(unexpected "n" in column 1)"},
+                                                  {R"({"a":1} x)", R"(unexpected "x" in column 9)"},
+                                                  {R"({"a":1,})", R"(unexpected "}" after a comma in column 8)"},
+                                                  {"{\n \"a\": 1.5 x}", R"(unexpected "x" in line 2, column 11)"}};
+  for (const auto& [text, why] : all) {
     INFO(text);
-    CHECK(refused(text) == "line: one JSON object");
+    CHECK(refused(text) == std::string("line: not JSON: ") + why);
   }
 }
 
@@ -188,7 +198,8 @@ TEST_CASE("lines: a list of objects is read in time that grows with its length a
 }
 
 TEST_CASE("lines: a zero byte ends no line") {
-  CHECK(refusal_of([] { parse_line(std::string("{\"a\":1}\0 nonsense", 17)); }) == "line: one JSON object");
+  CHECK(refusal_of([] { parse_line(std::string("{\"a\":1}\0 nonsense", 17)); }) ==
+        R"(line: not JSON: unexpected "\x00" in column 8)");
 }
 
 }  // namespace touchstone::proptests::numbers_tests
