@@ -2,7 +2,8 @@
 // The module against the test vectors and the program: node same.mjs PACKAGE VECTORS [--program TOUCHSTONE] [--share N]
 //
 // Of every N-th vector (1: all) truth, margin, certificate and rounded answer must be the vector's bytes, robust must
-// agree and the checker accept the claim, and refuse it with another truth where one answer alone is right. With the program, all lines of `ask` must be
+// agree and the checker accept the claim, and refuse it with another truth where one answer alone is right. With the
+// program, all lines of `ask` must be
 // its bytes but for what the textbook formula answers, and so must the questions that `draw` prints.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
