@@ -173,7 +173,7 @@ test("the command prints -0, in questions and in a tally", () => {
   const drawn = run(["draw", "orientation", "--cases", "40"]);
   assert.match(drawn.stdout, /-0\.0/);
   assert.deepEqual(drawn.stdout.trim().split("\n").map((line) => JSON.parse(line)), [...t.draw("orientation", { cases: 40 })]);
-  const engine = engineFile("wrong", `export const segment_segment = () => ({ relation: "none" });`);
+  const engine = engineFile("wrong", "export const segment_segment = () => ({ relation: 'point', ta: -0 });");
   const file = join(folder, "tally.json");
   run(["audit", engine, "--families", "zero_length", "--cases", "20", "--json", file]);
   assert.match(readFileSync(file, "utf8"), /-0\.0/);
