@@ -107,7 +107,7 @@ def printed(command):
 
 
 def shown(text):
-    """What a run printed: a few words, or the first digits of its SHA-256."""
+    """The output of a run where it is a few words, otherwise the first digits of its SHA-256."""
     output = text.partition("\n")[2]
     return output.strip() if len(output) < 40 else hashlib.sha256(output.encode()).hexdigest()[:16]
 
