@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "robust/kernel/filters/strict_math.h"
+
 /// Vectors of 16 bytes, whose arithmetic the compiler knows for every processor.
 namespace touchstone::robust::kernel::processor {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "robust/kernel/filters/strict_math.h"
+
 #include <arm_neon.h>
 
 #include "robust/batch/isa/lanes/bytes.h"
