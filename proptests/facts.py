@@ -138,6 +138,10 @@ def facts(operations):
     many, few = (constant("cmake/fuzz_targets.cmake", rf"set\(mutations ({n}\d*)\)") for n in (5, 1))
     of_users, of_gcc, of_clang = (fraction(name + r"=\$\{TOUCHSTONE_CASES:-([\d.]+)\}")
                                   for name in ("TOUCHSTONE_CASES", "asked", "of_clang"))
+    # A test preset's environment would win over what ./dev asks.
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["testPresets"]
+    if any("TOUCHSTONE_CASES" in one.get("environment", {}) for one in presets if one["name"] in ("release", "clang")):
+        sys.exit("CMakePresets.json: TOUCHSTONE_CASES of ./dev test full would not be asked")
     longest = constant("proptests/layout.py", r"^LONGEST = (\d+)")
     most_files = constant("proptests/floors.py", r"^MOST_FILES = (\d+)")
     checkers = [hundreds(lines_of(*of)) for of in (("oracle/certificates/*.cpp", "oracle/certificates/*.h"),
