@@ -392,7 +392,7 @@ def main():
         tables.keep(new, run)
     if options.guard:
         lines, found = guard.said(kept, new)
-        print("\n".join(["", *dict.fromkeys(f"kept: {table.measured}" for table in kept), *lines]))
+        print("\n".join(["", f"now: {circumstances(options.build)}", *dict.fromkeys(f"kept: {table.measured}" for table in kept), *lines]))
         sys.exit(1 if found else 0)
 
 
