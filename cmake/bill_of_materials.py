@@ -46,8 +46,7 @@ def bill(version, date, linked):
     # Debian names the compiler's runtime by its version: gcc-12.
     of = lambda name: LICENSES.get(re.sub(r"^gcc-\d+$", "gcc", name), NONE)
     place = lambda name: f"https://snapshot.debian.org/package/{name}/{urllib.parse.quote(linked[name])}/"
-    theirs = [package(name, linked[name], of(name), place(name))
-              for name in sorted(linked)]
+    theirs = [package(name, linked[name], of(name), place(name)) for name in sorted(linked)]
     relations = [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": ours["SPDXID"]}]
     relations += [{"spdxElementId": ours["SPDXID"], "relationshipType": "STATIC_LINK", "relatedSpdxElement": one["SPDXID"]}
                   for one in theirs]
