@@ -217,9 +217,10 @@ def check_lists(program):
                                 ("js/README.md", "`regressionTest(op, question, framework)`", "\n"),
                                 ("c/touchstone.h", "a regression test of the question for", "."),
                                 ("docs/testing.md", "`touchstone ask OP --as", ":"),
-                                ("docs/testing.md", "With `--as", "that command")):
-        listed = (root / file).read_text().split(before)[1].split(after)[0]
-        found = [word for word in re.findall(r"[a-z0-9]+", listed.split("| a test")[-1]) if word in {*wanted}]
+                                ("docs/testing.md", "With `--as", "that command"),
+                                ("docs/page.md", "question as `touchstone ask --as` does", ".")):
+        listed = (root / file).read_text().split(before)[1].split(after)[0].replace("GoogleTest", "gtest")
+        found = [word for word in re.findall(r"[a-z0-9]+", listed.split("| a test")[-1].lower()) if word in {*wanted}]
         found = list(dict.fromkeys(found))
         assert found == wanted, (file, before, found, wanted)
 

@@ -229,7 +229,7 @@ std::string vector_complaint(const std::string& text, const std::string& folder)
   try {
     const Examined examined{*operation, operation->parse_any(without_names(parse_line(text)["input"], folder))};
     std::string complaint = robust_complaint(line, examined);
-    if (complaint.empty()) complaint = certify::refuse_text(text, folder).value_or("");
+    if (complaint.empty() && line.contains("refused")) complaint = certify::refuse_text(text, folder).value_or("");
     return complaint.empty() ? other_complaint(line, examined) : complaint;
   } catch (const std::exception& thrown) {
     return thrown.what();
