@@ -20,6 +20,7 @@ foreach(chapter ${touchstone_chapters})
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${rows})
   touchstone_generate(in_order order ${rows})
   list(APPEND row_order ${in_order})
+  set(touchstone_rows_of_${chapter} ${in_order})
   set(includes "")
   set(operations "")
   foreach(row ${rows})
@@ -44,10 +45,11 @@ namespace touchstone::catalogue {
 ]])
   list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp)
 endforeach()
-list(JOIN row_order ";\nstruct " declared)
-list(JOIN row_order ",\n    rows::" row_order)
-list(JOIN signature_order ",\n    signatures::" signature_order)
-file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/declared.h @ONLY CONTENT [[
+# touchstone_declare_rows(folder rows...): declared.h in this folder, with these rows in this order.
+function(touchstone_declare_rows folder)
+  list(JOIN ARGN ";\nstruct " declared)
+  list(JOIN ARGN ",\n    rows::" in_order)
+  file(CONFIGURE OUTPUT ${folder}/catalogue/rows/declared.h @ONLY CONTENT [[
 // Made by cmake/rows.cmake from the names of the rows.
 #pragma once
 
@@ -59,10 +61,13 @@ struct @declared@;
 template <class... R>
 struct RowList;
 using Rows = RowList<
-    rows::@row_order@>;
+    rows::@in_order@>;
 
 }  // namespace touchstone::catalogue
 ]])
+endfunction()
+touchstone_declare_rows(${touchstone_generated} ${row_order})
+list(JOIN signature_order ",\n    signatures::" signature_order)
 file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/all.h @ONLY CONTENT [[
 // Made by cmake/rows.cmake from the rows.
 #pragma once

@@ -3,8 +3,8 @@
 //
 // Of every N-th vector (1: all) truth, margin, certificate and rounded answer must be the vector's bytes, robust must
 // agree and the checker accept the claim, and refuse it with another truth where one answer alone is right. With the
-// program, all lines of `ask` must be
-// its bytes but for what the textbook formula answers, and so must the questions that `draw` prints.
+// program, the operations must be its own, or those of some chapters, all lines of `ask` its bytes but for what the
+// textbook formula answers, and so must the questions that `draw` prints.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -46,9 +46,19 @@ function program(...given) {
 /** A line of `ask` without the formulas: those compute with the C library's sines. */
 const withoutFormula = (line) => line.replace(/,"reference.*$/, "");
 
+const listed = t.operations();
+if (values.program) {
+  const chapters = new Set(listed.map(({ chapter }) => chapter));
+  const wanted = JSON.parse(program("ops", "--json").join("")).filter(({ chapter }) => chapters.has(chapter));
+  const [here, there] = [listed, wanted].map((all) => all.map(({ name }) => name).join(" "));
+  if (here !== there) differs("operations", here, there);
+}
+const names = new Set(listed.map(({ name }) => name));
+
 const counted = { vectors: 0, refused: 0, lines: 0, formulas: 0, drawn: 0 };
 for (const file of readdirSync(vectors).filter((name) => name.endsWith(".jsonl")).sort()) {
   const name = file.slice(0, -".jsonl".length);
+  if (!names.has(name)) continue;
   const chosen = readFileSync(join(vectors, file), "utf8").split("\n").slice(0, -1).filter((_, i) => i % Number(values.share) === 0);
   const questions = [], asked = [];
   const isOneOfMany = t.operation(name).kind === "checked"; // another right answer has the same certificate
