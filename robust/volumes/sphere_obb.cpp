@@ -21,15 +21,15 @@ void validate_sphere_obb(const Sphere3d& sphere, const Obb3d& obb) {
 }  // namespace
 
 Perhaps<Contact> stages::sphere_obb::filter(const Sphere3d& sphere, const Obb3d& obb) {
-  using filters::moderate, filters::sized, filters::sized_between;
+  using filters::moderate;
   const auto& [u, v, w] = obb.half_axes;
   const Point3d &p = sphere.center, &c = obb.center;
   const double r = sphere.radius;
   if (kernel::sign_bit(r)) return std::nullopt;  // -0.0, or negative, which validation refuses
   if (!(moderate(p) & moderate(r) & moderate(c) & moderate(u) & moderate(v) & moderate(w))) return std::nullopt;
-  if (!filters::independent(sized(u), sized(v), sized(w))) return std::nullopt;  // perhaps not a valid box
-  const filters::Differences<3, 0, 1> differences{{sized(u), sized(v), sized(w)}, sized_between(c, p)};
-  return differences.contact(filters::Sized<0>{r, r});
+  if (!filters::independent(u, v, w)) return std::nullopt;  // perhaps not a valid box
+  const filters::Differences<3> differences{{u, v, w}, p - c};
+  return differences.contact(r);
 }
 
 /// No distance is less than the radius 0 of a point, so that its lack of an interior needs no special case.
