@@ -54,6 +54,10 @@ void add_balls_and_boxes(const Add& add) {
     const double r = small_integer(c), s = small_integer(c);
     return {{lattice_point_in_space(c, 20), up_to(c, 2)}, {{0, 0, 0}, {u, r * u + s * v, v}}};
   });
+  add("negative_radius", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box = lattice_obb(c);
+    return {{lattice_point_in_space(c, 6), -one_to(c, 3)}, box};
+  });
   add("near_root", [](DrawStream& c) -> BallAndBox {
     // Beyond an edge by (r, r), of which the root of 2 is no fraction.
     const auto [x, r] = near_root(c);

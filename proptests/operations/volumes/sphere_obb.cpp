@@ -92,6 +92,7 @@ TEST_CASE("sphere_obb: points, huge, subnormal and negative zero") {
 
 TEST_CASE("sphere_obb: numbers are refused first, then the radius, then the half axes") {
   const Obb3d flat{{0, 0, 0}, {{1, 1, 0}, {0, 1, 1}, {1, 2, 1}}};
+  refused<Row>({{{0, 0, 0}, -1}, cube}, "sphere.radius", "radius >= 0");
   refused<Row>({{{0, 0, 0}, -1}, flat}, "sphere.radius", "radius >= 0");
   refused<Row>({{{0, 0, 0}, 1}, flat}, "obb.half_axes", "linearly independent");
   refused<Row>({{{0, 0, 0}, -1}, {{infinity, 0, 0}, flat.half_axes}}, "obb.center[0]", "finite number");
