@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The checks of certify.py for nearest points, and of the contacts that follow from them, as in check_closest.cpp."""
 
+from itertools import product
+
 from certify_meshes import mesh, outward_planes
+from certify_obbs import at, greatest, obb
 from certify_reading import WRONG_KIND, exact_value, expect, number, only
 from certify_space import ball, box_holds, box_in_space, plane, triple, two_or_three
 from certify_surd import exact_surd, expect_kind_of_root, is_square
@@ -173,15 +176,47 @@ def check_convex_distance(claim):
 KINDS = {"disjoint": ("nearest_points",), "touching": ("tangent", "no_interior"), "overlapping": ("near_points",)}
 
 
-def capsule(value, what):
-    only(value, what, ["segment", "radius"])
-    segment, radius = hull(value["segment"], what + ".segment", 2, 3), number(value["radius"], what + ".radius")
-    expect(radius >= 0, what + ".radius: radius >= 0")
-    return segment, radius
+class Round:
+    """All that is no farther from a core than a radius. A core that counts as a solid by itself has none."""
+
+    def __init__(self, core, radii, box=None):
+        self.core, self.radii, self.box = core, radii, box
+
+    def at(self, claim, fact):
+        """The point of the core that a fact gives, by weights or coefficients."""
+        if self.box is None:
+            return weighted(claim, fact, self.core)
+        coefficients = claim.list(fact)
+        growth = greatest(coefficients, fact)
+        expect(growth <= 1, "certificate: the point is not in the box")
+        return at(self.box, coefficients)
 
 
-def expect_contact(claim, a, x, b, y, radii):
-    """The contact of two solids, or of a solid and a triangle, from points of what is inside of them."""
+def round_ball(claim, name):
+    center, radius = ball(claim.input[name], name)
+    return Round([center], [radius])
+
+
+def round_triangle(claim, name):
+    return Round(hull(claim.input[name], name, 3, 3), [])
+
+
+def round_capsule(claim, name):
+    value = claim.input[name]
+    only(value, name, ["segment", "radius"])
+    segment, radius = hull(value["segment"], name + ".segment", 2, 3), number(value["radius"], name + ".radius")
+    expect(radius >= 0, name + ".radius: radius >= 0")
+    return Round(segment, [radius])
+
+
+def round_box(claim, name):
+    box = obb(claim.input[name], name)
+    return Round([at(box, signs) for signs in product((-1, 1), repeat=3)], [], box)
+
+
+def expect_contact(claim, a, x, b, y):
+    """The contact of two round solids, or of one and a triangle, from points of their cores."""
+    radii = a.radii + b.radii
     kind, interiors = claim.kind(), all(radius > 0 for radius in radii)
     beyond = dot(minus(x, y), minus(x, y)) - sum(radii) ** 2
     if kind == "near_points":
@@ -189,35 +224,41 @@ def expect_contact(claim, a, x, b, y, radii):
     elif kind == "no_interior":
         expect(beyond <= 0 and not interiors, "certificate: the points do not touch, or there are interiors")
     else:
-        expect_nearest(a, x, y), expect_nearest(b, y, x)
+        expect_nearest(a.core, x, y), expect_nearest(b.core, y, x)
         held = beyond == 0 if kind == "tangent" else beyond > 0
         expect(held, "certificate: the distance proves another truth")
 
 
-def expect_kind_of_contact(claim):
+def check_contact(claim, a, b):
     claim.answers("contact")
     contact, kind = claim.word("contact"), claim.kind()
     expect(contact in KINDS, "truth: contact is wrong")
     expect(kind in KINDS[contact], WRONG_KIND)
+    if len(a.core) == 1:
+        fact = "weights" if b.box is None else "coefficients"
+        claim.facts(fact)
+        expect_contact(claim, a, a.core[0], b, b.at(claim, fact))
+    else:
+        claim.facts("on_a", "on_b")
+        x, y = a.at(claim, "on_a"), b.at(claim, "on_b")
+        expect_contact(claim, a, x, b, y)
 
 
 def check_sphere_triangle(claim):
     claim.inputs("sphere", "triangle")
-    (center, radius), corners = ball(claim.input["sphere"], "sphere"), hull(claim.input["triangle"], "triangle", 3, 3)
-    expect_kind_of_contact(claim), claim.facts("weights")
-    expect_contact(claim, corners, weighted(claim, "weights", corners), [center], center, [radius])
+    check_contact(claim, round_ball(claim, "sphere"), round_triangle(claim, "triangle"))
 
 
 def check_sphere_capsule(claim):
     claim.inputs("sphere", "capsule")
-    (center, r), (segment, s) = ball(claim.input["sphere"], "sphere"), capsule(claim.input["capsule"], "capsule")
-    expect_kind_of_contact(claim), claim.facts("weights")
-    expect_contact(claim, segment, weighted(claim, "weights", segment), [center], center, [r, s])
+    check_contact(claim, round_ball(claim, "sphere"), round_capsule(claim, "capsule"))
 
 
 def check_capsule_capsule(claim):
     claim.inputs("a", "b")
-    (a, r), (b, s) = capsule(claim.input["a"], "a"), capsule(claim.input["b"], "b")
-    expect_kind_of_contact(claim), claim.facts("on_a", "on_b")
-    x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
-    expect_contact(claim, a, x, b, y, [r, s])
+    check_contact(claim, round_capsule(claim, "a"), round_capsule(claim, "b"))
+
+
+def check_sphere_obb(claim):
+    claim.inputs("sphere", "obb")
+    check_contact(claim, round_ball(claim, "sphere"), round_box(claim, "obb"))

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "oracle/certificates/check_meshes.h"
+#include "oracle/certificates/check_obbs.h"
 #include "oracle/certificates/check_space.h"
 #include "oracle/certificates/check_surd.h"
 
@@ -195,24 +198,58 @@ void check_convex_distance(const Claim& claim) {
   expect_distance(claim, dot(x - y, x - y));
 }
 
-struct Capsule {
-  Hull segment;
-  Rational radius;
+/// A round convex solid: all that is no farther from its core than a radius. A core that counts as a solid by itself, a
+/// box, or a triangle that a ball meets, has none.
+struct Round {
+  Hull core;
+  std::vector<Rational> radii;
+  std::optional<Obb> box{};  ///< the core is its corners
+
+  /// The point of the core that a fact gives, by weights or coefficients.
+  Position at(const Claim& claim, const char* fact) const {
+    if (!box) return weighted(claim, fact, core);
+    const std::vector<Rational> coefficients = claim.list(fact);
+    expect(coefficients.size() == 3, std::string("certificate.") + fact + ": a list of three");
+    for (const Rational& each : coefficients) expect(abs(each) <= 1, "certificate: the point is not in the box");
+    const Triple p = box->at(coefficients);
+    return {p.x, p.y, p.z};
+  }
 };
-Capsule capsule(const json& value, const std::string& what) {
+
+Round round_ball(const Claim& claim, const char* name) {
+  const Ball solid = ball(claim.input[name], name);
+  return {{{solid.center.x, solid.center.y, solid.center.z}}, {solid.radius}};
+}
+Round round_triangle(const Claim& claim, const char* name) { return {hull(claim.input[name], name, 3, 3), {}}; }
+Round round_capsule(const Claim& claim, const char* name) {
+  const json& value = claim.input[name];
+  const std::string what = name;
   only(value, what, {"segment", "radius"});
   Hull segment = hull(value["segment"], what + ".segment", 2, 3);
   const Rational radius = number(value["radius"], what + ".radius");
   expect(sgn(radius) >= 0, what + ".radius: radius >= 0");
-  return {std::move(segment), radius};
+  return {std::move(segment), {radius}};
+}
+Round round_box(const Claim& claim, const char* name) {
+  const Obb box = obb(claim.input[name], name);
+  Hull corners;
+  for (const int r : {-1, 1})
+    for (const int s : {-1, 1})
+      for (const int t : {-1, 1}) {
+        const Triple p = box.at({r, s, t});
+        corners.push_back({p.x, p.y, p.z});
+      }
+  return {std::move(corners), {}, box};
 }
 
-/// Checks the contact of two solids, or of a solid and a triangle, from points x and y, whose weights the facts give:
-/// no part of one is nearer to the other than they are; and the sum of the radii.
-void expect_contact(const Claim& claim, const Hull& a, const Position& x, const Hull& b, const Position& y,
-                    const std::vector<Rational>& radii) {
+/// Checks the contact of two round convex solids, or of one and a triangle, from points x and y of the cores: no part
+/// of one core is nearer to the other than they are; and the sum of the radii. If a point of a box is nearer to the
+/// other core than that, points of its interior are.
+void expect_contact(const Claim& claim, const Round& a, const Position& x, const Round& b, const Position& y) {
   const std::string kind = claim.kind();
   const Rational square = dot(x - y, x - y);
+  std::vector<Rational> radii = a.radii;
+  radii.insert(radii.end(), b.radii.begin(), b.radii.end());
   Rational sum;
   for (const Rational& radius : radii) sum += radius;
   const int beyond = sgn(Rational(square - sum * sum));
@@ -222,13 +259,13 @@ void expect_contact(const Claim& claim, const Hull& a, const Position& x, const 
   } else if (kind == "no_interior") {
     expect(beyond <= 0 && !interiors, "certificate: the points do not touch, or there are interiors");
   } else {
-    expect_nearest(a, x, y), expect_nearest(b, y, x);
+    expect_nearest(a.core, x, y), expect_nearest(b.core, y, x);
     expect(kind == "tangent" ? beyond == 0 : beyond > 0, "certificate: the distance proves another truth");
   }
 }
 
-/// The kind must match the contact.
-void expect_kind_of_contact(const Claim& claim) {
+/// The kind must match the contact. A core that is a point needs no fact.
+void check_contact(const Claim& claim, const Round& a, const Round& b) {
   claim.answers({"contact"});
   const std::string contact = claim.word("contact"), kind = claim.kind();
   expect(contact == "disjoint" || contact == "touching" || contact == "overlapping", "truth: contact is wrong");
@@ -236,33 +273,38 @@ void expect_kind_of_contact(const Claim& claim) {
          : contact == "touching" ? kind == "tangent" || kind == "no_interior"
                                  : kind == "near_points",
          wrong_kind);
+  if (a.core.size() == 1) {
+    const char* const fact = b.box ? "coefficients" : "weights";
+    claim.facts({fact});
+    return expect_contact(claim, a, a.core[0], b, b.at(claim, fact));
+  }
+  claim.facts({"on_a", "on_b"});
+  const Position x = a.at(claim, "on_a"), y = b.at(claim, "on_b");
+  expect_contact(claim, a, x, b, y);
 }
 
 void check_sphere_triangle(const Claim& claim) {
   claim.inputs({"sphere", "triangle"});
-  const Ball sphere = ball(claim.input["sphere"], "sphere");
-  const Hull corners = hull(claim.input["triangle"], "triangle", 3, 3);
-  expect_kind_of_contact(claim), claim.facts({"weights"});
-  const Position center{sphere.center.x, sphere.center.y, sphere.center.z};
-  expect_contact(claim, corners, weighted(claim, "weights", corners), {center}, center, {sphere.radius});
+  const Round sphere = round_ball(claim, "sphere"), triangle = round_triangle(claim, "triangle");
+  check_contact(claim, sphere, triangle);
 }
 
 void check_sphere_capsule(const Claim& claim) {
   claim.inputs({"sphere", "capsule"});
-  const Ball sphere = ball(claim.input["sphere"], "sphere");
-  const Capsule other = capsule(claim.input["capsule"], "capsule");
-  expect_kind_of_contact(claim), claim.facts({"weights"});
-  const Position center{sphere.center.x, sphere.center.y, sphere.center.z};
-  expect_contact(claim, other.segment, weighted(claim, "weights", other.segment), {center}, center,
-                 {sphere.radius, other.radius});
+  const Round sphere = round_ball(claim, "sphere"), capsule = round_capsule(claim, "capsule");
+  check_contact(claim, sphere, capsule);
 }
 
 void check_capsule_capsule(const Claim& claim) {
   claim.inputs({"a", "b"});
-  const Capsule a = capsule(claim.input["a"], "a"), b = capsule(claim.input["b"], "b");
-  expect_kind_of_contact(claim), claim.facts({"on_a", "on_b"});
-  const Position x = weighted(claim, "on_a", a.segment), y = weighted(claim, "on_b", b.segment);
-  expect_contact(claim, a.segment, x, b.segment, y, {a.radius, b.radius});
+  const Round a = round_capsule(claim, "a"), b = round_capsule(claim, "b");
+  check_contact(claim, a, b);
+}
+
+void check_sphere_obb(const Claim& claim) {
+  claim.inputs({"sphere", "obb"});
+  const Round sphere = round_ball(claim, "sphere"), box = round_box(claim, "obb");
+  check_contact(claim, sphere, box);
 }
 
 }  // namespace
@@ -275,7 +317,8 @@ Checks checks_of_closest() {
           {"convex_distance", check_convex_distance},
           {"sphere_triangle", check_sphere_triangle},
           {"sphere_capsule", check_sphere_capsule},
-          {"capsule_capsule", check_capsule_capsule}};
+          {"capsule_capsule", check_capsule_capsule},
+          {"sphere_obb", check_sphere_obb}};
 }
 
 }  // namespace touchstone::certify

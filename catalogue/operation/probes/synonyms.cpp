@@ -7,7 +7,9 @@ const std::vector<Synonym>& synonyms() {
   static const std::vector<Synonym> table{
       {"aabb tree", {"bounding_volume_hierarchy", "broad_phase"}},
       {"area", {"polygon_convexity", "polygon_normal"}},
-      {"ball", {"sphere_sphere", "ray_sphere", "sphere_plane", "sphere_aabb", "sphere_triangle", "sphere_capsule"}},
+      {"ball",
+       {"sphere_sphere", "ray_sphere", "sphere_plane", "sphere_aabb", "sphere_obb", "sphere_triangle",
+        "sphere_capsule"}},
       {"boolean", {"polyhedron_polyhedron", "polygon_polygon"}},
       {"bounce", {"restitution_collision", "reflect_plane", "elastic_collision"}},
       {"bounding box", {"aabb_of_points", "obb_of_points"}},

@@ -10,11 +10,9 @@ Context {A : Type}.
 Notation T := (term A). Notation C := (cond A).
 
 Inductive gap_facts := nearest_points | tangent_points | without_interior | near_points.
-(** x and y are points of the hulls of a and b; [flat]: one of the two has no interior. *)
-Definition gap_proves (a : list (list A)) (x : list T) (b : list (list A)) (y : list T) (reach : T) (flat : C)
-    (w : contact) (facts : gap_facts) : C :=
-  let q := inner (difference x y) (difference x y) in
-  let near := none_nearer a x y /\ none_nearer b y x in
+(** [near]: points of two cores are the nearest, q being the square of their distance; [flat]: one of what is no farther
+    from the cores than radii, of the sum [reach], has no interior. *)
+Definition gap_decides (near : C) (q reach : T) (flat : C) (w : contact) (facts : gap_facts) : C :=
   match w, facts with
   | disjoint, nearest_points => near /\ reach * reach < q
   | touching, tangent_points => near /\ q = reach * reach
@@ -22,6 +20,11 @@ Definition gap_proves (a : list (list A)) (x : list T) (b : list (list A)) (y : 
   | overlapping, near_points => q < reach * reach /\ ~ flat
   | _, _ => No
   end.
+(** x and y are points of the hulls of a and b. *)
+Definition gap_proves (a : list (list A)) (x : list T) (b : list (list A)) (y : list T) (reach : T) (flat : C)
+    (w : contact) (facts : gap_facts) : C :=
+  let near := none_nearer a x y /\ none_nearer b y x in
+  gap_decides near (inner (difference x y) (difference x y)) reach flat w facts.
 
 (** [sphere_capsule] *)
 Definition check_sphere_capsule (c : list A) (r : A) (points : list (list A)) (s : A) (w : contact) (facts : gap_facts)

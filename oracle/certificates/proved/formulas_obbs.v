@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The formulas of oriented boxes. *)
 Require Import ZArith List Arith.
-From Certificates Require Import solids language formulas_vectors formulas_solids formulas_nearest.
+From Certificates Require Import solids language formulas_vectors formulas_solids formulas_nearest
+  formulas_capsules.
 Import ListNotations.
 Local Open Scope check_scope.
 
@@ -52,5 +53,13 @@ Definition check_obb_obb (ca : list A) (a : list (list A)) (cb : list A) (b : li
   | overlapping, common_inside u v => inside_one u /\ inside_one v /\ same_vector (placed ca a u) (placed cb b v)
   | _, _ => No
   end.
+
+(** [sphere_obb] *)
+Definition check_sphere_obb (c : list A) (r : A) (center : list A) (axes : list (list A)) (w : contact)
+    (facts : gap_facts) (u : list A) : C :=
+  let x := placed center axes u in let way := difference (leaves c) x in
+  let near := reach way axes <= inner way (difference x (leaves center)) in
+  of_length 3 c /\ zero <= Leaf r /\ right_box center axes /\ within_one u /\
+  gap_decides near (inner way way) (Leaf r) (Leaf r = zero) w facts.
 End checks.
 Arguments obb_facts : clear implicits. Arguments obbs_facts : clear implicits.

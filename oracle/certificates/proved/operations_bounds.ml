@@ -47,8 +47,6 @@ let bounding_sphere =
         | _ -> Numbers.refuse "method" "one of box, centroid, ritter, smallest")
     | _ -> assert false))
 
-let obb = two_members "center" "half_axes" in_space (fun axes -> List.map in_space (exactly 3 axes))
-
 let point_in_obb = operation "point_in_obb" [ "obb"; "point" ] "location" (function
   | [ solid; p ] ->
       let center, axes = obb solid in

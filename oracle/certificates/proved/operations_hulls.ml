@@ -69,6 +69,13 @@ let sphere_triangle = operation "sphere_triangle" [ "sphere"; "triangle" ] "cont
         check_sphere_triangle c r (hull 3 triangle) contact gap (exact_list (List.hd facts)))
   | _ -> assert false)
 
+let sphere_obb = operation "sphere_obb" [ "sphere"; "obb" ] "contact" (function
+  | [ sphere; solid ] ->
+      let (c, r), (center, axes) = (ball sphere, obb solid) in
+      contacts [ "coefficients" ] (fun contact gap facts ->
+        check_sphere_obb c r center axes contact gap (exact_list (List.hd facts)))
+  | _ -> assert false)
+
 let triangle_aabb = operation "triangle_aabb" [ "triangle"; "aabb" ] "contact" (function
   | [ triangle; aabb ] ->
       let low, high = two_members "min" "max" in_space in_space aabb in
@@ -89,4 +96,4 @@ let triangle_aabb = operation "triangle_aabb" [ "triangle"; "aabb" ] "contact" (
 
 let operations =
   [ closest_point_on_segment; closest_point_on_triangle; segment_segment_distance; sphere_capsule; capsule_capsule;
-    sphere_triangle; triangle_aabb ]
+    sphere_triangle; sphere_obb; triangle_aabb ]

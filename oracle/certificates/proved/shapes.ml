@@ -54,6 +54,7 @@ let two_members one other read_one read_other place = match members [ one; other
 let ray read = two_members "origin" "direction" read read
 let ball = two_members "center" "radius" given_coordinates given
 let box = two_members "min" "max" given_coordinates given_coordinates
+let obb = two_members "center" "half_axes" in_space (fun axes -> List.map in_space (exactly 3 axes))
 let plane = two_members "normal" "offset" in_space given
 
 (* Vectors of space as Coq's triples *)

@@ -167,7 +167,7 @@ Lemma gap_means : forall a x b y r s w facts, points_of (length a) 3 (map rl a) 
 Proof.
   intros a x b y r s w facts pa pb fa fb hx hy hr hs h. assert (pa' := proj2 pa). assert (pb' := proj2 pb).
   assert (lx := hull_length _ _ _ pa' hx). assert (ly := hull_length _ _ _ pb' hy).
-  unfold gap_proves in h. cbv zeta in h.
+  unfold gap_proves, gap_decides in h. cbv zeta in h.
   assert (q : value Q2R (inner (difference x y) (difference x y)) = sqdist (values x) (values y)).
   { rewrite inner_means, difference_means, <- sqdist_dot; auto; congruence. }
   destruct w, facts; try (simpl in h; tauto).
@@ -250,7 +250,7 @@ Proof.
   apply points_mean in pb. apply (weights_mean 3) in wb. rewrite <- mixed_means in wb. simpl in hr.
   split; [split; auto|]. split; [auto|]. set (y := values (mixed 3 weights points)) in *.
   assert (pb' := proj2 pb). assert (ly := hull_length _ _ _ pb' wb).
-  unfold gap_proves in h. cbv zeta in h.
+  unfold gap_proves, gap_decides in h. cbv zeta in h.
   assert (q : value Q2R (inner (difference (leaves c) (mixed 3 weights points)) (difference (leaves c) (mixed 3
     weights points))) = sqdist (rl c) y).
   { rewrite inner_means, difference_means, leaves_mean. fold y. rewrite <- sqdist_dot; auto; congruence. }

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The formulas of oriented boxes are enough, and their specifications leave no choice. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
-From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest formulas_obbs
-  sound_solids sound_vectors sound_slabs sound_nearest unique_solids unique_slabs.
+From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest
+  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest unique_solids unique_slabs.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -24,8 +24,8 @@ Proof.
 Qed.
 Fixpoint rreach (n : list R) (axes : list (list R)) : R :=
   match axes with [] => 0 | h :: axes' => rsize (dot n h) + rreach n axes' end.
-Lemma reach_means : forall n axes, value Q2R (reach (leaves n) axes) = rreach (rl n) (map rl axes).
-Proof. induction axes as [|h axes IH]; simpl; auto. rewrite inner_means, !leaves_mean, IH. auto. Qed.
+Lemma reach_means : forall n axes, value Q2R (reach n axes) = rreach (values n) (map rl axes).
+Proof. induction axes as [|h axes IH]; simpl; auto. rewrite inner_means, leaves_mean, IH. auto. Qed.
 Lemma combined_reach : forall v axes u, (forall p, In p axes -> length p = 3%nat) -> (forall a,
   In a u -> -1 <= a <= 1) ->
   dot v (combined 3 u axes) <= rreach v axes.
@@ -240,3 +240,87 @@ Proof.
 Qed.
 Theorem obb_obb_unique : forall ca a cb b v w, obb_obb_spec ca a cb b v -> obb_obb_spec ca a cb b w -> v = w.
 Proof. intros ca a cb b v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+
+(** ** A ball *)
+Lemma times_plus : forall t x y, times t (plus x y) = plus (times t x) (times t y).
+Proof. unfold times; induction x as [|a x IH]; intros [|b y]; simpl; auto. rewrite IH. f_equal; ring. Qed.
+Lemma times_times : forall s t x, times s (times t x) = times (s * t) x.
+Proof. intros; unfold times. rewrite map_map. apply map_ext. intro; ring. Qed.
+Lemma combined_times : forall t axes u, combined 3 (times t u) axes = times t (combined 3 u axes).
+Proof.
+  assert (zeros : forall t, times t (repeat 0 3) = repeat 0 3) by (intro; simpl; repeat (f_equal; try ring)).
+  induction axes as [|h axes IH]; intros [|a u]; try (symmetry; apply zeros).
+  change (plus (times (t * a) h) (combined 3 (times t u) axes) = times t (plus (times a h) (combined 3 u axes))).
+  rewrite IH, times_plus, times_times. auto.
+Qed.
+Lemma nearer_within : forall p c d t, length p = length c -> length d = length c -> 0 <= t <= 1 ->
+  sqdist p (plus c (times (1 - t) d)) <= (1 - t) * sqdist p (plus c d) + t * sqdist p c.
+Proof.
+  induction p as [|a p IH]; intros [|b c] [|e d] t lp ld ht; simpl in *; try discriminate; try lra.
+  assert (g := IH c d t ltac:(lia) ltac:(lia) ht).
+  assert (k : 0 <= t * (1 - t) * (e * e)).
+  { apply Rmult_le_pos; [apply Rmult_le_pos; lra | apply square]. }
+  lra.
+Qed.
+(** If a point of a box is inside of a ball, there are points of its interior that are. *)
+Lemma ball_reaches_inside : forall p r c axes u, length p = 3%nat -> 0 <= r -> right_obb c axes -> independent axes ->
+  length u = 3%nat -> (forall a, In a u -> -1 <= a <= 1) -> sqdist p (plus c (combined 3 u axes)) < r * r ->
+  exists z, interior 3 (ball p r) z /\ interior 3 (obb c axes) z.
+Proof.
+  intros p r c axes u lp hr right ind lu hu near. assert (lc := proj1 right).
+  assert (hp := proj2 (proj1 (proj2 right))).
+  set (d := combined 3 u axes) in *. assert (ld : length d = 3%nat) by (apply combined_length; auto).
+  assert (f0 := sqdist_nonneg p (plus c d)). assert (f1 := sqdist_nonneg p c).
+  set (g := r * r - sqdist p (plus c d)). set (t := g / (g + sqdist p c + 1)).
+  assert (hg : 0 < g) by (unfold g; lra).
+  assert (e : t * (g + sqdist p c + 1) = g) by (unfold t; field; lra).
+  assert (ht : 0 < t) by (apply Rdiv_lt_0_compat; lra).
+  assert (tg : 0 < t * g) by (apply Rmult_lt_0_compat; auto).
+  assert (tf : 0 <= t * sqdist p c) by (apply Rmult_le_pos; lra).
+  assert (below : t < 1).
+  { apply (Rmult_lt_reg_r (g + sqdist p c + 1)); [lra|]. rewrite e. lra. }
+  exists (plus c (times (1 - t) d)). split.
+  - apply inside_ball; auto; [rewrite plus_length; rewrite times_length; congruence|].
+    assert (k := nearer_within p c d t ltac:(congruence) ltac:(congruence) ltac:(lra)).
+    assert (0 <= t * sqdist p (plus c d)) by (apply Rmult_le_pos; lra). unfold g in *. lra.
+  - unfold d. rewrite <- combined_times. apply obb_inside; auto; [rewrite times_length; auto|].
+    intros a i. apply in_map_iff in i. destruct i as [b [<- i]]. assert (hb := hu b i).
+    assert (0 <= (1 - t) * (1 - b)) by (apply Rmult_le_pos; lra).
+    assert (0 <= (1 - t) * (1 + b)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+Theorem sphere_obb_sound : forall c r center axes w facts u,
+  decide (check_sphere_obb c r center axes w facts u) = true ->
+  sphere_obb_spec (rl c) (Q2R r) (rl center) (map rl axes) w.
+Proof.
+  intros c r center axes w facts u h. apply decide_means in h. unfold check_sphere_obb in h. cbv zeta in h.
+  destruct h as (lc & hr & right & hu & h). rewrite of_length_means in lc. assert (lc' := rl_length c).
+  rewrite lc in lc'. simpl in hr. apply right_box_means in right. destruct right as [right ind].
+  apply within_one_means in hu. destruct hu as [lu hu]. assert (lo := proj1 right).
+  split; [split; auto|]. split; [auto|].
+  set (x := plus (rl center) (combined 3 (rl u) (map rl axes))).
+  assert (hx : obb (rl center) (map rl axes) x) by (exists (rl u); auto).
+  assert (lx := obb_length _ _ _ right hx).
+  unfold gap_decides in h.
+  assert (q : value Q2R (inner (difference (leaves c) (placed center axes u)) (difference (leaves c) (placed center axes
+    u))) = sqdist (rl c) x).
+  { rewrite inner_means, difference_means, leaves_mean, placed_means. fold x. rewrite <- sqdist_dot; auto; congruence. }
+  assert (near : means Q2R (reach (difference (leaves c) (placed center axes u)) axes <=
+    inner (difference (leaves c) (placed center axes u)) (difference (placed center axes u) (leaves center)))%check ->
+    forall y, obb (rl center) (map rl axes) y -> sqdist (rl c) x <= sqdist (rl c) y).
+  { intros m y hy. simpl in m. rewrite reach_means, inner_means, !difference_means, !leaves_mean, placed_means in m.
+    fold x in m. assert (ly := obb_length _ _ _ right hy). apply nearest_by_angle; try congruence.
+    apply (obb_reach (minus (rl c) x)) in hy; auto. rewrite dot_minus in * by congruence. lra. }
+  destruct w, facts; try (simpl in h; tauto).
+  - destruct h as (n & far). simpl in far. rewrite q in far. intros z lz [b o]. unfold ball in b.
+    assert (g := near n z o). lra.
+  - destruct h as (n & e). simpl in e. rewrite q in e. split.
+    + exists x. split; [auto|]. split; auto. unfold ball. lra.
+    + intros z [b o]. apply interior_in in o. apply interior_ball in b; auto. assert (g := near n z o). lra.
+  - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
+    + exists x. auto.
+    + intros v [b _]. apply interior_ball in b; auto. assert (g := sqdist_nonneg (rl c) v). rewrite z in b. lra.
+  - destruct h as (e & _). simpl in e. rewrite q in e. apply (ball_reaches_inside _ _ _ _ (rl u)); auto.
+Qed.
+Theorem sphere_obb_unique : forall c r center axes v w, sphere_obb_spec c r center axes v ->
+  sphere_obb_spec c r center axes w -> v = w.
+Proof. intros c r center axes v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.

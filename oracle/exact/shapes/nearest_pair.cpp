@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "oracle/exact/numbers/wide.h"
 
@@ -77,10 +78,11 @@ struct Support {
   std::size_t of_a = 0;
 };
 
-Support support_of(const Points& points, unsigned chosen) {
+template <class Chosen>
+Support support_of(const Points& points, const Chosen& chosen) {
   Support support;
   for (std::size_t i = 0; i < points.of.size(); ++i) {
-    if ((chosen >> i & 1U) == 0) continue;
+    if (!chosen(i)) continue;
     support.places.push_back(i);
     support.of_a += static_cast<std::size_t>(i < points.of_a);
   }
@@ -114,14 +116,53 @@ IntegerVector combination(const Points& points, const Fractions& weights, std::s
   return sum;
 }
 
-/// True if x, in the unit over a denominator, has the smallest scalar product with w of the points first <= i < last.
-bool is_first(const IntegerVector& x, const Integer& denominator, const Points& points, std::size_t first,
-              std::size_t last, const IntegerVector& w) {
-  const Integer least = dot(w, x);
-  for (std::size_t i = first; i < last; ++i)
-    if (denominator * dot(w, points.of[i]) < least) return false;
-  return true;
+/// The first of the points from <= i < to with the least scalar product with w, if that is less than that of x, which
+/// is in the unit over a denominator.
+std::optional<std::size_t> nearer_than(const IntegerVector& x, const Integer& denominator, const Points& points,
+                                       std::size_t from, std::size_t to, const IntegerVector& w) {
+  std::optional<std::size_t> nearest;
+  Integer least = dot(w, x);
+  for (std::size_t i = from; i < to; ++i) {
+    const Integer here = denominator * dot(w, points.of[i]);
+    if (here < least) nearest = i, least = here;
+  }
+  return nearest;
 }
+
+/// The points that weights give, and w.
+struct Weighted {
+  IntegerVector x, minus_y, w;  ///< b is negated, so w = x - y is a sum
+  const Points& points;
+  const Fractions& weights;
+
+  Weighted(const Points& all, const Fractions& each)
+      : x(combination(all, each, 0, all.of_a)),
+        minus_y(combination(all, each, all.of_a, all.of.size())),
+        w(x + minus_y),
+        points(all),
+        weights(each) {}
+
+  /// A point that is nearer to the other hull than x or y are: one of a, or, if a has none, of b.
+  std::optional<std::size_t> nearer() const {
+    const auto of_a = nearer_than(x, weights.denominator, points, 0, points.of_a, w);
+    return of_a ? of_a : nearer_than(minus_y, weights.denominator, points, points.of_a, points.of.size(), w);
+  }
+
+  NearestPair pair(const Point& first_of_a) const {
+    std::vector<Rational> each;
+    for (const Integer& weight : weights.numerators) each.push_back(quotient(weight, weights.denominator));
+    const auto middle = each.begin() + static_cast<std::ptrdiff_t>(points.of_a);
+    const Integer unit = weights.denominator * points.units_in_one;
+    const auto actual = [&](const IntegerVector& v) {
+      return Vector{quotient(v.x, unit), quotient(v.y, unit), quotient(v.z, unit)};
+    };
+    return {first_of_a + actual(x),
+            first_of_a + actual(Integer(-1) * minus_y),
+            {each.begin(), middle},
+            {middle, each.end()},
+            quotient(dot(w, w), Integer(unit * unit))};
+  }
+};
 
 }  // namespace
 
@@ -142,34 +183,45 @@ NearestPair nearest_pair(const Hull& a, const Hull& b) {
   const std::size_t of_a = a.size(), all = points.of.size();
   std::optional<NearestPair> nearest;
   for (unsigned chosen = 1; chosen < 1U << all; ++chosen) {
-    const Support support = support_of(points, chosen);
+    const Support support = support_of(points, [chosen](std::size_t i) { return (chosen >> i & 1U) != 0; });
     if (support.of_a == 0 || support.of_a == support.places.size()) continue;
     const std::optional<Fractions> found = weights(points, support);
     if (!found) continue;
-    const auto& [numerators, denominator] = *found;
-    if (std::any_of(numerators.begin(), numerators.end(), [](const Integer& weight) { return sgn(weight) < 0; }))
+    if (std::any_of(found->numerators.begin(), found->numerators.end(), [](const auto& n) { return sgn(n) < 0; }))
       continue;
-    // b is negated, so w = x - y is a sum.
-    const IntegerVector x = combination(points, *found, 0, of_a), minus_y = combination(points, *found, of_a, all),
-                        w = x + minus_y;
-    if (!is_first(x, denominator, points, 0, of_a, w) || !is_first(minus_y, denominator, points, of_a, all, w))
-      continue;
-    std::vector<Rational> each;
-    for (const Integer& weight : numerators) each.push_back(quotient(weight, denominator));
-    if (nearest && each[0] <= nearest->weights_of_a[0]) continue;
-    const auto middle = each.begin() + static_cast<std::ptrdiff_t>(of_a);
-    const Integer unit = denominator * points.units_in_one;
-    const auto actual = [&](const IntegerVector& v) {
-      return Vector{quotient(v.x, unit), quotient(v.y, unit), quotient(v.z, unit)};
-    };
-    nearest = NearestPair{a[0] + actual(x),
-                          a[0] + actual(Integer(-1) * minus_y),
-                          {each.begin(), middle},
-                          {middle, each.end()},
-                          quotient(dot(w, w), Integer(unit * unit))};
+    const Weighted at(points, *found);
+    if (at.nearer()) continue;
+    NearestPair here = at.pair(a[0]);
+    if (nearest && here.weights_of_a[0] <= nearest->weights_of_a[0]) continue;
+    nearest = std::move(here);
     if (of_a == 1 || all - of_a == 1) break;  // in a convex set the point nearest to another is unique
   }
   return *nearest;
+}
+
+/// The equations of each support have one solution. They would have several if displacements among its points, with
+/// factors that are not all 0, added up to 0; but those that were there before a point was added had no such factors,
+/// and all of them are equally far along w, from which the added point leads away. The square of w falls with every
+/// solution that is reached, so no support repeats.
+NearestPair any_nearest_pair(const Hull& a, const Hull& b) {
+  const Points points = points_of(a, b);
+  std::vector<Rational> at(points.of.size());
+  at[0] = at[a.size()] = 1;
+  std::optional<std::size_t> added;
+  for (;;) {
+    const Support support = support_of(points, [&](std::size_t i) { return sgn(at[i]) > 0 || i == added; });
+    const Fractions solution = weights(points, support).value();
+    const auto weight = [&solution](std::size_t i) { return quotient(solution.numerators[i], solution.denominator); };
+    Rational share(1);
+    for (const std::size_t i : support.places)
+      if (sgn(solution.numerators[i]) < 0) share = std::min(share, Rational(at[i] / (at[i] - weight(i))));
+    for (const std::size_t i : support.places) at[i] += share * (weight(i) - at[i]);
+    added.reset();
+    if (share < 1) continue;
+    const Weighted reached(points, solution);
+    added = reached.nearer();
+    if (!added) return reached.pair(a[0]);
+  }
 }
 
 }  // namespace touchstone::oracle

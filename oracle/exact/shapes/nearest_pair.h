@@ -27,6 +27,11 @@ struct NearestPair {
 /// point of a has the greatest weight: on segments, the least parameter on a.
 NearestPair nearest_pair(const Hull& a, const Hull& b);
 
+/// One of the pairs, by the same conditions, for hulls of more points: from the first point of each. The points that
+/// may have a weight are those that have one and a point that is nearer; weights move towards the solution of their
+/// equations, and a point whose weight would fall below 0 is left out.
+NearestPair any_nearest_pair(const Hull& a, const Hull& b);
+
 /// For two segments, on_a a point of the first that is nearest to the second, way the displacement from there to the
 /// nearest point of the second: among all such points of the first the one nearest to another point.
 Point3<Rational> nearest_to(const Point3<Rational>& point, const Hull& a, const Hull& b, const Point3<Rational>& on_a,

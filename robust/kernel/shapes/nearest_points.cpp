@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/kernel/shapes/nearest_points.h"
 
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "robust/kernel/integers/rounding.h"
@@ -82,6 +84,28 @@ QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle& triangl
   nearest.try_next(nearest_on_segment(p, {b, c}), vertex(p));
   nearest.try_next(nearest_on_segment(p, {c, a}), vertex(p));
   return nearest.pair.on_a;
+}
+
+/// On a face whose plane p is beyond: what leads from the nearest point to p is a sum of normals of the faces there, and
+/// is as long as it is along itself; so along one of these normals p is farther. Each face is two triangles.
+QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box) {
+  const auto& [u, v, w] = box.half_axes;
+  const Vector displacement = p - box.center;
+  std::optional<Nearest> nearest;
+  for (const auto& [out, one, other] : {std::array{u, v, w}, std::array{v, w, u}, std::array{w, u, v}}) {
+    const Vector normal = cross(one, other);
+    const mpz_class along = dot(normal, displacement), reach = dot(normal, out);
+    if (abs(along) <= abs(reach)) continue;
+    const mpz_class side(sgn(along) * sgn(reach)), back(-1);
+    const IntegerPoint middle = box.center + side * out;
+    const Vector diagonal = one + other, slant = one - other;
+    for (const IntegerPoint& third : {middle + slant, middle + back * slant}) {
+      QuotientPoint on_face = nearest_on_triangle(p, {middle + diagonal, third, middle + back * diagonal});
+      if (nearest) nearest->try_next(std::move(on_face), vertex(p));
+      else nearest.emplace(std::move(on_face), vertex(p));
+    }
+  }
+  return nearest ? nearest->pair.on_a : vertex(p);
 }
 
 /// The feet of the common perpendicular if both are on the segments; otherwise, and if the segments are parallel, one

@@ -6,10 +6,11 @@
 #include "geometry/answers.h"
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
+#include "geometry/volumes.h"
 #include "robust/kernel/filters/staged.h"
 #include "robust/kernel/shapes/points_in_space.h"
 
-/// The nearest points of points, segments and triangles of space, by cases, in integers. Shapes without length or area
+/// The nearest points of points, segments, triangles and boxes of space, by cases, in integers. Shapes without length or area
 /// are cases like others. The plane is z = 0.
 namespace touchstone::robust::kernel {
 
@@ -29,6 +30,8 @@ struct Quotient {
 };
 QuotientPoint nearest_on_segment(const IntegerPoint& p, const Segment3<mpz_class>& segment);
 QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle3<mpz_class>& triangle);
+/// A point of the solid is the nearest to itself. The half axes are linearly independent.
+QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box);
 /// Among several nearest pairs the one with the least parameter on a.
 QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class>& b);
 

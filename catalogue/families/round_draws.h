@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tuple>
+
+#include "catalogue/families/closest_draws.h"
+#include "catalogue/families/obb_draws.h"
+
+/// Hard cases of round convex solids, by the kinds of their cores.
+namespace touchstone::catalogue {
+
+using BallAndBox = std::tuple<Sphere3d, Obb3d>;
+
+/// Half axes that lead along a displacement of integer length, or at right angles to it: the corner where all of them
+/// end is the nearest to what is beyond it by that displacement, and so is each point of the edge or face that the
+/// latter span.
+inline BallAndBox tangent_to_box(DrawStream& c) {
+  const Step step = integer_step(c);
+  Obb3d box{lattice_point_in_space(c, 16), {}};
+  Point3d nearest = box.center;
+  for (Vector3d* axis : each_of(box.half_axes)) {
+    const double k = up_to(c, 1), share = k == 0 ? small_integer(c, 2) : 2;
+    *axis = 2 * k * step.displacement + 2.0 * lattice_across(c, step.displacement);
+    nearest = nearest + share / 2 * *axis;
+  }
+  if (volume_of(box.half_axes) == 0) box.half_axes = straight_half_axes(c);
+  return {{nearest + step.displacement, reaching(c, step.length)}, box};
+}
+
+/// Calls add(name, draw) for each: a ball, or what has one as its end, and an oriented box.
+template <class Add>
+void add_balls_and_boxes(const Add& add) {
+  add("tangent", [](DrawStream& c) -> BallAndBox { return tangent_to_box(c); });
+  add("center_inside", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box = lattice_obb(c);
+    const double r = up_to(c, 2);
+    return {{in_obb(box, c), r}, box};
+  });
+  add("point_ball", [](DrawStream& c) -> BallAndBox {
+    // In the box, on its boundary, or near it.
+    const Obb3d box = lattice_obb(c);
+    const Point3d p = c.coin() ? on_obb(box, c) : in_obb(box, c);
+    const double aside = small_integer(c, 1);
+    return {{{p.x + aside, p.y, p.z}, zero(c)}, box};
+  });
+  add("nearly_dependent", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box{lattice_point_in_space(c, 20), slanted_half_axes(c)};
+    const Vector3d displacement = lattice_normal(c, 4);
+    const double r = near_length(c, displacement);
+    return {{on_obb(box, c) + displacement, r}, box};
+  });
+  add("dependent", [](DrawStream& c) -> BallAndBox {
+    const Vector3d u = lattice_normal(c), v = lattice_normal(c);
+    const double r = small_integer(c), s = small_integer(c);
+    return {{lattice_point_in_space(c, 20), up_to(c, 2)}, {{0, 0, 0}, {u, r * u + s * v, v}}};
+  });
+  add("negative_radius", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box = lattice_obb(c);
+    return {{lattice_point_in_space(c, 6), -one_to(c, 3)}, box};
+  });
+  add("near_root", [](DrawStream& c) -> BallAndBox {
+    // Beyond an edge by (r, r), of which the root of 2 is no fraction.
+    const auto [x, r] = near_root(c);
+    const double far = one_to(c, 8);
+    return {{{r, r, integer(c, 10)}, x}, {{-far, -far, 0}, {{far, 0, 0}, {0, far, 0}, {0, 0, 4096}}}};
+  });
+  add("rounded_tangent", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box{ordinary_point_in_space(c), ordinary_half_axes(c)};
+    const Point3d p = on_obb(box, c);
+    const Vector3d displacement = ordinary_point_in_space(c) - Point3d{0, 0, 0};
+    return {{p + displacement, near_length(c, displacement)}, box};
+  });
+  add("long_and_thin", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box = long_and_thin_obb(c);
+    const Point3d p = on_obb(box, c);
+    return {{p, c.coin() ? 0.0 : scaled_down(c, 4, 1070)}, box};
+  });
+  add("stretched", [](DrawStream& c) -> BallAndBox {
+    auto [ball, box] = tangent_to_box(c);
+    Stretch{c}(ball.center, box);
+    return {ball, box};
+  });
+  add("subnormal", [](DrawStream& c) -> BallAndBox {
+    // Integers times the least number, or a few times that: their products are no numbers.
+    auto [ball, box] = tangent_to_box(c);
+    const int down = -1074 + integer_in(c, 0, 60);
+    change_each(box, [down](auto& v) { v = scaled(v, down); });
+    return {{scaled(ball.center, down), std::ldexp(ball.radius, down)}, box};
+  });
+  add("moderate_ends", [](DrawStream& c) -> BallAndBox {
+    // The greatest and the least numbers that the filter takes, and the next beyond them; tangent, or far from that.
+    const double large = power_of_two(c, 29, 31), least = power_of_two(c, -32, -29), side = small_integer(c, 1);
+    const double far = c.coin() ? 0 : large / 2, r = c.coin() ? least : large;
+    return {{{large + far + least, side * least, 0}, r}, {{0, 0, 0}, {{large, 0, 0}, {0, large, 0}, {0, least, 1}}}};
+  });
+  add("whole_range", [](DrawStream& c) -> BallAndBox {
+    const Point3d p = point_of_full_range(c), center = point_of_full_range(c);
+    const double r = std::fabs(of_full_range(c)), far = of_full_range(c), x = huge(c), y = huge(c);
+    return {{p, r}, {center, {{x, 0, 0}, {far, y, 0}, {0, far, 1}}}};
+  });
+  add("either_zero", [](DrawStream& c) -> BallAndBox {
+    const Obb3d box{zero_point(c), {{1, zero(c), zero(c)}, {zero(c), -1, zero(c)}, {zero(c), zero(c), 1}}};
+    const double x = small_integer(c, 2), r = c.coin() ? -0.0 : up_to(c, 1);
+    return {{{x == 0 ? zero(c) : x, zero(c), zero(c)}, r}, box};
+  });
+  add("typed_touch", [](DrawStream& c) -> BallAndBox {
+    // As typed the ball reaches a face of a box that is turned by the triple 3, 4, 5.
+    const double k = one_to(c, 9), m = one_to(c, 9);
+    return {{{3 * (k + m) / 10, 4 * (k + m) / 10, 0}, 5 * m / 10},
+            {{0, 0, 0}, {{3 * k / 10, 4 * k / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}}};
+  });
+}
+
+}  // namespace touchstone::catalogue

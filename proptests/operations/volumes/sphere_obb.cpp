@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/rows/volumes/sphere_obb.h"
+
+#include "proptests/closest_laws.h"
+#include "robust/volumes/point_in_obb.h"
+#include "robust/volumes/sphere_aabb.h"
+#include "robust/volumes/sphere_sphere.h"
+
+namespace touchstone::proptests::sphere_obb_tests {
+namespace {
+
+using Row = rows::sphere_obb;
+
+constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
+constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+constexpr Obb3d turned{{0, 0, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}};  // by the triple 3, 4, 5
+constexpr Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {6, 2, 0}, {0, 0, 1}}};  // y from -2 to 2, |x - 3 y| <= 2
+constexpr Obb3d least{{0, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}};
+
+constexpr Worked<Row> worked;
+
+}  // namespace
+
+LAW("sphere_obb: half axes may be exchanged and reversed", ball, box) {
+  const auto& [u, v, w] = box.half_axes;
+  return ask(Row::Question{ball, {box.center, {w, {-u.x, -u.y, -u.z}, v}}}) == ask(asked);
+}
+
+LAW("sphere_obb: a ball that grows never loses contact, and one that touched overlaps", ball, box) {
+  if (ball.radius == greatest) return true;
+  const Contact then = ask(Row::Question{{ball.center, catalogue::moved_by_ulps(ball.radius, 1)}, box});
+  return ask(asked) == disjoint || then == overlapping;
+}
+
+ROBUST_LAW("sphere_obb: a point only touches the box that it is in, and a ball around one overlaps it", ball, box) {
+  const Location location = robust::point_in_obb(box, ball.center);
+  const Contact of_point = ask(Row::Question{{ball.center, 0}, box});
+  return of_point == (location == Location::outside ? disjoint : touching) &&
+         (of_point == disjoint || ask(asked) == (ball.radius == 0 ? touching : overlapping));
+}
+
+ROBUST_LAW("sphere_obb: a ball that meets a corner meets the box", ball, box) {
+  if (!on_lattice(asked)) return true;
+  for (const double r : {-2.0, 2.0})
+    for (const double s : {-2.0, 2.0})
+      for (const double t : {-2.0, 2.0})
+        if (ask(asked) < robust::sphere_sphere(ball, Sphere3d{catalogue::halves_along(box, r, s, t), 0})) return false;
+  return true;
+}
+
+ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ball, box) {
+  const auto& [u, v, w] = box.half_axes;
+  const Point3d& c = box.center;
+  if (!on_lattice(asked) || u.x == 0 || v.y == 0 || w.z == 0) return true;
+  const double x = std::fabs(u.x), y = std::fabs(v.y), z = std::fabs(w.z);
+  const Obb3d straight{c, {{u.x, 0, 0}, {0, v.y, 0}, {0, 0, w.z}}};
+  return ask(Row::Question{ball, straight}) ==
+         robust::sphere_aabb(ball, Aabb3d{{c.x - x, c.y - y, c.z - z}, {c.x + x, c.y + y, c.z + z}});
+}
+
+TEST_CASE("sphere_obb: balls beside a cube and a turned box, worked by hand") {
+  worked({{{5, 6, 0}, 4}, cube}, disjoint, 9);      // beyond an edge by (3, 4): 25 - 16
+  worked({{{5, 6, 0}, 5}, cube}, touching, 0);      // 25 - 25
+  worked({{{5, 6, 0}, 6}, cube}, overlapping, 11);  // 36 - 25
+  worked({{{3, 4, 4}, 3}, cube}, touching, 0);      // beyond a corner by (1, 2, 2)
+  worked({{{1, -5, 2}, 3}, cube}, touching, 0);     // beyond a face
+  worked({{{1, 1, 0}, 1}, cube}, overlapping, 1);   // within: 1 - 0
+  worked({{{0, 0, 0}, 9}, cube}, overlapping, 81);  // the box within the ball
+  worked({{{6, 8, 0}, 5}, turned}, touching, 0);    // beyond a face by (3, 4)
+  worked({{{6, 8, 0}, 4}, turned}, disjoint, 9);
+  worked({{{-8, 6, 13}, 13}, turned}, touching, 0);  // beyond an edge by (-4, 3) and 12
+}
+
+TEST_CASE(
+    "sphere_obb: where half axes are not at right angles another point may be nearer than the one that it takes") {
+  worked({{{6, 3, 0}, 1}, sheared}, touching, 0, "algorithm");  // over its top, from (4, 2) to (8, 2); takes (8, 2)
+  // x - 3 y = -6 is 4 from its side, a square of 16 / 10; it takes (0.6, 0.2), of 3.6.
+  worked({{{0, 2, 0}, 1.5}, sheared}, overlapping, Rational(13, 20), "algorithm");
+  worked({{{0, 2, 0}, 1}, sheared}, disjoint, Rational(3, 5));
+}
+
+TEST_CASE("sphere_obb: points, huge, subnormal and negative zero") {
+  worked({{{2, 2, 2}, 0}, cube}, touching, 0);  // its corner
+  worked({{{1, 0, 0}, -0.0}, cube}, touching, 0);
+  worked({{{3, 2, 2}, 0}, cube}, disjoint, 1);
+  const Rational square = exact(tiny) * exact(tiny);
+  worked({{{2 * tiny, -0.0, 0}, tiny}, least}, touching, 0);
+  worked({{{3 * tiny, 0, 0}, tiny}, least}, disjoint, Rational(3 * square), "rounding");  // 4 - 1
+  worked({{{-huge, 0, 0}, huge}, {{huge, 0, 0}, cube.half_axes}}, disjoint,
+         Rational((2 * exact(huge) - 2) * (2 * exact(huge) - 2) - exact(huge) * exact(huge)), "rounding");
+}
+
+TEST_CASE("sphere_obb: numbers are refused first, then the radius, then the half axes") {
+  const Obb3d flat{{0, 0, 0}, {{1, 1, 0}, {0, 1, 1}, {1, 2, 1}}};
+  refused<Row>({{{0, 0, 0}, -1}, cube}, "sphere.radius", "radius >= 0");
+  refused<Row>({{{0, 0, 0}, -1}, flat}, "sphere.radius", "radius >= 0");
+  refused<Row>({{{0, 0, 0}, 1}, flat}, "obb.half_axes", "linearly independent");
+  refused<Row>({{{0, 0, 0}, -1}, {{infinity, 0, 0}, flat.half_axes}}, "obb.center[0]", "finite number");
+}
+
+CONTRACT("sphere_obb: the formula in double is that in exact arithmetic where the bound of its contract says so", ball,
+         box) {
+  const auto vector = [](const Vector3d& v) { return Vector3<Rational>{exact(v.x), exact(v.y), exact(v.z)}; };
+  const Rational u = unit();
+  const Vector3<Rational> d = exact_point(ball.center) - exact_point(box.center);
+  Vector3<Rational> along{}, error{};
+  for (const Vector3d& axis : {box.half_axes.u, box.half_axes.v, box.half_axes.w}) {
+    const Vector3<Rational> a = vector(axis), size{abs(a.x), abs(a.y), abs(a.z)};
+    const double length = dot(axis, axis);
+    if (length < 0x1p-960 || !finite(length, dot(ball.center - box.center, axis))) return true;
+    const Rational products = abs(d.x) * size.x + abs(d.y) * size.y + abs(d.z) * size.z,
+                   of_t = ((5 + 11 * u) * u * products + power_of_two(-1073)) / dot(a, a) + 7 * u,
+                   share = std::clamp(Rational(dot(d, a) / dot(a, a)), Rational(-1), Rational(1));
+    along = along + share * a, error = error + Rational(of_t * (1 + 6 * u) + 5 * u) * size;
+  }
+  const Point3<Rational> x = exact_point(box.center) + along;
+  const Vector3<Rational> beyond = exact_point(ball.center) - x;
+  const Rational e(error.x + error.y + error.z + u * (abs(x.x) + abs(x.y) + abs(x.z)) + 3 * power_of_two(-1073)),
+      s(dot(beyond, beyond)), r(exact(ball.radius) * exact(ball.radius));
+  if (!finite(catalogue::nearest(4 * s), catalogue::nearest(4 * r))) return true;
+  if (abs(s - r) <= of_square(s, e) + u * r + power_of_two(-1071)) return true;
+  const auto& [v, w, z] = box.half_axes;
+  const bool right =
+      sgn(dot(vector(v), vector(w))) == 0 && sgn(dot(vector(w), vector(z))) == 0 && sgn(dot(vector(z), vector(v))) == 0;
+  return answer == (s > r ? disjoint : overlapping) && (answer == truth.answer || !right);
+}
+
+}  // namespace touchstone::proptests::sphere_obb_tests
