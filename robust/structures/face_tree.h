@@ -19,6 +19,8 @@ namespace touchstone::robust::structures {
 class FaceTree {
  public:
   explicit FaceTree(const Meshd& mesh);
+  /// A tree of some faces; there is at least one.
+  FaceTree(const Meshd& mesh, std::vector<Index> faces);
 
   /// Returns whether `wanted` is true for a face here and one there, by their indices in the meshes, whose boxes meet.
   /// Stops at the first.
