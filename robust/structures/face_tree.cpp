@@ -119,7 +119,7 @@ std::vector<Index> FaceTree::along_x(const Point3d& p) const {
       found.push_back(order_[i]);
       continue;
     }
-    for (std::uint64_t met = levels_[above - 1][i].lanes_met_by(ray, 0); met != 0; met &= met - 1)
+    for (unsigned met = levels_[above - 1][i].lanes_met_by(ray, 0); met != 0; met &= met - 1)
       left.emplace_back(above - 1, 8 * i + static_cast<std::size_t>(std::countr_zero(met)));
   }
   return found;
