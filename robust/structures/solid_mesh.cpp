@@ -52,19 +52,19 @@ struct BoxedVertices {
 std::vector<BoxedVertices> groups_of(const std::vector<Point3d>& vertices, const std::vector<bool>& used) {
   constexpr std::size_t most = 128;
   std::vector<BoxedVertices> groups;
-  for (Index v = 0; v < vertices.size(); ++v) {
-    if (!used[v]) continue;
-    const Point3d& p = vertices[v];
+  const auto add = [&groups](const Point3d& p) {
     if (groups.empty() || groups.back().vertices.size() == most) groups.push_back({{}, {p, p}});
     groups.back().vertices.push_back(p);
     groups.back().box = structures::around(groups.back().box, Aabb3d{p, p});
-  }
+  };
+  for (Index v = 0; v < vertices.size(); ++v)
+    if (used[v]) add(vertices[v]);
   return groups;
 }
 
 /// True if the plane has points on both sides. A box has its points on the side on which its corners are.
 bool splits(const kernel::FaceSide& plane, const std::vector<BoxedVertices>& groups) {
-  bool in_front = false, behind = false;
+  bool above = false, below = false;
   for (const BoxedVertices& group : groups) {
     int front_corners = 0, back_corners = 0;
     for (const double x : {group.box.min.x, group.box.max.x}) {
@@ -75,15 +75,15 @@ bool splits(const kernel::FaceSide& plane, const std::vector<BoxedVertices>& gro
         }
       }
     }
-    in_front |= front_corners == 8, behind |= back_corners == 8;
+    above |= front_corners == 8, below |= back_corners == 8;
     if (front_corners == 8 || back_corners == 8) continue;
     for (const Point3d& p : group.vertices) {
       const int side = plane.of(p).answer;
-      in_front |= side > 0, behind |= side < 0;
+      above |= side > 0, below |= side < 0;
     }
-    if (in_front && behind) return true;
+    if (above && below) return true;
   }
-  return in_front && behind;
+  return above && below;
 }
 
 }  // namespace
