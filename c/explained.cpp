@@ -29,6 +29,8 @@ void add_words(Json& line, const Examination& examination, const Judgement& judg
 
 /// The formula's answer to a question of floats, with the exact truth about that question where it is another one.
 Json formula_in_float(const Examination& examination) {
+  if (const std::string steps = too_many_for_a_cause(examination); !steps.empty())
+    return Json::object({{"not_evaluated", steps}});
   const Operation& operation = examination.operation();
   const auto in_floats = operation.examine(operation.in_binary32(examination.question()));
   const Judgement& judgement = in_floats->judge_reference(true);
@@ -54,10 +56,12 @@ Json explained_in_words(const Operation& operation, const Json& typed) {
     line["as_typed"]["truth"] = exact;
   }
   add_words(line["robust"], *examination, examination->judge_robust(), report::Speaker::robust, false);
-  if (line["reference"].contains("verdict") && !line["reference"].contains("cause_not_evaluated")) {
-    add_words(line["reference"], *examination, examination->judge_reference(), report::Speaker::reference, false);
-    line["reference_in_float"] = formula_in_float(*examination);
-  }
+  Json& reference = line["reference"];
+  if (reference.contains("cause_not_evaluated"))
+    reference["sentence"] = report::sentence(operation, plain(reference["answer"]));
+  else if (reference.contains("verdict"))
+    add_words(reference, *examination, examination->judge_reference(), report::Speaker::reference, false);
+  line["reference_in_float"] = formula_in_float(*examination);
   line["checker"] = certificate_complaint(*examination);
   return line;
 }

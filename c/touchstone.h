@@ -34,8 +34,8 @@ int touchstone_ask(const char* operation, const char* question, char** result, t
 /* The line of touchstone_ask with more fields, for people: "sentence" (the truth in words), "rounded", "outcome",
  * "touch", "as_typed" (the truth of the decimals of the text, where the operation has one), "sentence" and "why" of
  * each answer that was judged, "reference_in_float" (the textbook formula in float, with "input" and "truth" where
- * rounding to float makes another question of it), "checker" (the checker's complaint about the certificate; "" if
- * there is none). */
+ * rounding to float makes another question of it, or with "not_evaluated" where that takes too many steps), "checker"
+ * (the checker's complaint about the certificate; "" if there is none). */
 int touchstone_explain(const char* operation, const char* question, char** result, touchstone_error* error);
 
 /* The figures of a question and its truth, and of `answer`, an answer to it in JSON, if it is not NULL: "figures" in

@@ -53,7 +53,9 @@ function row(who, part, words, truth) {
   const heading = `<tr data-part="${who}"><th scope="row">${words}</th>`;
   if (part.not_evaluated) return `${heading}<td>not evaluated: ${escaped(part.not_evaluated)}</td><td></td></tr>`;
   const ulps = part.ulps ? `<br><span class="small quiet">${escaped(part.ulps)} ulps off</span>` : "";
-  const why = part.why ? `<br><span class="small quiet">${escaped(part.why)}</span>` : "";
+  const notSought = part.cause_not_evaluated ? `The cause was not sought: ${part.cause_not_evaluated}.` : "";
+  const reason = part.why ?? notSought;
+  const why = reason ? `<br><span class="small quiet">${escaped(reason)}</span>` : "";
   const remark = part.remark && part.remark !== part.why ? `<br><span class="small quiet">${escaped(part.remark)}</span>` : "";
   const rounded = part.input && (part.verdict !== "agree" || JSON.stringify(part.truth) !== JSON.stringify(truth))
     ? `<br><span class="small quiet">The numbers as floats: ${coded(part.input)}, for which the truth is ` +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/validation.h"
+#include "oracle/exact/shapes/point_tree.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 #include "oracle/exact/solids/near_triangles.h"
 #include "oracle/exact/solids/polygon_faces.h"
@@ -226,13 +227,18 @@ void look_for_flat_face(const std::vector<Face>& list, const Cuts& cuts, const I
 
 void look_for_splitting_face(const std::vector<Face>& list, const Cuts& cuts, const Surface& surface,
                              const IntegerCloud& cloud, PolyhedronComplexityAnswer& found) {
+  std::vector<Index> used;
+  for (const auto& [vertex, faces] : surface.at_vertex) used.push_back(vertex);
+  const PointTree tree(cloud, used);
   for (Index i = 0; i < cuts.size() && !found.splitting_face; ++i) {
     const Face& f = list[cuts[i][0]];
     const SupportingPlane plane = cloud.plane(cloud.normal(f.a, f.b, f.c), f.a);
-    std::map<int, Index> first;  // by the side
-    for (const auto& [vertex, faces] : surface.at_vertex) first.emplace(sgn(cloud.height(plane, vertex)), vertex);
-    if (first.contains(1) && first.contains(-1))
-      found.splitting_face = SplittingFace{i, std::min(first[1], first[-1]), std::max(first[1], first[-1])};
+    const SupportingPlane turned{Integer(-1) * plane.normal, Integer(-plane.level)};
+    if (!tree.any_beyond(plane) || !tree.any_beyond(turned)) continue;
+    const auto first = [&](int side) {
+      return *std::find_if(used.begin(), used.end(), [&](Index v) { return sgn(cloud.height(plane, v)) == side; });
+    };
+    found.splitting_face = SplittingFace{i, std::min(first(1), first(-1)), std::max(first(1), first(-1))};
   }
 }
 

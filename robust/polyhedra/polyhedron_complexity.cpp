@@ -71,13 +71,19 @@ PolyhedronComplexity<double> polyhedron_complexity(const Meshd& mesh) {
   PolyhedronComplexity<double> found = connected.found;
   if (found.closed && found.oriented) found.volume = structures::sign_of_volume(mesh);
   found.flat_face = structures::first_flat_face(mesh);
-  if (!found.flat_face) found.meeting_faces = structures::first_meeting_faces(mesh);
+  const bool surface = found.closed && found.oriented && found.vertex_manifold;
+  if (!found.flat_face) found.meeting_faces = structures::first_meeting_faces(mesh, surface);
   found.embedded = !found.flat_face && !found.meeting_faces;
   if (!found.closed || !found.embedded) return found;
+  const auto bends_one_way = [&] {
+    if (mesh.polygons.empty()) return structures::locally_convex(mesh, connected.sides);
+    return structures::locally_convex(mesh, {mesh.vertices.size(), structures::FaceCorners(mesh.faces)});
+  };
   const bool one_surface = found.components == 1 && found.vertex_manifold && found.oriented;
-  if (!one_surface || !structures::locally_convex(mesh)) found.splitting_face = structures::first_splitting_face(mesh);
+  if (!one_surface || !bends_one_way()) found.splitting_face = structures::first_splitting_face(mesh);
   found.convex = !found.splitting_face;
-  found.nesting = nesting(mesh, connected.component);
+  found.nesting.emplace();
+  if (found.components > 1) found.nesting = nesting(mesh, connected.component);
   return found;
 }
 

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "geometry/validation.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/kernel/filters/space_box.h"
 #include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/closed_mesh.h"
@@ -57,18 +59,68 @@ bool any_faces_meet(const Meshd& a, const Meshd& b, Stage& latest) {
   return false;
 }
 
-/// A mesh of many faces in a tree.
-struct Solid {
-  const Meshd& mesh;
-  SpaceBox box;
-  structures::FaceTree tree;
-
-  Solid(const Meshd& of, const SpaceBox& around) : mesh(of), box(around), tree(of) {}
-  Decided<Location> locate(const Point3d& p) const {
-    if (!box.meets(SpaceBox::around(p))) return {Location::outside, Stage::filter};
-    return stages::point_in_polyhedron::of_faces(mesh, tree.along_x(p), p);
+/// The faces that are not on the outer side of one of a box's sides.
+std::vector<Index> faces_near(const Meshd& mesh, const SpaceBox& box) {
+  std::vector<std::uint8_t> outside;  // of each vertex, a bit for each side
+  outside.reserve(mesh.vertices.size());
+  for (const Point3d& p : mesh.vertices) {
+    const SpaceBox at = SpaceBox::around(p);
+    unsigned sides = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      sides |= static_cast<unsigned>(at.low[axis] < box.low[axis]) << (2 * axis);
+      sides |= static_cast<unsigned>(at.low[axis] > box.high[axis]) << (2 * axis + 1);
+    }
+    outside.push_back(static_cast<std::uint8_t>(sides));
   }
+  std::vector<Index> near;
+  for (Index i = 0; i < mesh.faces.size(); ++i) {
+    const Face& f = mesh.faces[i];
+    if ((outside[f.a] & outside[f.b] & outside[f.c]) == 0) near.push_back(i);
+  }
+  return near;
+}
+
+/// A mesh of many faces; in a tree when that is worth its making.
+class Solid {
+ public:
+  Solid(const Meshd& of, const SpaceBox& around) : mesh(of), box(around) {}
+
+  const structures::FaceTree& tree() const {
+    if (!tree_) tree_.emplace(mesh);
+    return *tree_;
+  }
+  Decided<Location> locate(const Point3d& p) const {
+    SpaceBox ray = SpaceBox::around(p);
+    if (!box.meets(ray)) return {Location::outside, Stage::filter};
+    ray.high[0] = box.high[0];
+    const bool in_tree = tree_ || ++located_ > few_points;
+    return stages::point_in_polyhedron::of_faces(mesh, in_tree ? tree().along_x(p) : faces_near(mesh, ray), p);
+  }
+
+  const Meshd& mesh;
+  const SpaceBox box;
+
+ private:
+  static constexpr int few_points = 8;  ///< for which every face is tested
+  mutable std::optional<structures::FaceTree> tree_;
+  mutable int located_ = 0;
 };
+
+/// A slab across the middle of the common box, of a 128th of its longest side. An estimate.
+SpaceBox slab_of_both(const SpaceBox& a, const SpaceBox& b) {
+  const kernel::ControlWord guard;
+  SpaceBox slab = a;
+  std::size_t longest = 0;
+  double most = -1, middle = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    slab.low[axis] = std::max(a.low[axis], b.low[axis]), slab.high[axis] = std::min(a.high[axis], b.high[axis]);
+    const double low = kernel::of_ordered_bits(slab.low[axis]) / 2, high = kernel::of_ordered_bits(slab.high[axis]) / 2;
+    if (high - low > most) longest = axis, most = high - low, middle = high + low;
+  }
+  slab.low[longest] = kernel::ordered_bits(middle - most / 128);
+  slab.high[longest] = kernel::ordered_bits(middle + most / 128);
+  return slab;
+}
 
 /// The first vertex of each part whose faces share vertices.
 std::vector<Index> one_of_each_part(const Meshd& mesh) {
@@ -136,12 +188,18 @@ bool common_interior_near(const Meshd& mesh, const Face& f, const Solid& a, cons
 Decided<PolyhedronPolyhedron> of_many_faces(const Solid& a, const Solid& b) {
   Stage latest = Stage::filter;
   std::array<Index, 2> meeting{};
-  const bool met = a.tree.any_pair(b.tree, [&](Index f, Index g) {
+  const auto meet = [&](Index f, Index g) {
     meeting = {f, g};
     const auto common =
         stages::triangle_triangle::ask(triangle(a.mesh, a.mesh.faces[f]), triangle(b.mesh, b.mesh.faces[g]));
     return common.noting(latest) != TriangleTriangleRelation::none;
-  });
+  };
+  // Surfaces that cross mostly do so in a slab of few faces.
+  const SpaceBox slab = slab_of_both(a.box, b.box);
+  const std::vector<Index> in_a = faces_near(a.mesh, slab), in_b = faces_near(b.mesh, slab);
+  const bool met = (!in_a.empty() && !in_b.empty() &&
+                    structures::FaceTree(a.mesh, in_a).any_pair(structures::FaceTree(b.mesh, in_b), meet)) ||
+                   a.tree().any_pair(b.tree(), meet);
   const Solid* within = nullptr;  // has a vertex inside of the other
   std::optional<Index> inside;
   for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
@@ -176,10 +234,9 @@ Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a,
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   kernel::validate_closed("a", a), kernel::validate_closed("b", b);
   Stage latest = Stage::filter;
-  if (!SpaceBox::around(a).meets(SpaceBox::around(b)))
-    return {{Contact::disjoint, PolyhedraStep::bounding_volumes}, latest};
-  if (a.faces.size() + b.faces.size() >= many_faces)
-    return of_many_faces({a, SpaceBox::around(a)}, {b, SpaceBox::around(b)});
+  const SpaceBox box_of_a = SpaceBox::around(a), box_of_b = SpaceBox::around(b);
+  if (!box_of_a.meets(box_of_b)) return {{Contact::disjoint, PolyhedraStep::bounding_volumes}, latest};
+  if (a.faces.size() + b.faces.size() >= many_faces) return of_many_faces({a, box_of_a}, {b, box_of_b});
   const bool inside = any_vertex_inside(a, b, latest) || any_vertex_inside(b, a, latest);
   const PolyhedraStep step = inside ? PolyhedraStep::vertex_inside : PolyhedraStep::edge_against_face;
   if (!inside && !any_faces_meet(a, b, latest)) return {{Contact::disjoint, step}, latest};

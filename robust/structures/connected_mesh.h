@@ -6,6 +6,7 @@
 #include "geometry/complexity.h"
 #include "geometry/polyhedra.h"
 #include "robust/kernel/filters/strict_math.h"
+#include "robust/structures/edge_sides.h"
 
 namespace touchstone::robust::structures {
 
@@ -16,6 +17,10 @@ struct ConnectedMesh {
 
   PolyhedronComplexity<double> found{};  ///< the answer, as far as it follows from indices
   std::vector<Index> component;          ///< of each triangle; numbered by their first triangles
+  EdgeSides sides;                       ///< of the faces as they are named
+
+ private:
+  ConnectedMesh(const Meshd& mesh, const FaceCorners& corners);
 };
 
 }  // namespace touchstone::robust::structures

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "robust/kernel/filters/control_word.h"
@@ -29,6 +30,12 @@ Extent around(const Meshd& mesh, const Face& f) {
   return found;
 }
 
+std::vector<Index> all_of(const Meshd& mesh) {
+  std::vector<Index> faces(mesh.faces.size());
+  std::iota(faces.begin(), faces.end(), Index{0});
+  return faces;
+}
+
 /// Spreads ten bits with two free bits after each.
 std::uint32_t spread(std::uint32_t n) {
   n = (n | n << 16) & 0x030000ff, n = (n | n << 8) & 0x0300f00f;
@@ -45,17 +52,17 @@ void FaceTree::sort_faces(const Meshd& mesh) {
   Extent all{first, first};
   for (const Point3d& p : mesh.vertices) all.add(rounded(p));
   using Key = std::pair<std::uint32_t, Index>;
-  std::vector<Key> keys(mesh.faces.size()), other(mesh.faces.size());
+  std::vector<Key> keys(order_.size()), other(order_.size());
   Place scale;
   for (std::size_t k = 0; k < 3; ++k) scale[k] = 1023 / (all.high[k] / 2 - all.low[k] / 2);
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    const Extent box = around(mesh, mesh.faces[i]);
+    const Extent box = around(mesh, mesh.faces[order_[i]]);
     std::uint32_t key = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const float at = (box.low[k] / 4 + box.high[k] / 4 - all.low[k] / 2) * scale[k];
       key = key << 1 | spread(at > 0 && at < 1024 ? static_cast<std::uint32_t>(at) : 0);
     }
-    keys[i] = {key, static_cast<Index>(i)};
+    keys[i] = {key, order_[i]};
   }
   for (const int shift : {0, 10, 20}) {
     std::array<std::size_t, 1025> start{};
@@ -64,11 +71,12 @@ void FaceTree::sort_faces(const Meshd& mesh) {
     for (const Key& key : keys) other[start[key.first >> shift & 1023]++] = key;
     keys.swap(other);
   }
-  order_.reserve(keys.size());
-  for (const Key& key : keys) order_.push_back(key.second);
+  for (std::size_t i = 0; i < keys.size(); ++i) order_[i] = keys[i].second;
 }
 
-FaceTree::FaceTree(const Meshd& mesh) {
+FaceTree::FaceTree(const Meshd& mesh) : FaceTree(mesh, all_of(mesh)) {}
+
+FaceTree::FaceTree(const Meshd& mesh, std::vector<Index> faces) : order_(std::move(faces)) {
   sort_faces(mesh);
   const auto add_level = [this](std::size_t size, const auto& extent) {
     std::vector<Block> blocks((size + 7) / 8);
@@ -111,7 +119,7 @@ std::vector<Index> FaceTree::along_x(const Point3d& p) const {
       found.push_back(order_[i]);
       continue;
     }
-    for (std::uint64_t met = levels_[above - 1][i].lanes_met_by(ray, 0); met != 0; met &= met - 1)
+    for (unsigned met = levels_[above - 1][i].lanes_met_by(ray, 0); met != 0; met &= met - 1)
       left.emplace_back(above - 1, 8 * i + static_cast<std::size_t>(std::countr_zero(met)));
   }
   return found;

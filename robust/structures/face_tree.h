@@ -4,9 +4,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "geometry/polyhedra.h"
+#include "robust/kernel/filters/processor.h"
 #include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust::structures {
@@ -19,6 +21,8 @@ namespace touchstone::robust::structures {
 class FaceTree {
  public:
   explicit FaceTree(const Meshd& mesh);
+  /// A tree of some faces; there is at least one.
+  FaceTree(const Meshd& mesh, std::vector<Index> faces);
 
   /// Returns whether `wanted` is true for a face here and one there, by their indices in the meshes, whose boxes meet.
   /// Stops at the first.
@@ -36,19 +40,25 @@ class FaceTree {
   struct Block {
     std::array<std::array<float, 8>, 3> low, high;
 
-    std::uint64_t lanes_met_by(const Block& other, std::size_t i) const {
-      std::uint64_t met = 0;
-      for (std::size_t lane = 0; lane < 8; ++lane) {
-        unsigned meets = 1;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          meets &= static_cast<unsigned>(other.low[axis][i] <= high[axis][lane]) &
-                   static_cast<unsigned>(low[axis][lane] <= other.high[axis][i]);
-        met |= std::uint64_t{meets} << lane;
-      }
-      return met;
+    unsigned lanes_met_by(const Block& other, std::size_t i) const {
+      return four_met_by(other, i, 0) | four_met_by(other, i, 4) << 4;
     }
     void set(std::size_t lane, const std::array<float, 3>& least, const std::array<float, 3>& greatest) {
       for (std::size_t axis = 0; axis < 3; ++axis) low[axis][lane] = least[axis], high[axis][lane] = greatest[axis];
+    }
+
+   private:
+    using Four = kernel::processor::FourFloats;
+    using Found = kernel::processor::TwoBits;
+    unsigned four_met_by(const Block& other, std::size_t i, std::size_t from) const {
+      Found met = ~Found{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        Four least, most;
+        std::memcpy(&least, &low[axis][from], sizeof least), std::memcpy(&most, &high[axis][from], sizeof most);
+        const float l = other.low[axis][i], m = other.high[axis][i];
+        met &= reinterpret_cast<Found>(Four{l, l, l, l} <= most) & reinterpret_cast<Found>(least <= Four{m, m, m, m});
+      }
+      return kernel::processor::signs(met);
     }
   };
 
@@ -61,7 +71,7 @@ class FaceTree {
     const Block& whole = here ? other.block(other_level, j) : block(level, i);
     const Block& parts = here ? levels_[static_cast<std::size_t>(level - 1)][i]
                               : other.levels_[static_cast<std::size_t>(other_level - 1)][j];
-    for (std::uint64_t met = parts.lanes_met_by(whole, (here ? j : i) % 8); met != 0; met &= met - 1) {
+    for (unsigned met = parts.lanes_met_by(whole, (here ? j : i) % 8); met != 0; met &= met - 1) {
       const std::size_t child = 8 * (here ? i : j) + static_cast<std::size_t>(std::countr_zero(met));
       if (here ? any_pair(level - 1, child, other, other_level, j, wanted)
                : any_pair(level, i, other, other_level - 1, child, wanted))

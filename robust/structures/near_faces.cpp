@@ -79,7 +79,7 @@ void look_at_near_faces(const Meshd& mesh, const std::vector<Aabb3d>& boxes,
   }
   const Group others = without_group(hubs);
   const auto look_at_pairs = [&look](const Group& faces, const std::vector<Aabb3d>& of_faces) {
-    for (const auto& [i, j] : tree_pairs(of_faces)) look(faces[i], faces[j]);  // in ascending order
+    for (const auto& [i, j] : unsorted_tree_pairs(of_faces)) look(faces[i], faces[j]);  // faces ascend, so i < j
   };
   std::vector<Aabb3d> of_faces;
   for (const Index i : others) of_faces.push_back(boxes[i]);

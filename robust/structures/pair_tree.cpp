@@ -90,13 +90,16 @@ class PairTree {
   /// The number of pairs of nodes compared for the last list: tells how much refitting has degraded the tree.
   std::size_t compared() const { return compared_; }
 
-  void find_pairs(std::vector<IndexPair>& result) {
+  void find_pairs(std::vector<IndexPair>& result) { order_.sort(unsorted_pairs(), size_, result); }
+
+  /// Valid until the next list.
+  std::vector<IndexPair>& unsorted_pairs() {
     met_.clear(), compared_ = 0;
     if (!nodes_.empty()) {
       if (proof_) within<true>(0);
       else within<false>(0);
     }
-    order_.sort(met_, size_, result);
+    return met_;
   }
 
  private:
@@ -243,6 +246,13 @@ std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* p
   tree.make(boxes);
   tree.find_pairs(pairs);
   return pairs;
+}
+
+std::vector<IndexPair> unsorted_tree_pairs(const std::vector<Aabb3d>& boxes) {
+  const kernel::ControlWord guard;
+  PairTree tree;
+  tree.make(boxes);
+  return std::move(tree.unsorted_pairs());
 }
 
 KeptPairTree::KeptPairTree() = default;

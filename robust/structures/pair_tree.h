@@ -24,6 +24,9 @@ struct PairProof {
 /// of many sizes; about n^1.5 for long boxes across each other.
 std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* proof = nullptr);
 
+/// The same pairs in any order, which costs less.
+std::vector<IndexPair> unsorted_tree_pairs(const std::vector<Aabb3d>& boxes);
+
 class PairTree;
 
 /// The same pairs for a list that is queried repeatedly while its boxes move: the tree is kept, with all memory, and

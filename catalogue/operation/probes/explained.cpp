@@ -49,27 +49,28 @@ namespace {
 /// steps, so that the same question gets the same bytes.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 24, most_exact_steps = std::uint64_t{1} << 16;
 
-/// The textbook formula's answer, and the verdict on it, as far as the steps allow.
-Json reference_json(const Examination& examination) {
+/// The formula's steps in words if they are more than that; "" otherwise.
+std::string steps_beyond(std::uint64_t most, const Examination& examination) {
   const std::uint64_t n = elements_of_lists(*examination.row().question, examination.question());
   const Growth growth = examination.operation().metadata().time.reference;
   const std::uint64_t steps = steps_of(growth, n);
-  const std::string in_words =
-      std::to_string(steps) + " steps (" + name_of(growth) + ", n = " + std::to_string(n) + ")";
-  Json result = Json::object();
-  if (steps > most_steps) {
-    result["not_evaluated"] = in_words;
-  } else if (steps > most_exact_steps && formula_errs(examination)) {
-    result["answer"] = examination.reference();
-    result["verdict"] = "wrong";
-    result["cause_not_evaluated"] = in_words;
-  } else {
-    result = verdict_json(examination.judge_reference(), examination.reference());
-  }
-  return result;
+  if (steps <= most) return "";
+  return std::to_string(steps) + " steps (" + name_of(growth) + ", n = " + std::to_string(n) + ")";
+}
+
+/// The textbook formula's answer, and the verdict on it, as far as the steps allow.
+Json reference_json(const Examination& examination) {
+  if (const std::string steps = steps_beyond(most_steps, examination); !steps.empty())
+    return Json::object({{"not_evaluated", steps}});
+  const std::string steps = too_many_for_a_cause(examination);
+  if (steps.empty() || !formula_errs(examination))
+    return verdict_json(examination.judge_reference(), examination.reference());
+  return Json::object({{"answer", examination.reference()}, {"verdict", "wrong"}, {"cause_not_evaluated", steps}});
 }
 
 }  // namespace
+
+std::string too_many_for_a_cause(const Examination& examination) { return steps_beyond(most_exact_steps, examination); }
 
 Json truth_of_decimals(const Operation& operation, const Json& printed) {
   try {

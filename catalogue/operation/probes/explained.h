@@ -16,6 +16,10 @@ Json truth_alone(const Examination& examination);
 /// (Metadata::time).
 Json explained(const Examination& examination);
 
+/// The steps of the textbook formula, in words, if they are too many for the cause of an error to be sought, and for
+/// the formula to be evaluated in float, which takes an error analysis of each step; "" otherwise.
+std::string too_many_for_a_cause(const Examination& examination);
+
 Json certificate_json(const oracle::Certificate& certificate);
 
 /// An answer and the verdict on it.

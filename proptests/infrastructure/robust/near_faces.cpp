@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/structures/near_faces.h"
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -112,6 +113,52 @@ TEST_CASE("near faces: slices around two vertices, and faces that are far from b
   check_as_oracle(mesh);
   mesh.faces.push_back({42, 43, 44});  // through both cakes
   check_as_oracle(mesh);
+}
+
+TEST_CASE("near faces: faces that go around a vertex twice, all of them seen from one side, meet") {
+  Meshd mesh{{{0, 0, 1}, {0, 0, -9}}, {}};
+  const std::array<Point3d, 3> around{{{4, 0, 0}, {-2, 3, 0}, {-2, -3, 0}}};
+  for (Index k = 0; k < 6; ++k) {
+    const Point3d& p = around[k % 3];
+    const double size = k < 3 ? 1 : 2;
+    mesh.vertices.push_back({size * p.x, size * p.y, -size});
+  }
+  for (Index k = 0; k < 6; ++k) mesh.faces.push_back({0, 2 + k, 2 + (k + 1) % 6});
+  for (Index k = 0; k < 6; ++k) mesh.faces.push_back({1, 2 + (k + 1) % 6, 2 + k});
+  const auto found = robust::polyhedron_complexity(mesh);
+  CHECK((found.closed && found.oriented && found.vertex_manifold && !found.embedded));
+  check_as_oracle(mesh);
+}
+
+TEST_CASE("splitting faces: the first of a ball of many vertices, one of which is moved into it") {
+  constexpr Index around = 16, rings = 15;
+  for (const Index moved : {0U, 17U, 130U, 239U, 241U}) {
+    Meshd mesh{{{0, 0, 32}}, {}};
+    for (Index ring = 1; ring <= rings; ++ring) {
+      for (Index k = 0; k < around; ++k) {
+        const double height = 3.141592653589793 * ring / (rings + 1), angle = 6.283185307179586 * k / around;
+        mesh.vertices.push_back(
+            {32 * std::sin(height) * std::cos(angle), 32 * std::sin(height) * std::sin(angle), 32 * std::cos(height)});
+      }
+    }
+    mesh.vertices.push_back({0, 0, -32});
+    const auto at = [](Index ring, Index k) { return 1 + (ring - 1) * around + k % around; };
+    const auto last = static_cast<Index>(mesh.vertices.size() - 1);
+    for (Index k = 0; k < around; ++k) {
+      mesh.faces.insert(mesh.faces.end(), {{0, at(1, k), at(1, k + 1)}, {last, at(rings, k + 1), at(rings, k)}});
+      for (Index ring = 1; ring < rings; ++ring) {
+        mesh.faces.push_back({at(ring, k), at(ring + 1, k), at(ring, k + 1)});
+        mesh.faces.push_back({at(ring, k + 1), at(ring + 1, k), at(ring + 1, k + 1)});
+      }
+    }
+    Point3d& p = mesh.vertices[moved];
+    p = {0.75 * p.x, 0.75 * p.y, 0.75 * p.z};
+    const auto truth = oracle::polyhedron_complexity(mesh).answer;
+    const auto found = robust::polyhedron_complexity(mesh);
+    CHECK(found.splitting_face);
+    CHECK(found.splitting_face == truth.splitting_face);
+    CHECK((found.embedded && found.volume == VolumeSign::positive && truth.volume == VolumeSign::positive));
+  }
 }
 
 }  // namespace touchstone::proptests::near_faces_tests

@@ -209,6 +209,20 @@ static void audits(void) {
             strcmp(error.field, "question") == 0, "where the formula is right, there is nothing to shrink");
 }
 
+/* 257 balls far from each other: the formula takes 257^2 steps, and 2^16 are the most for which a cause is sought. */
+static void many_balls(void) {
+  static char question[257 * 40 + 20] = "{\"spheres\":[";
+  touchstone_error error;
+  char *text, *end = question + strlen(question);
+  for (int i = 0; i < 257; ++i)
+    end += sprintf(end, "%s{\"center\":[0,%d00,0],\"radius\":1}", i == 0 ? "" : ",", i + 1);
+  strcpy(end, "]}");
+  check(touchstone_explain("all_pairs", question, &text, &error) == TOUCHSTONE_OK &&
+            strstr(text, "\"reference_in_float\":{\"not_evaluated\":\"66049 steps (n^2, n = 257)\"}") != NULL,
+        "what takes too many steps is not evaluated");
+  touchstone_free(text);
+}
+
 static void pictures(void) {
   static const char* const question = "{\"p0\":[0,0],\"p1\":[0.3,0.3],\"p\":[0.1,0.1]}";
   static const char* const segments = "{\"a\":[[0,0,0],[2,0,0]],\"b\":[[1,1,1],[3,0,0]]}";
@@ -262,6 +276,7 @@ int main(void) {
   errors();
   scenes();
   audits();
+  many_balls();
   pictures();
 #ifdef VERSION_OF_PACKAGE
   check(strcmp(TOUCHSTONE_VERSION, VERSION_OF_PACKAGE) == 0, "the version in the header is the package's");

@@ -3,12 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <limits>
 
 #include "geometry/polyhedra.h"
 #include "robust/kernel/filters/ordered_bits.h"
 
 namespace touchstone::robust::kernel {
+
+/// The double of which these are the ordered bits; 0.0 of both zeros.
+inline double of_ordered_bits(std::int64_t ordered) {
+  const std::int64_t sign = ordered >> 63;
+  return std::bit_cast<double>((ordered + sign) ^ (sign & std::numeric_limits<std::int64_t>::max()));
+}
 
 /// A closed axis-aligned box, compared by the bits of its doubles.
 struct SpaceBox {

@@ -21,6 +21,11 @@ class FaceSide {
   FaceSide(const Meshd& mesh, const Face& face)
       : a_(mesh.vertices[face.a]), b_(mesh.vertices[face.b]), c_(mesh.vertices[face.c]), filter_(a_, b_, c_) {}
 
+  /// 0 if the filter does not tell.
+  int surely(const Point3d& p) const {
+    const auto side = filters::by_sign(filter_.side(p), 1, -1);
+    return side ? *side : 0;
+  }
   Decided<int> of(const Point3d& p) const {
     if (const auto side = filters::by_sign(filter_.side(p), 1, -1)) return {*side, Stage::filter};
     return past_filter(p);

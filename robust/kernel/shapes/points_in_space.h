@@ -20,6 +20,8 @@ struct ScaledPoints {
 /// Coordinates below 2^61; empty if one has a set bit more than 61 places below the leading place of the largest
 /// exponent.
 std::optional<ScaledPoints<std::int64_t>> lattice_of(const Polygon3d& polygon);
+/// The same for all finite numbers: digits that do not fit are cut off.
+std::vector<Point3<std::int64_t>> cut_to_lattice(const std::vector<Point3d>& points);
 ScaledPoints<mpz_class> integers_of(const Polygon3d& polygon);
 
 }  // namespace touchstone::robust::kernel

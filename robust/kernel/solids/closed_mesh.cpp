@@ -16,8 +16,7 @@ std::uint64_t edge(Index from, Index to) { return std::uint64_t{std::min(from, t
 
 std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
 
-/// In ascending order without duplicates. Edges are grouped by their lesser vertices, few to each, so that few are
-/// sorted at once.
+/// In ascending order without duplicates. Edges are grouped by their lesser vertices.
 std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
   std::vector<std::size_t> end(mesh.vertices.size() + 1);
   const auto for_each_edge = [&mesh](const auto& take) {
@@ -31,15 +30,18 @@ std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
   std::vector<Index> ends(3 * mesh.faces.size());
   for_each_edge([&](Index from, Index to) { ends[end[from]++] = to; });
   std::vector<std::uint64_t> odd;
+  std::vector<std::uint8_t> uses(mesh.vertices.size());  // of the edge to each vertex, modulo 2
   auto first = ends.begin();
   for (Index from = 0; from < mesh.vertices.size(); ++from) {
-    const auto last_of_all = ends.begin() + static_cast<std::ptrdiff_t>(end[from]);
-    std::sort(first, last_of_all);
-    while (first != last_of_all) {
-      const auto last = std::find_if(first, last_of_all, [first](Index other) { return other != *first; });
-      if ((last - first) % 2 != 0) odd.push_back(edge(from, *first));
-      first = last;
+    const auto last = ends.begin() + static_cast<std::ptrdiff_t>(end[from]);
+    int edges = 0;
+    for (auto to = first; to != last; ++to) edges += (uses[*to] ^= 1) != 0 ? 1 : -1;
+    if (edges != 0) {
+      std::sort(first, last);
+      for (auto to = first; to != last; ++to)
+        if (uses[*to] != 0) odd.push_back(edge(from, *to)), uses[*to] = 0;
     }
+    first = last;
   }
   return odd;
 }
