@@ -59,7 +59,7 @@ void add_balls_and_boxes(const Add& add) {
     return {{lattice_point_in_space(c, 6), -one_to(c, 3)}, box};
   });
   add("near_root", [](DrawStream& c) -> BallAndBox {
-    // Beyond an edge by (r, r), of which the root of 2 is no fraction.
+    // The center is beyond an edge by (r, r), so its distance is r times the root of 2, which is irrational.
     const auto [x, r] = near_root(c);
     const double far = one_to(c, 8);
     return {{{r, r, integer(c, 10)}, x}, {{-far, -far, 0}, {{far, 0, 0}, {0, far, 0}, {0, 0, 4096}}}};
@@ -81,7 +81,7 @@ void add_balls_and_boxes(const Add& add) {
     return {ball, box};
   });
   add("subnormal", [](DrawStream& c) -> BallAndBox {
-    // Integers times the least number, or a few times that: their products are no numbers.
+    // Integers times the least number, or a few times that: their products underflow.
     auto [ball, box] = tangent_to_box(c);
     const int down = -1074 + integer_in(c, 0, 60);
     change_each(box, [down](auto& v) { v = scaled(v, down); });

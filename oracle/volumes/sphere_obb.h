@@ -13,8 +13,9 @@ namespace touchstone::oracle {
 ///
 /// Margin: |S - r^2|, S being the squared distance: 0 for a tangent ball, and for a point in the box.
 ///
-/// Certificate: disjoint: "nearest_points" (`coefficients` of the half axes, which give the nearest point; it is farther
-/// than the radius). touching: "tangent" (as far as the radius). overlapping: "near_points" (nearer than the radius).
+/// Certificate: disjoint: "nearest_points" (`coefficients` of the half axes, which give the nearest point; it is
+/// farther than the radius). touching: "tangent" (as far as the radius). overlapping: "near_points" (nearer than the
+/// radius).
 Truth<Contact> sphere_obb(const Sphere3d& sphere, const Obb3d& obb);
 template <Exact Number>
 Truth<Contact> sphere_obb(const Sphere3<Number>& sphere, const Obb3<Number>& obb);

@@ -59,7 +59,7 @@ bool any_faces_meet(const Meshd& a, const Meshd& b, Stage& latest) {
   return false;
 }
 
-/// The faces that are not on the outer side of one of a box's sides.
+/// Returns the faces that may meet a box: those whose corners are not all beyond one of its sides.
 std::vector<Index> faces_near(const Meshd& mesh, const SpaceBox& box) {
   std::vector<std::uint8_t> outside;  // of each vertex, a bit for each side
   outside.reserve(mesh.vertices.size());
@@ -80,7 +80,7 @@ std::vector<Index> faces_near(const Meshd& mesh, const SpaceBox& box) {
   return near;
 }
 
-/// A mesh of many faces; in a tree when that is worth its making.
+/// A mesh of many faces. Its tree is made when a question is worth it, so one thread asks at a time.
 class Solid {
  public:
   Solid(const Meshd& of, const SpaceBox& around) : mesh(of), box(around) {}
@@ -106,7 +106,7 @@ class Solid {
   mutable int located_ = 0;
 };
 
-/// A slab across the middle of the common box, of a 128th of its longest side. An estimate.
+/// Estimates a slab across the middle of the common box, as thick as a 128th of its longest side.
 SpaceBox slab_of_both(const SpaceBox& a, const SpaceBox& b) {
   const kernel::ControlWord guard;
   SpaceBox slab = a;

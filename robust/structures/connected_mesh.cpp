@@ -35,7 +35,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh, const FaceCorners& all) : sides(
   const std::vector<Index>& corners = all.vertex;
   Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex are joined by the edges there
   sides.for_each_edge([&](Index low, const auto first, const auto last) {
-    const auto count = last - first, along = std::count_if(first, last, [](const EdgeSide&s) { return s.along; });
+    const auto count = last - first, along = std::count_if(first, last, [](const EdgeSide& s) { return s.along; });
     const auto note = [low, first](std::optional<IndexPair>& witness, bool holds) {
       if (!holds && !witness) witness = IndexPair{low, first->high};
     };

@@ -11,7 +11,7 @@
 namespace touchstone::robust::structures {
 
 /// The properties of a valid mesh that follow from its indices: vertices, edges, components, and how faces meet at
-/// them. reference/polyhedra/polyhedron_complexity.h defines the terms. The time is that of sorting the edges.
+/// them. reference/polyhedra/polyhedron_complexity.h defines the terms. The time is that of grouping the edges.
 struct ConnectedMesh {
   explicit ConnectedMesh(const Meshd& mesh);
 

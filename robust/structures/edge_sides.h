@@ -22,7 +22,8 @@ struct FaceCorners {
     for (const Face& f : faces) add(std::array{f.a, f.b, f.c});
   }
   /// The corners of the faces as they are named.
-  explicit FaceCorners(const Meshd& mesh) : FaceCorners(mesh.polygons.empty() ? mesh.faces : std::vector<Face>()) {
+  explicit FaceCorners(const Meshd& mesh) {
+    if (mesh.polygons.empty()) *this = FaceCorners(mesh.faces);
     for (const std::vector<Index>& polygon : mesh.polygons) add(polygon);
   }
 
@@ -42,8 +43,8 @@ struct EdgeSide {
   std::size_t corner;  ///< where it begins
 };
 
-/// The sides of all faces by their edges: lesser vertices ascend, then greater ones, then corners. A counting sort by
-/// the lesser vertex leaves few sides at once to be compared.
+/// The sides of all faces by their edges: lesser vertices ascend, then greater ones, then corners. After a
+/// counting sort by the lesser vertex, only sides of the same one are compared.
 class EdgeSides {
  public:
   EdgeSides(std::size_t vertices, const FaceCorners& corners) : end_(vertices + 1), sides_(corners.vertex.size()) {

@@ -91,9 +91,9 @@ bool beside(const Side& side_of, const Seen& g) {
   return true;
 }
 
-/// True if, as seen along an axis along which f is no line, for certain all corners of g are beyond an edge of f, except
-/// for common ones that are ends of that edge. Their intersection is then seen on that edge, so it is spanned by common
-/// corners.
+/// True if, as seen along an axis along which f is no line, for certain all corners of g are beyond an edge of f,
+/// except for common ones that are ends of that edge. Their intersection is then seen on that edge, so it is spanned by
+/// common corners.
 bool beyond_an_edge(const Seen& f, const Seen& g) {
   const auto& [a, b, c] = f.corners;
   const Vector3d normal = cross(*b - *a, *c - *a);  // an estimate
@@ -142,7 +142,8 @@ bool meet(const Meshd& mesh, const Face& f, const kernel::FaceSide& plane_of_f, 
 /// Seen along an axis, the faces around a vertex follow one another as the edges there do. If all are seen from one
 /// side, each takes an angle of less than half a turn, all in one direction; if they go around once, their angles have
 /// nothing in common but the sides of neighbours, on which both have the whole edge. They go around as often as they
-/// come from one half of the plane to the other, and twice that is the number of faces that have an edge in either half.
+/// come from the lower half of the plane to the upper; twice that is the number of faces that have one edge in each
+/// half. A half has one of its two borders, the right one with the upper half.
 class Graphs {
  public:
   explicit Graphs(const Meshd& mesh) : sides_(mesh.vertices.size(), 0x3f), crossings_(mesh.vertices.size()) {

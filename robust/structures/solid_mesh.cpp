@@ -17,10 +17,11 @@ namespace {
 
 /// The sign of the volume by coordinates of 30 binary digits, in integers; nullopt if these do not tell.
 ///
-/// Coordinates relative to a vertex, in a unit that makes them at most M = 2^30 in size, are cut off to integers: in the
-/// lattice's unit by less than 1 for either end of a difference, and if theirs is larger, then at least twice as large,
-/// by less than 1 in that. So they are off by less than 2, and a determinant, of six products of three coordinates, by
-/// less than 6 ((M + 2)^3 - M^3) < 37 M^2. It is at most 6 M^3, and the sum for less than 2^30 faces below 2^123.
+/// Coordinates relative to a vertex, in a unit that makes them at most M = 2^30 in size, are cut off to integers. In
+/// the lattice's unit, either end of a difference is off by less than 1. If the unit is not the lattice's, it is at
+/// least twice as large, and cutting off to it adds less than 1. So coordinates are off by less than 2, and a
+/// determinant, of six products of three of them, by less than 6 ((M + 2)^3 - M^3) < 37 M^2. It is at most 6 M^3, and
+/// the sum for less than 2^30 faces is below 2^123.
 std::optional<VolumeSign> sign_of_rounded_volume(const Meshd& mesh) {
   if (mesh.faces.size() >= std::size_t{1} << 30) return std::nullopt;
   std::vector<Point3<std::int64_t>> at = kernel::cut_to_lattice(mesh.vertices);

@@ -21,8 +21,8 @@ VolumeSign sign_of_volume(const Meshd& mesh);
 /// (Tietze, Nakajima; van Heijenoort). sides: those of its triangles. n steps.
 bool locally_convex(const Meshd& mesh, const EdgeSides& sides);
 
-/// The first face whose plane has vertices of faces on both sides. Takes faces times vertices steps if there is none,
-/// of which a test of a box of vertices usually saves most.
+/// The first face whose plane has vertices of faces on both sides. Takes faces times vertices steps if there is none;
+/// tests of boxes save most of them if vertices that are neighbours in the list are near each other.
 std::optional<SplittingFace> first_splitting_face(const Meshd& mesh);
 
 }  // namespace touchstone::robust::structures

@@ -49,7 +49,7 @@ namespace {
 /// steps, so that the same question gets the same bytes.
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 24, most_exact_steps = std::uint64_t{1} << 16;
 
-/// The formula's steps in words if they are more than that; "" otherwise.
+/// The formula's steps in words if they are more than `most`; "" otherwise.
 std::string steps_beyond(std::uint64_t most, const Examination& examination) {
   const std::uint64_t n = elements_of_lists(*examination.row().question, examination.question());
   const Growth growth = examination.operation().metadata().time.reference;

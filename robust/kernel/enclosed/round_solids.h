@@ -12,10 +12,10 @@
 /// The contact of round convex solids whose cores are points, segments and boxes: a guess of their nearest points, and
 /// certain signs that prove it.
 ///
-/// Bounds: the model of sized.h, u = 2^-52, all numbers `moderate`. With s for the sum of the magnitudes of what a
-/// difference or sum is made of, each of its terms goes through at most k operations, so that it is off by ((1 + u)^k -
-/// 1) s at most, and s as computed is at least (1 - u)^k s. For k <= 32 the first is less than 2^-46 times the second.
-/// Not proved by machine.
+/// Bounds: the model of sized.h, u = 2^-52; numbers of the input are `moderate`. With s for the sum of the magnitudes
+/// of the terms of a sum, ways and edges being terms as they are computed, each term goes through at most k operations.
+/// So the sum is off by ((1 + u)^k - 1) s at most, and s as computed is at least (1 - u)^k s. For k <= 32 the first is
+/// less than 2^-46 times the second. Not proved by machine.
 namespace touchstone::robust::filters {
 
 inline constexpr double error_of_32_roundings = 0x1p-46;
@@ -27,24 +27,25 @@ inline bool independent(const Vector3d& u, const Vector3d& v, const Vector3d& w)
 }
 
 /// Two cores: the displacements from a point of one to a point of the other are way - sum t_k edge_k with t_k in [-1,
-/// 1]. The coordinates of the way and of edges are sums and differences of up to four numbers.
+/// 1]. Each coordinate of the way and of edges is a number of the input or the difference of two of them. It is then
+/// off by u of itself at most; a sum of more numbers may cancel, and be off by more than that.
 template <std::size_t n>
 struct Differences {
   std::array<Vector3d, n> edges;
   Vector3d way;
 
-  /// The contact of the cores, one or both of them grown by a radius, `reach` being the sum of the radii; empty if it
-  /// is not certain. The cores overlap if they are nearer than the reach: one of them has an interior, or both radii
+  /// The contact of the solids, `reach` being the sum of their radii; empty if it is not certain. They overlap if the
+  /// cores are nearer than the reach. Only for solids of which that is true: one core has an interior, or both radii
   /// are not 0.
   ///
   /// The guess of the t_k: the foot of the perpendicular along each edge, moved into [-1, 1], which for edges at right
   /// angles is the nearest point; for others again, along one edge after the other. Its proof, for any numbers t_k in
   /// [-1, 1] and any direction: if the displacement is shorter than the reach, there are points as near as that. If the
   /// way leads farther along the direction than the edges and the reach together, all points are farther apart. The
-  /// direction is the displacement as computed. The t_k are made `moderate`, so that all numbers here are multiples of
-  /// 2^-492.
+  /// direction is the displacement as computed. A t_k is 0 or at least 2^-30, and a difference of `moderate` numbers is
+  /// a multiple of 2^-82, so no product underflows.
   ///
-  /// A square goes through 3 operations in the way, n + 1 in the displacement, twice, and 4 more; a height through no
+  /// A square goes through one operation in the way, n + 1 in the displacement, twice, and 4 more; a height through no
   /// more than these, and no coordinate of the direction exceeds its length, which is less than 2^-40 of itself off.
   Perhaps<Contact> contact(double reach) const {
     Vector3d most = magnitudes(way);

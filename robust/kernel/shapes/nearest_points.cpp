@@ -86,8 +86,9 @@ QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle& triangl
   return nearest.pair.on_a;
 }
 
-/// On a face whose plane p is beyond: what leads from the nearest point to p is a sum of normals of the faces there, and
-/// is as long as it is along itself; so along one of these normals p is farther. Each face is two triangles.
+/// The nearest point is on a face whose plane p is beyond. The vector from it to p is a sum of outward normals of the
+/// faces there, with factors >= 0. Its product with itself is positive, so its product with one of these normals is,
+/// and p is beyond that face. Each face is two triangles.
 QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box) {
   const auto& [u, v, w] = box.half_axes;
   const Vector displacement = p - box.center;

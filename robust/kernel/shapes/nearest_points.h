@@ -10,8 +10,8 @@
 #include "robust/kernel/filters/staged.h"
 #include "robust/kernel/shapes/points_in_space.h"
 
-/// The nearest points of points, segments, triangles and boxes of space, by cases, in integers. Shapes without length or area
-/// are cases like others. The plane is z = 0.
+/// The nearest points of points, segments, triangles and boxes of space, by cases, in integers. Shapes without length
+/// or area are cases like others. The plane is z = 0.
 namespace touchstone::robust::kernel {
 
 using IntegerPoint = Point3<mpz_class>;
