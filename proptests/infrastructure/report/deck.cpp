@@ -55,7 +55,8 @@ TEST_CASE("deck: what no page asks stands at the end, and nothing else does") {
   for (const Operation* operation : all_operations()) {
     INFO(operation->name());
     const bool listed = beside.find("<b>" + breakable(operation->name()) + "</b>") != std::string::npos;
-    CHECK(listed == (std::string(operation->metadata().chapter) == "mixed"));
+    // A ball and an oriented box is the one pair of two shapes of the deck's own chapter that no page asks.
+    CHECK(listed == (std::string(operation->metadata().chapter) == "mixed" || operation->name() == "sphere_obb"));
   }
   CHECK(page.find("breaks the formulas") == std::string::npos);  // nothing was asked
 }
