@@ -7,14 +7,6 @@
 namespace touchstone::certify {
 namespace {
 
-/// The greatest magnitude of three coefficients.
-Rational greatest(const std::vector<Rational>& coefficients, const std::string& name) {
-  expect(coefficients.size() == 3, "certificate." + name + ": a list of three");
-  Rational result;
-  for (const Rational& each : coefficients) result = std::max<Rational>(result, abs(each));
-  return result;
-}
-
 /// The coefficients of a point are unique, because the half axes are independent.
 void check_point_in_obb(const Claim& claim) {
   claim.inputs({"obb", "point"});
@@ -68,6 +60,13 @@ void check_obb_obb(const Claim& claim) {
 }
 
 }  // namespace
+
+Rational greatest(const std::vector<Rational>& coefficients, const std::string& name) {
+  expect(coefficients.size() == 3, "certificate." + name + ": a list of three");
+  Rational result;
+  for (const Rational& each : coefficients) result = std::max<Rational>(result, abs(each));
+  return result;
+}
 
 Triple Obb::at(const std::vector<Rational>& coefficients) const {
   Triple p = center;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/families/box_draws.h"
-#include "catalogue/families/space_draws.h"
+#include "catalogue/families/half_space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/mixed/aabb_plane.h"
@@ -12,7 +12,7 @@
 
 namespace touchstone::catalogue::rows {
 
-struct aabb_plane : signatures::aabb_plane {
+struct aabb_plane : signatures::aabb_plane, OverHalfSpace<Aabb3d> {
   TOUCHSTONE_MODULES(aabb_plane)
   using stages = ::touchstone::robust::stages::aabb_plane;
   using decision = NoDecision;
@@ -119,13 +119,6 @@ struct aabb_plane : signatures::aabb_plane {
       const Vector3d n{0.0, zero(c), 0.0};
       return {lattice_box(c), {n, small_integer(c)}};
     });
-  }
-
-  /// The normal has no unit: it keeps its value.
-  static void scale(Question& question, int k) {
-    auto& [box, plane] = question;
-    for_each_number(box, [k](double& length) { length = std::ldexp(length, k); });
-    plane.offset = std::ldexp(plane.offset, k);
   }
 
   static void repair(Question& q) { put_in_order(std::get<0>(q)); }

@@ -54,6 +54,9 @@ Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := 
   right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
 Definition sphere_obb_spec c (r : R) center axes (w : contact) : Prop :=
   proper_ball 3 c r /\ right_obb center axes /\ contact_spec 3 (ball c r) (obb center axes) w.
+Definition obb_plane_spec c axes n d (w : contact) : Prop := right_obb c axes /\ over_half_space (obb c axes) n d w.
+Definition capsule_plane_spec points (r : R) normal (offset : R) (w : contact) : Prop :=
+  points_of 2 3 points /\ 0 <= r /\ over_half_space (capsule points r) normal offset w.
 
 (** * What a segment, a ray or a triangle has in common with a triangle *)
 Inductive common (A : Type) := no_point | common_point (t : A) (p : list A) | common_segment (p q : list A).
