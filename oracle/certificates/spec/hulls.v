@@ -52,6 +52,7 @@ Definition point_in_obb_spec center axes p (w : location) : Prop :=
   right_obb center axes /\ location_spec 3 (obb center axes) p w.
 Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := right_obb center_a axes_a /\
   right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
+Definition aabb_obb_spec l h c a w := proper_box 3 l h /\ right_obb c a /\ contact_spec 3 (box l h) (obb c a) w.
 Definition sphere_obb_spec c (r : R) center axes (w : contact) : Prop :=
   proper_ball 3 c r /\ right_obb center axes /\ contact_spec 3 (ball c r) (obb center axes) w.
 Definition obb_plane_spec c axes n d (w : contact) : Prop := right_obb c axes /\ over_half_space (obb c axes) n d w.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/volumes/sphere_obb.h"
 
+#include "proptests/box_laws.h"
 #include "proptests/closest_laws.h"
 #include "robust/volumes/point_in_obb.h"
 #include "robust/volumes/sphere_aabb.h"
@@ -22,8 +23,7 @@ constexpr Worked<Row> worked;
 }  // namespace
 
 LAW("sphere_obb: half axes may be exchanged and reversed", ball, box) {
-  const auto& [u, v, w] = box.half_axes;
-  return ask(Row::Question{ball, {box.center, {w, {-u.x, -u.y, -u.z}, v}}}) == ask(asked);
+  return ask(in_another_order<1>(asked)) == ask(asked);
 }
 
 LAW("sphere_obb: a ball that grows never loses contact, and one that touched overlaps", ball, box) {
@@ -41,21 +41,15 @@ ROBUST_LAW("sphere_obb: a point only touches the box that it is in, and a ball a
 
 ROBUST_LAW("sphere_obb: a ball that meets a corner meets the box", ball, box) {
   if (!on_lattice(asked)) return true;
-  for (const double r : {-2.0, 2.0})
-    for (const double s : {-2.0, 2.0})
-      for (const double t : {-2.0, 2.0})
-        if (ask(asked) < robust::sphere_sphere(ball, Sphere3d{catalogue::halves_along(box, r, s, t), 0})) return false;
+  for (const Point3d& corner : corners(box))
+    if (ask(asked) < robust::sphere_sphere(ball, Sphere3d{corner, 0})) return false;
   return true;
 }
 
 ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ball, box) {
-  const auto& [u, v, w] = box.half_axes;
-  const Point3d& c = box.center;
-  if (!on_lattice(asked) || u.x == 0 || v.y == 0 || w.z == 0) return true;
-  const double x = std::fabs(u.x), y = std::fabs(v.y), z = std::fabs(w.z);
-  const Obb3d straight{c, {{u.x, 0, 0}, {0, v.y, 0}, {0, 0, w.z}}};
-  return ask(Row::Question{ball, straight}) ==
-         robust::sphere_aabb(ball, Aabb3d{{c.x - x, c.y - y, c.z - z}, {c.x + x, c.y + y, c.z + z}});
+  const auto straight = straightened(box);
+  if (!on_lattice(asked) || !straight) return true;
+  return ask(Row::Question{ball, straight->obb}) == robust::sphere_aabb(ball, straight->aabb);
 }
 
 TEST_CASE("sphere_obb: balls beside a cube and a turned box, worked by hand") {
