@@ -50,10 +50,7 @@ struct aabb_plane : signatures::aabb_plane, OverHalfSpace<Aabb3d> {
     add("flat", [](DrawStream& c) -> Question {
       // A rectangle, a segment or a point, in front of the plane, on it, through it or behind it.
       Aabb3d box = lattice_box(c);
-      const auto axes = c.below(7);
-      if (axes != 1 && axes != 2 && axes != 5) box.max.x = box.min.x;
-      if (axes == 1 || axes > 3) box.max.y = box.min.y;
-      if (axes == 2 || axes == 3 || axes > 4) box.max.z = box.min.z;
+      flatten(box, c);
       const Vector3d n = lattice_normal(c, 4);
       return over_plane(c, box, n, small_integer(c));
     });

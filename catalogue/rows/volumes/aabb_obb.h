@@ -32,9 +32,9 @@ struct aabb_obb : signatures::aabb_obb {
   }
 
   static void hard_cases(HardCases<Question>& add) {
-    add("touching", [](DrawStream& c) -> Question { return touching(c, straight(c), lattice_half_axes(c)); });
+    add("touching", [](DrawStream& c) -> Question { return touching(c, lattice_half_axes); });
     add("near_touch", [](DrawStream& c) -> Question {
-      Question q = touching(c, straight(c), skew_half_axes(c, 20));
+      Question q = touching(c, [](DrawStream& d) { return skew_half_axes(d, 20); });
       Point3d& center = std::get<1>(q).center;
       center = beside(center, c);
       return q;
@@ -42,7 +42,8 @@ struct aabb_obb : signatures::aabb_obb {
     add("crossing_edges", [](DrawStream& c) -> Question {
       // Boxes that only an axis of two edges separates, or none.
       const std::size_t i = c.below(3), j = 3 + c.below(3);
-      Question q = brought_to_touch(c, straight(c), turned_half_axes(c), i, j);
+      const Obb3d a = straight(c);
+      Question q = brought_to_touch(c, a, turned_half_axes(c), i, j);
       std::get<1>(q).center.x += small_integer(c, 1);
       return q;
     });
@@ -53,25 +54,21 @@ struct aabb_obb : signatures::aabb_obb {
     });
     add("flat", [](DrawStream& c) -> Question {
       // A rectangle, a segment or a point, that touches or reaches in.
-      const Obb3d a = straight(c);
-      Question q = touching(c, a, lattice_half_axes(c));
+      Question q = touching(c, lattice_half_axes);
       auto& [box, other] = q;
-      const auto axes = c.below(7);
-      if (axes != 1 && axes != 2 && axes != 5) box.max.x = box.min.x;
-      if (axes == 1 || axes > 3) box.max.y = box.min.y;
-      if (axes == 2 || axes == 3 || axes > 4) box.max.z = box.min.z;
+      flatten(box, c);
       if (c.coin()) other.center = box.min + small_integer(c, 2) / 2 * other.half_axes.v;
       return q;
     });
     add("nearly_flat", [](DrawStream& c) -> Question {
-      Question q = touching(c, straight(c), lattice_half_axes(c));
+      Question q = touching(c, lattice_half_axes);
       Aabb3d& box = std::get<0>(q);
       box.max.x = moved_by_ulps(box.min.x, integer_in(c, 0, 2));
       return q;
     });
     add("center_between_doubles", [](DrawStream& c) -> Question {
       // Neither the center of the box nor half of its width is a double.
-      Question q = touching(c, straight(c), turned_half_axes(c));
+      Question q = touching(c, turned_half_axes);
       auto& [box, other] = q;
       const double far = power_of_two(c, 50, 56), off = small_integer(c, 1);
       if (c.coin()) box.min.x -= far + off;
@@ -79,7 +76,7 @@ struct aabb_obb : signatures::aabb_obb {
       return q;
     });
     add("nearly_dependent", [](DrawStream& c) -> Question {
-      Question q = touching(c, straight(c), slanted_half_axes(c));
+      Question q = touching(c, slanted_half_axes);
       Point3d& center = std::get<1>(q).center;
       center = beside(center, c);
       return q;
@@ -90,7 +87,7 @@ struct aabb_obb : signatures::aabb_obb {
       return {lattice_box(c), {lattice_point_in_space(c, 20), {u, r * u + s * v, v}}};
     });
     add("stretched", [](DrawStream& c) -> Question {
-      Question q = touching(c, straight(c), lattice_half_axes(c));
+      Question q = touching(c, lattice_half_axes);
       Stretch{c, {0, 60, 255, -170, 300, -300, -355}}(std::get<0>(q), std::get<1>(q));
       return q;
     });
@@ -103,12 +100,16 @@ struct aabb_obb : signatures::aabb_obb {
       return {other, box};
     });
     add("rounded_touch", [](DrawStream& c) -> Question {
-      Obb3d a{ordinary_point_in_space(c), {{ordinary(c), 0, 0}, {0, ordinary(c), 0}, {0, 0, ordinary(c)}}};
-      return touching(c, a, ordinary_half_axes(c));
+      return touching(c, ordinary_half_axes, [](DrawStream& d) -> Obb3d {
+        const Point3d center = ordinary_point_in_space(d);
+        return {center, {{ordinary(d), 0, 0}, {0, ordinary(d), 0}, {0, 0, ordinary(d)}}};
+      });
     });
     add("terms_below_least", [](DrawStream& c) -> Question {
       // Products of three coordinates are a few times the least number, or less.
-      Question q = touching(c, {{0, 0, 0}, straight_half_axes(c)}, lattice_half_axes(c));
+      Question q = touching(c, lattice_half_axes, [](DrawStream& d) -> Obb3d {
+        return {{0, 0, 0}, straight_half_axes(d)};
+      });
       const int k = -350 - integer_in(c, 0, 15);
       const auto change = [k](auto& v) { v = scaled(v, k); };
       change_each(std::get<0>(q), change), change_each(std::get<1>(q), change);
@@ -170,9 +171,11 @@ struct aabb_obb : signatures::aabb_obb {
     bring_to_touch(a, b, i, j, c);
     return {corners(a), b};
   }
-  static Question touching(DrawStream& c, const Obb3d& a, const HalfAxes3d& half_axes) {
+  static Question touching(DrawStream& c, HalfAxes3d (*half_axes)(DrawStream&),
+                           Obb3d (*aligned)(DrawStream&) = straight) {
     const std::size_t i = c.below(6), j = c.below(5);
-    return brought_to_touch(c, a, half_axes, i, j < i ? j : j + 1);
+    const Obb3d a = aligned(c);
+    return brought_to_touch(c, a, half_axes(c), i, j < i ? j : j + 1);
   }
 };
 
