@@ -11,10 +11,10 @@ Context {A : Type}.
 Notation T := (term A). Notation C := (cond A).
 
 Inductive box_facts :=
-| beyond_box (n : list A)
-| touched_box (u n : list A)
-| flat_box_at (u : list A) (axis : nat)
-| inside_boxes (u : list A).
+| past_aabb (n : list A)
+| touched_aabb (u n : list A)
+| flat_aabb (u : list A) (axis : nat)
+| inside_aabb (u : list A).
 
 (** [aabb_obb]: n leads from the axis-aligned box to the other, u are coefficients of the half axes. *)
 Definition check_aabb_obb (low high center : list A) (axes : list (list A)) (w : contact) (facts : box_facts) : C :=
@@ -24,10 +24,10 @@ Definition check_aabb_obb (low high center : list A) (axes : list (list A)) (w :
   let common u := within_one u /\ on_each 3 (fun k => c k low <= at_axis u k /\ at_axis u k <= c k high) in
   is_box 3 low high /\ right_box center axes /\
   match w, facts with
-  | disjoint, beyond_box n => of_length 3 n /\ zero < gap n
-  | touching, touched_box u n => of_length 3 n /\ not_zero n /\ gap n = zero /\ common u
-  | touching, flat_box_at u k => if_so (k <? 3) /\ c k low = c k high /\ common u
-  | overlapping, inside_boxes u =>
+  | disjoint, past_aabb n => of_length 3 n /\ zero < gap n
+  | touching, touched_aabb u n => of_length 3 n /\ not_zero n /\ gap n = zero /\ common u
+  | touching, flat_aabb u k => if_so (k <? 3) /\ c k low = c k high /\ common u
+  | overlapping, inside_aabb u =>
       inside_one u /\ on_each 3 (fun k => c k low < at_axis u k /\ at_axis u k < c k high)
   | _, _ => No
   end.

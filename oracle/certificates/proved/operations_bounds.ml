@@ -79,15 +79,15 @@ let aabb_obb = operation "aabb_obb" [ "aabb"; "obb" ] "contact" (function
       let low, high = two_members "min" "max" in_space in_space aabb and center, axes = obb solid in
       let check = check_aabb_obb low high center axes in
       [ kind "disjoint" [] "separating_axis" [ "normal" ] (fun _ facts ->
-          check Disjoint (Beyond_box (exact_list (List.hd facts))));
+          check Disjoint (Past_aabb (exact_list (List.hd facts))));
         kind "touching" [] "supporting_axis" [ "coefficients"; "normal" ] (fun _ facts -> match facts with
-          | [ u; normal ] -> check Touching (Touched_box (exact_list u, exact_list normal))
+          | [ u; normal ] -> check Touching (Touched_aabb (exact_list u, exact_list normal))
           | _ -> assert false);
         kind "touching" [] "flat_axis" [ "coefficients"; "axis" ] (fun _ facts -> match facts with
-          | [ u; axis ] -> check Touching (Flat_box_at (exact_list u, index axis))
+          | [ u; axis ] -> check Touching (Flat_aabb (exact_list u, index axis))
           | _ -> assert false);
         kind "overlapping" [] "common_interior_point" [ "coefficients" ] (fun _ facts ->
-          check Overlapping (Inside_boxes (exact_list (List.hd facts)))) ]
+          check Overlapping (Inside_aabb (exact_list (List.hd facts)))) ]
   | _ -> assert false)
 
 let operations = [ aabb_of_points; kdop_of_points; bounding_sphere; point_in_obb; obb_obb; aabb_obb ]
