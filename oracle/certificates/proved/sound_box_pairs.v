@@ -16,7 +16,8 @@ Proof.
   split; [auto|]. split; [auto|].
   set (x := fun u => plus (rl c) (combined 3 (rl u) (map rl axes))).
   assert (at_axis : forall u k, value Q2R (nth k (placed c axes u) zero) = nth k (x u) 0).
-  { intros u k. unfold x. rewrite <- placed_means. change 0 with (value Q2R zero). unfold values. rewrite map_nth. auto. }
+  { intros u k. unfold x. rewrite <- placed_means. change 0 with (value Q2R zero). unfold values.
+    rewrite map_nth. auto. }
   assert (in_obb : forall u, means Q2R (within_one u) -> obb (rl c) (map rl axes) (x u) /\ length (x u) = 3%nat).
   { intros u m. apply within_one_means in m. assert (o : obb (rl c) (map rl axes) (x u)) by (exists (rl u); tauto).
     split; [auto | apply (obb_length _ _ _ right o)]. }
