@@ -9,7 +9,7 @@ Links lead to files that are there, and to headings. A block marked `console` sh
 print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
 lines. A block marked `console terminal` is run on a terminal, where `./dev audit` stands for the program's audit of as
 many cases. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
-CITATION.cff, CHANGELOG.md and the program. facts.py checks numbers."""
+CITATION.cff, CHANGELOG.md and the program. README.md shows the table of pairs of shapes of docs/operations.md. facts.py checks numbers."""
 import argparse
 import os
 import pathlib
@@ -119,20 +119,30 @@ def versions(root, told):
         yield "versions differ: " + ", ".join(f"{place} {version}" for place, version in found.items())
 
 
+def shape_pairs(root):
+    """README.md shows the table of two shapes in space that docs/operations.md has."""
+    text = (root / "docs/operations.md").read_text(encoding="utf-8")
+    for row in re.search(r"^\| In space .*?\n\n", text + "\n\n", re.MULTILINE | re.DOTALL)[0].splitlines():
+        if row and row.replace("(#", "(docs/operations.md#") not in (root / "README.md").read_text(encoding="utf-8"):
+            yield f"README.md: shape against shape: docs/operations.md has {row}"
+
+
 def defects(root, program, usage, subcommands, told):
     for page in pages(root):
         yield from links(root, page)
         yield from commands(root, page, usage, subcommands)
         yield from shown_output(root, page, program)
+    yield from shape_pairs(root)
     yield from versions(root, told)
 
 
 RIGHT = {
     "README.md": "# A\n[there](docs/page.md#two-words) ![](picture.png) `[no](link.md)`\n```console\n"
                  f"$ echo 1; echo 2; echo 3\n1\n...\n3\n$ {PROGRAM} ask\nasked\n```\n./dev test\n"
-                 "```console terminal\n$ ./dev audit; test -t 1 && echo yes\nasked\nyes\n```\n",
+                 "```console terminal\n$ ./dev audit; test -t 1 && echo yes\nasked\nyes\n```\n"
+                 "| In space |\n| [touch](docs/operations.md#lines) |\n",
     "docs/page.md": "# Two `words`\n[up](../README.md) [out](https://example.org)\n",
-    "docs/operations.md": "## lines\n",
+    "docs/operations.md": "| In space |\n| [touch](#lines) |\n\n## lines\n",
     "picture.png": "",
     "CMakeLists.txt": "project(touchstone VERSION 1.2.3 LANGUAGES CXX)\nset(TOUCHSTONE_RELEASE_DATE 2026-01-31)\n",
     "CITATION.cff": "version: 1.2.3\ndate-released: 2026-01-31\n",
@@ -148,6 +158,7 @@ WRONG = [
     ("README.md", "\nyes", "\nno", "test -t 1 && echo yes: it prints"),
     ("README.md", "./dev test", "./dev tset", "./dev tset: ./dev knows no such command"),
     ("README.md", f"{PROGRAM} ask\nasked", f"{PROGRAM} aks\nasked", "touchstone aks: the program knows no"),
+    ("README.md", "[touch]", "[touches]", "shape against shape: docs/operations.md has | [touch](#lines) |"),
     ("docs/page.md", "../README.md", "README.md", "README.md: there is no such file"),
     ("CITATION.cff", "1.2.3", "1.2.4", "versions differ"),
     ("CITATION.cff", "-31", "-30", "versions differ"),

@@ -3,6 +3,7 @@
 
 #include "audit/engines/signature.h"
 #include "program/commands/commands.h"
+#include "program/commands/shape_pairs.h"
 #include "program/terminal/exit_codes.h"
 
 namespace touchstone::program {
@@ -102,6 +103,7 @@ void print_operation(const Operation& operation, std::ostream& out) {
 
 int operations_page_command(std::ostream& out) {
   out << introduction;
+  print_shape_pairs(out);
   std::vector<std::string> chapters;
   for (const Operation* operation : all_operations()) {
     const std::string chapter = operation->metadata().chapter;
