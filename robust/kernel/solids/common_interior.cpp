@@ -40,11 +40,11 @@ struct Wall {
     const auto named = [&other](Index i) { return std::count(other.names.begin(), other.names.end(), i) > 0; };
     return solid == other.solid && std::count_if(names.begin(), names.end(), named) > 1;
   }
-  int side_of(const Point& p) const { return sgn(dot(normal, p - corners.a)); }
   /// True if all corners are in front of the other's plane, or behind it, or in it.
   bool on_one_side_of(const Wall& other) const {
-    const int first = other.side_of(corners.a);
-    return other.side_of(corners.b) == first && other.side_of(corners.c) == first;
+    const auto side = [&other](const Point& p) { return sgn(dot(other.normal, p - other.corners.a)); };
+    const int first = side(corners.a);
+    return side(corners.b) == first && side(corners.c) == first;
   }
 };
 
@@ -168,22 +168,6 @@ class Walls {
     add(a, points.data(), 1, SpaceBox::around(b)), add(b, points.data() + a.vertices.size(), 2, SpaceBox::around(a));
   }
 
-  /// True if the plane of a wall lies between a and b: no corner of its own solid is where one of the other is.
-  bool any_separates() const {
-    const auto separates = [this](const Wall& plane) {
-      int side = 0;  // of the wall's own solid
-      for (const Wall& wall : walls_) {
-        for (const Point* p : {&wall.corners.a, &wall.corners.b, &wall.corners.c}) {
-          const int at = plane.side_of(*p), own = wall.solid == plane.solid ? at : -at;
-          if (own * side < 0) return false;
-          if (own != 0) side = own;
-        }
-      }
-      return true;
-    };
-    return std::any_of(walls_.begin(), walls_.end(), separates);
-  }
-
   bool any_sector_of_both() const {
     for (const bool across : {true, false}) {  // usually some sector is inside of both where a and b cross
       for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -260,9 +244,6 @@ class Walls {
 
 }  // namespace
 
-bool have_common_interior(const Meshd& a, const Meshd& b) {
-  const Walls walls(a, b);
-  return !walls.any_separates() && walls.any_sector_of_both();
-}
+bool have_common_interior(const Meshd& a, const Meshd& b) { return Walls(a, b).any_sector_of_both(); }
 
 }  // namespace touchstone::robust::kernel
