@@ -5,16 +5,23 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/families/obb_draws.h"
+#include "geometry/capsules.h"
 
 /// Hard cases of round convex solids, by the kinds of their cores.
 namespace touchstone::catalogue {
 
 using BallAndBox = std::tuple<Sphere3d, Obb3d>;
+using CapsuleAndBox = std::tuple<Capsule3d, Obb3d>;
 
 /// Half axes that lead along a displacement of integer length, or at right angles to it: the corner where all of them
 /// end is the nearest to what is beyond it by that displacement, and so is each point of the edge or face that the
 /// latter span.
-inline BallAndBox tangent_to_box(DrawStream& c) {
+struct BoxBehind {
+  Obb3d box;
+  Point3d nearest;
+  Step step;
+};
+inline BoxBehind box_behind(DrawStream& c) {
   const Step step = integer_step(c);
   Obb3d box{lattice_point_in_space(c, 16), {}};
   Point3d nearest = box.center;
@@ -24,10 +31,14 @@ inline BallAndBox tangent_to_box(DrawStream& c) {
     nearest = nearest + share / 2 * *axis;
   }
   if (volume_of(box.half_axes) == 0) box.half_axes = straight_half_axes(c);
+  return {box, nearest, step};
+}
+inline BallAndBox tangent_to_box(DrawStream& c) {
+  const auto [box, nearest, step] = box_behind(c);
   return {{nearest + step.displacement, reaching(c, step.length)}, box};
 }
 
-/// Calls add(name, draw) for each: a ball, or what has one as its end, and an oriented box.
+/// Calls add(name, draw) for each.
 template <class Add>
 void add_balls_and_boxes(const Add& add) {
   add("tangent", [](DrawStream& c) -> BallAndBox { return tangent_to_box(c); });
@@ -108,6 +119,49 @@ void add_balls_and_boxes(const Add& add) {
     const double k = one_to(c, 9), m = one_to(c, 9);
     return {{{3 * (k + m) / 10, 4 * (k + m) / 10, 0}, 5 * m / 10},
             {{0, 0, 0}, {{3 * k / 10, 4 * k / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}}};
+  });
+}
+
+/// A capsule that ends in the ball: of one point, or leading away from the box, through its center, or anywhere.
+inline CapsuleAndBox ending_in(const BallAndBox& drawn, DrawStream& c) {
+  const auto& [ball, box] = drawn;
+  const Point3d end = ball.center;
+  Point3d other = end;
+  switch (c.below(4)) {
+    case 0: break;
+    case 1: other = along(end, one_to(c, 2), end - box.center); break;
+    case 2: other = along(end, -one_to(c, 2), end - box.center); break;
+    default: other = end + lattice_normal(c, 4);
+  }
+  return {{c.coin() ? Segment3d{other, end} : Segment3d{end, other}, ball.radius}, box};
+}
+
+/// Calls add(name, draw) for each.
+template <class Add>
+void add_capsules_and_boxes(const Add& add) {
+  add("tangent_along", [](DrawStream& c) -> CapsuleAndBox {
+    // Along a face or an edge, or across an edge.
+    const auto [box, nearest, step] = box_behind(c);
+    const Point3d over = nearest + step.displacement;
+    const Vector3d v = lattice_across(c, step.displacement);
+    const double i = small_integer(c, 2), j = small_integer(c, 2);
+    return {{{along(over, i, v), along(over, j, v)}, reaching(c, step.length)}, box};
+  });
+  add("crossing", [](DrawStream& c) -> CapsuleAndBox {
+    const Obb3d box = lattice_obb(c);
+    const Point3d p = in_obb(box, c);
+    const Segment3d segment = segment_through(c, p, lattice_normal(c, 12));
+    return {{segment, up_to(c, 1)}, box};
+  });
+  add("segment_on_boundary", [](DrawStream& c) -> CapsuleAndBox {
+    // It has a point of the boundary, or two.
+    const Obb3d box = lattice_obb(c);
+    const Point3d p = on_obb(box, c);
+    const Segment3d segment = c.coin() ? Segment3d{p, on_obb(box, c)} : segment_through(c, p, lattice_normal(c, 4));
+    return {{segment, zero(c)}, box};
+  });
+  add_balls_and_boxes([&add]<class Draw>(const char* family, const Draw&) {
+    add(family, [](DrawStream& c) -> CapsuleAndBox { return ending_in(Draw()(c), c); });
   });
 }
 

@@ -262,3 +262,8 @@ def check_capsule_capsule(claim):
 def check_sphere_obb(claim):
     claim.inputs("sphere", "obb")
     check_contact(claim, round_ball(claim, "sphere"), round_box(claim, "obb"))
+
+
+def check_capsule_obb(claim):
+    claim.inputs("capsule", "obb")
+    check_contact(claim, round_capsule(claim, "capsule"), round_box(claim, "obb"))

@@ -307,6 +307,12 @@ void check_sphere_obb(const Claim& claim) {
   check_contact(claim, sphere, box);
 }
 
+void check_capsule_obb(const Claim& claim) {
+  claim.inputs({"capsule", "obb"});
+  const Round capsule = round_capsule(claim, "capsule"), box = round_box(claim, "obb");
+  check_contact(claim, capsule, box);
+}
+
 }  // namespace
 
 Checks checks_of_closest() {
@@ -318,7 +324,8 @@ Checks checks_of_closest() {
           {"sphere_triangle", check_sphere_triangle},
           {"sphere_capsule", check_sphere_capsule},
           {"capsule_capsule", check_capsule_capsule},
-          {"sphere_obb", check_sphere_obb}};
+          {"sphere_obb", check_sphere_obb},
+          {"capsule_obb", check_capsule_obb}};
 }
 
 }  // namespace touchstone::certify

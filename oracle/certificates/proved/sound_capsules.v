@@ -59,7 +59,7 @@ Qed.
 
 (** Planes through the capsules' common point, across the way between the nearest points *)
 Lemma capsules_tangent : sqdist x y = (r + s) * (r + s) -> flat a -> forall z,
-  ~ (interior 3 (capsule a r) z /\ interior 3 (capsule b s) z).
+  ~ (interior 3 (capsule a r) z /\ capsule b s z).
 Proof.
   intros e fa z [ia ib]. destruct (Req_dec (r + s) 0) as [zero | pos].
   { assert (r = 0) by lra. subst r. apply (flat_has_no_interior a z) in ia; auto. }
@@ -95,7 +95,7 @@ Proof.
     assert (g := nearest_a p hp). rewrite flip, dot_minus in g by congruence.
     destruct (reach p u r lp lu hr d) as [k _]. unfold half_space. lra. }
   apply half_space_interior in ba; auto.
-  apply interior_in in ib. destruct ib as (p & hp & d). assert (lp := hull_length _ _ _ pb hp).
+  destruct ib as (p & hp & d). assert (lp := hull_length _ _ _ pb hp).
   assert (g := nearest_b p hp). fold n in g. rewrite dot_minus in g by congruence.
   destruct (reach p z s lp (proj1 ia) hs d) as [_ k]. lra.
 Qed.
@@ -176,7 +176,8 @@ Proof.
       [apply (none_nearer_means 3 a) | apply (none_nearer_means 3 b)]; auto.
   - destruct h as ((na & nb) & e). simpl in e. rewrite q in e. split.
     + apply (capsules_meet _ _ (values x) (values y)); auto. lra.
-    + apply (capsules_tangent _ _ (values x) (values y)); auto;
+    + intros z [i j]. apply interior_in in j.
+      apply (capsules_tangent (map rl a) (map rl b) (values x) (values y) (Q2R r) (Q2R s)) with z; auto;
         [apply (none_nearer_means 3 a) | apply (none_nearer_means 3 b)]; auto.
   - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
     + apply (capsules_meet _ _ (values x) (values y)); auto.

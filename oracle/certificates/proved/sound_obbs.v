@@ -2,7 +2,8 @@
 (** The formulas of oriented boxes are enough, and their specifications leave no choice. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
 From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest
-  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest unique_solids unique_slabs.
+  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest sound_capsules unique_solids
+  unique_slabs.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -324,3 +325,72 @@ Qed.
 Theorem sphere_obb_unique : forall c r center axes v w, sphere_obb_spec c r center axes v ->
   sphere_obb_spec c r center axes w -> v = w.
 Proof. intros c r center axes v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+
+(** ** A capsule *)
+Theorem capsule_obb_sound : forall points r center axes w facts on_a on_b,
+  decide (check_capsule_obb points r center axes w facts on_a on_b) = true ->
+  capsule_obb_spec (map rl points) (Q2R r) (rl center) (map rl axes) w.
+Proof.
+  intros points r center axes w facts on_a on_b h. apply decide_means in h. unfold check_capsule_obb in h.
+  cbv zeta in h.
+  destruct h as (pa & hr & right & wa & hu & h). apply points_mean in pa. simpl in hr.
+  apply right_box_means in right. destruct right as [right ind]. assert (lo := proj1 right).
+  apply (weights_mean 3) in wa. rewrite <- mixed_means in wa. apply within_one_means in hu. destruct hu as [lu hu].
+  do 3 (split; [assumption|]). assert (pa' := proj2 pa).
+  set (x := values (mixed 3 on_a points)) in *.
+  set (y := plus (rl center) (combined 3 (rl on_b) (map rl axes))).
+  assert (hy : obb (rl center) (map rl axes) y) by (exists (rl on_b); auto).
+  assert (lx := hull_length _ _ _ pa' wa). assert (ly := obb_length _ _ _ right hy).
+  assert (fa : flat (map rl points)) by (eapply flat_points; [eauto | lia]).
+  unfold gap_decides in h.
+  set (way := difference (mixed 3 on_a points) (placed center axes on_b)) in *.
+  assert (ew : values way = minus x y) by (unfold way; rewrite difference_means, placed_means; auto).
+  assert (q : value Q2R (inner way way) = sqdist x y).
+  { rewrite inner_means, ew, <- sqdist_dot; auto; congruence. }
+  (* Of any point of the box, the segment to it from y is in the box. *)
+  assert (near : means Q2R (none_nearer points (mixed 3 on_a points) (placed center axes on_b) /\
+    reach way axes <= inner way (difference (placed center axes on_b) (leaves center)))%check ->
+    (forall z, hull 3 (map rl points) z -> 0 <= dot (minus x y) (minus z x)) /\
+    forall v, obb (rl center) (map rl axes) v -> forall z, hull 3 [y; v] z -> 0 <= dot (minus y x) (minus z y)).
+  { intros (na & nb). split.
+    - intros z hz. assert (g := none_nearer_means 3 points _ _ (counted _ _ _ pa) lx na z hz).
+      rewrite placed_means in g. exact g.
+    - intros v hv z hz. assert (lv := obb_length _ _ _ right hv).
+      assert (lz : length z = 3%nat) by (apply (hull_length 3 [y; v]); auto; intros p [<- | [<- | []]]; auto).
+      assert (k : dot (minus y x) y <= dot (minus y x) z).
+      { apply (hull_above 3 [y; v]); auto; [intros p [<- | [<- | []]]; auto|].
+        intros p [<- | [<- | []]]; [lra|].
+        apply (obb_reach (minus x y)) in hv; auto. simpl in nb.
+        rewrite reach_means, inner_means, difference_means, leaves_mean, placed_means, ew in nb. fold y in nb.
+        rewrite dot_minus in nb by congruence. rewrite !minus_dot in * by congruence. lra. }
+      rewrite dot_minus by congruence. lra. }
+  assert (pair : forall v, obb (rl center) (map rl axes) v ->
+    (forall p, In p [y; v] -> length p = 3%nat) /\ hull 3 [y; v] y /\ capsule [y; v] 0 v).
+  { intros v hv. assert (lv := obb_length _ _ _ right hv). split; [intros p [<- | [<- | []]]; auto|]. split.
+    - exists [1; 0]. split; [auto|]. split; [intros a [<- | [<- | []]]; lra|]. split; [simpl; lra|].
+      clear - ly lv. destruct y as [|y0 [|y1 [|y2 [|]]]]; try discriminate.
+      destruct v as [|v0 [|v1 [|v2 [|]]]]; try discriminate. simpl. repeat (f_equal; try ring).
+    - exists v. split; [|rewrite sqdist_self; lra].
+      exists [0; 1]. split; [auto|]. split; [intros a [<- | [<- | []]]; lra|]. split; [simpl; lra|].
+      clear - ly lv. destruct y as [|y0 [|y1 [|y2 [|]]]]; try discriminate.
+      destruct v as [|v0 [|v1 [|v2 [|]]]]; try discriminate. simpl. repeat (f_equal; try ring). }
+  destruct w, facts; try (simpl in h; tauto).
+  - destruct h as (n & far). simpl in far. rewrite q in far. destruct (near n) as [na nb]. intros z lz [c o].
+    destruct (pair z o) as (pz & hz & cz).
+    apply (capsules_apart (map rl points) [y; z] x y (Q2R r) 0 pa' pz wa hz hr (Rle_refl 0) na (nb z o)) with z;
+      [lra | auto | auto].
+  - destruct h as (n & e). simpl in e. rewrite q in e. destruct (near n) as [na nb]. split.
+    + exists y. split; [auto|]. split; [exists x; split; [auto | lra] | auto].
+    + intros z [i j]. apply interior_in in j. destruct (pair z j) as (pz & hz & cz).
+      apply (capsules_tangent (map rl points) [y; z] x y (Q2R r) 0 pa' pz wa hz hr (Rle_refl 0) na (nb z j)
+        ltac:(rewrite e; ring) fa z). auto.
+  - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
+    + exists y. split; [auto|]. split; [exists x; split; [auto | lra] | auto].
+    + intros v [i _]. rewrite z in i. apply (flat_has_no_interior (map rl points) v) in i; auto.
+  - destruct h as (e & _). simpl in e. rewrite q in e.
+    destruct (ball_reaches_inside x (Q2R r) (rl center) (map rl axes) (rl on_b)) as (z & i & j); auto.
+    exists z. split; [|auto]. apply (interior_subset 3 (ball x (Q2R r))); auto. intros u _ hb. exists x. auto.
+Qed.
+Theorem capsule_obb_unique : forall points r center axes v w, capsule_obb_spec points r center axes v ->
+  capsule_obb_spec points r center axes w -> v = w.
+Proof. intros points r center axes v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.

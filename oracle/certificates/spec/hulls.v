@@ -54,6 +54,8 @@ Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := 
   right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
 Definition sphere_obb_spec c (r : R) center axes (w : contact) : Prop :=
   proper_ball 3 c r /\ right_obb center axes /\ contact_spec 3 (ball c r) (obb center axes) w.
+Definition capsule_obb_spec points (r : R) center axes (w : contact) : Prop := points_of 2 3 points /\ 0 <= r /\
+  right_obb center axes /\ contact_spec 3 (capsule points r) (obb center axes) w.
 
 (** * What a segment, a ray or a triangle has in common with a triangle *)
 Inductive common (A : Type) := no_point | common_point (t : A) (p : list A) | common_segment (p q : list A).

@@ -4,6 +4,7 @@ import itertools
 from fractions import Fraction
 
 from simplest_truth_reading import Root, dot, minus, number, point
+from simplest_truth_volumes import contact_with_obb
 
 
 def truth_sphere_plane(q):
@@ -127,6 +128,12 @@ def truth_sphere_capsule(q):
 def truth_capsule_capsule(q):
     (a, r), (b, s) = capsule(q["a"]), capsule(q["b"])
     return contact(min(square(*pair) for pair in nearest_pairs(a, b)), [r, s])
+
+
+def truth_capsule_obb(q):
+    a, b = map(point, q["capsule"]["segment"])
+    middle, half = tuple((x + y) / 2 for x, y in zip(a, b)), tuple((y - x) / 2 for x, y in zip(a, b))
+    return contact_with_obb(middle, [half], q["obb"], number(q["capsule"]["radius"]))
 
 
 def clipped(polygon, height):

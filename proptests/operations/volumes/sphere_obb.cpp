@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/volumes/sphere_obb.h"
 
-#include "proptests/closest_laws.h"
+#include "proptests/round_laws.h"
 #include "robust/volumes/point_in_obb.h"
 #include "robust/volumes/sphere_aabb.h"
-#include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::proptests::sphere_obb_tests {
 namespace {
@@ -21,31 +20,13 @@ constexpr Worked<Row> worked;
 
 }  // namespace
 
-LAW("sphere_obb: half axes may be exchanged and reversed", ball, box) {
-  const auto& [u, v, w] = box.half_axes;
-  return ask(Row::Question{ball, {box.center, {w, {-u.x, -u.y, -u.z}, v}}}) == ask(asked);
-}
-
-LAW("sphere_obb: a ball that grows never loses contact, and one that touched overlaps", ball, box) {
-  if (ball.radius == greatest) return true;
-  const Contact then = ask(Row::Question{{ball.center, catalogue::moved_by_ulps(ball.radius, 1)}, box});
-  return ask(asked) == disjoint || then == overlapping;
-}
+ROUND_LAWS("sphere_obb")
 
 ROBUST_LAW("sphere_obb: a point only touches the box that it is in, and a ball around one overlaps it", ball, box) {
   const Location location = robust::point_in_obb(box, ball.center);
   const Contact of_point = ask(Row::Question{{ball.center, 0}, box});
   return of_point == (location == Location::outside ? disjoint : touching) &&
          (of_point == disjoint || ask(asked) == (ball.radius == 0 ? touching : overlapping));
-}
-
-ROBUST_LAW("sphere_obb: a ball that meets a corner meets the box", ball, box) {
-  if (!on_lattice(asked)) return true;
-  for (const double r : {-2.0, 2.0})
-    for (const double s : {-2.0, 2.0})
-      for (const double t : {-2.0, 2.0})
-        if (ask(asked) < robust::sphere_sphere(ball, Sphere3d{catalogue::halves_along(box, r, s, t), 0})) return false;
-  return true;
 }
 
 ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ball, box) {

@@ -109,6 +109,48 @@ QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box) 
   return nearest ? nearest->pair.on_a : vertex(p);
 }
 
+namespace {
+
+/// They do unless the displacement of their middles leads farther along a direction than half of the edges of both do
+/// together; that is then so along a normal of two of the edges, which span the faces of the solid of all such
+/// displacements. All is doubled.
+bool meet(const Segment& segment, const Obb3<mpz_class>& box) {
+  const mpz_class two(2);
+  const auto& [u, v, w] = box.half_axes;
+  const std::array edges{two * u, two * v, two * w, segment.b - segment.a};
+  const Vector way = (segment.a - box.center) + (segment.b - box.center);
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector normal = cross(edges[i], edges[j]);
+      mpz_class reach;
+      for (const Vector& edge : edges) reach += abs(dot(normal, edge));
+      if (abs(dot(normal, way)) > reach) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+/// Where they do not meet, one of the nearest points is an end of the segment, or the other is on an edge of the box:
+/// within a face and between the ends both may move along the face until one of that is so.
+Quotient squared_distance(const Segment& segment, const Obb3<mpz_class>& box) {
+  if (meet(segment, box)) return {0, 1};
+  Nearest nearest(vertex(segment.a), nearest_in_box(segment.a, box));
+  nearest.try_next(vertex(segment.b), nearest_in_box(segment.b, box));
+  const auto& [u, v, w] = box.half_axes;
+  for (const auto& [out, one, other] : {std::array{u, v, w}, std::array{v, w, u}, std::array{w, u, v}}) {
+    for (const Vector& across : {one + other, one - other}) {
+      for (const int side : {-1, 1}) {
+        const IntegerPoint middle = box.center + mpz_class(side) * across;
+        QuotientPair pair = nearest_pair(segment, {middle + mpz_class(-1) * out, middle + out});
+        nearest.try_next(std::move(pair.on_a), std::move(pair.on_b));
+      }
+    }
+  }
+  return nearest.square;
+}
+
 /// The feet of the common perpendicular if both are on the segments; otherwise, and if the segments are parallel, one
 /// of the points is an end. For parallel segments the candidates are in order of the parameter on a: at 0; where b
 /// begins or ends; at 1. The nearer end of b comes first.

@@ -3,6 +3,8 @@
 
 #include <gmpxx.h>
 
+#include <vector>
+
 #include "geometry/answers.h"
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
@@ -36,6 +38,8 @@ QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box);
 QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class>& b);
 
 Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q);
+/// 0 if they have a common point. The half axes are linearly independent.
+Quotient squared_distance(const Segment3<mpz_class>& segment, const Obb3<mpz_class>& box);
 
 /// The contact of two shapes at that distance, one or both of them grown by a radius; `reach` is the sum of the radii.
 /// `interiors`: no radius is 0.
@@ -43,12 +47,19 @@ Contact contact(const Quotient& square, const mpz_class& reach, bool interiors);
 
 inline Point3d in_space(const Point2d& p) { return {p.x, p.y, 0}; }
 inline const Point3d& in_space(const Point3d& p) { return p; }
+inline Point3d in_space(const Vector3d& v) { return {v.x, v.y, v.z}; }
 inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(s.b)}; }
 
 /// Points of the plane or of space over one power of two.
 template <class... Points>
 ScaledPoints<mpz_class> integer_points(const Points&... p) {
   return integers_of(Polygon3d{{in_space(p)...}});
+}
+
+/// The box whose center and half axes are these points, one after the other.
+inline Obb3<mpz_class> box_of(const std::vector<IntegerPoint>& at, std::size_t center) {
+  const auto axis = [&](std::size_t k) { return at[center + k] - IntegerPoint{0, 0, 0}; };
+  return {at[center], {axis(1), axis(2), axis(3)}};
 }
 
 /// A point in units of the input times 2^exponent, each number rounded once.
