@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/families/obb_draws.h"
+#include "catalogue/families/numbers.h"
+#include "proptests/box_laws.h"
 #include "proptests/closest_laws.h"
 #include "robust/mixed/sphere_capsule.h"
 #include "robust/mixed/sphere_triangle.h"
@@ -22,8 +23,7 @@ inline std::vector<Sphere3d> rewritten(const Sphere3d&) { return {}; }
 inline std::vector<Capsule3d> rewritten(const Capsule3d& c) { return {{{c.segment.b, c.segment.a}, c.radius}}; }
 inline std::vector<Triangle3d> rewritten(const Triangle3d& t) { return {{t.b, t.c, t.a}, {t.c, t.b, t.a}}; }
 inline std::vector<Obb3d> rewritten(const Obb3d& box) {
-  const auto& [u, v, w] = box.half_axes;
-  return {{box.center, {w, {-u.x, -u.y, -u.z}, v}}};
+  return {std::get<0>(in_another_order<0>(std::tuple{box}))};
 }
 
 /// Balls at the ends and corners of a solid, which are parts of it. A box has them where its corners are exact.
@@ -31,12 +31,10 @@ inline std::vector<Sphere3d> balls_in(const Sphere3d&) { return {}; }
 inline std::vector<Sphere3d> balls_in(const Capsule3d& c) { return {{c.segment.a, c.radius}, {c.segment.b, c.radius}}; }
 inline std::vector<Sphere3d> balls_in(const Triangle3d& t) { return {{t.a, 0}, {t.b, 0}, {t.c, 0}}; }
 inline std::vector<Sphere3d> balls_in(const Obb3d& box) {
-  std::vector<Sphere3d> corners;
-  if (!on_lattice(std::tuple{box})) return corners;
-  for (const double r : {-2.0, 2.0})
-    for (const double s : {-2.0, 2.0})
-      for (const double t : {-2.0, 2.0}) corners.push_back({catalogue::halves_along(box, r, s, t), 0});
-  return corners;
+  std::vector<Sphere3d> balls;
+  if (!on_lattice(std::tuple{box})) return balls;
+  for (const Point3d& corner : corners(box)) balls.push_back({corner, 0});
+  return balls;
 }
 
 inline Contact with_ball(const Sphere3d& ball, const Sphere3d& other) { return robust::sphere_sphere(ball, other); }

@@ -40,6 +40,14 @@ inline Aabb3d within(const Aabb3d& a, DrawStream& draws) {
   return b;
 }
 
+/// Makes a rectangle, a segment or a point of it.
+inline void flatten(Aabb3d& box, DrawStream& draws) {
+  const auto axes = draws.below(7);
+  if (axes != 1 && axes != 2 && axes != 5) box.max.x = box.min.x;
+  if (axes == 1 || axes > 3) box.max.y = box.min.y;
+  if (axes == 2 || axes == 3 || axes > 4) box.max.z = box.min.z;
+}
+
 inline Aabb3d shifted(const Aabb3d& b, double x, double y, double z) {
   return {{b.min.x + x, b.min.y + y, b.min.z + z}, {b.max.x + x, b.max.y + y, b.max.z + z}};
 }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """How certify.py reads oriented boxes, and what it checks of them, as check_obbs.cpp does."""
 
-from certify_reading import expect, only
-from certify_space import dot, list_of_three, point_in_space, triple
+from certify_reading import WRONG_KIND, expect, only
+from certify_space import box_holds, box_in_space, dot, list_of_three, point_in_space, triple
 
 
 def obb(value, what):
@@ -78,3 +78,42 @@ def check_obb_obb(claim):
         expect(any(normal) and gap(normal) == 0, "certificate: the axis does not support")
     else:
         expect(growth < 1, "certificate: the point is not inside both boxes")
+
+
+AABB_OBB = {
+    "disjoint": {"separating_axis": ("normal",)},
+    "touching": {"supporting_axis": ("coefficients", "normal"), "flat_axis": ("coefficients", "axis")},
+    "overlapping": {"common_interior_point": ("coefficients",)},
+}
+
+
+def check_aabb_obb(claim):
+    claim.inputs("aabb", "obb")
+    (low, high), other = box_in_space(claim.input["aabb"], "aabb"), obb(claim.input["obb"], "obb")
+    claim.answers("contact")
+    contact, kind = claim.word("contact"), claim.kind()
+    expect(contact in AABB_OBB, "truth: contact is wrong")
+    expect(kind in AABB_OBB[contact], WRONG_KIND)
+
+    def gap(normal):
+        most = sum(max(n * a, n * b) for n, a, b in zip(normal, low, high))
+        return dot(normal, other[0]) - reach(other, normal) - most
+
+    claim.facts(*AABB_OBB[contact][kind])
+    if contact == "disjoint":
+        expect(gap(triple(claim, "normal")) > 0, "certificate: the axis does not separate")
+        return
+    coefficients = claim.list("coefficients")
+    growth, x = greatest(coefficients, "coefficients"), at(other, coefficients)
+    if contact == "overlapping":
+        expect(growth < 1, "certificate: the point is not inside both boxes")
+        inside = all(least < y < most for least, y, most in zip(low, x, high))
+        expect(inside, "certificate: the point is not inside the box")
+        return
+    expect(growth <= 1 and box_holds(low, high, x), "certificate: the point is not in both boxes")
+    if kind == "flat_axis":
+        axis = claim.single("axis")
+        expect(axis in range(3) and low[int(axis)] == high[int(axis)], "certificate: the box is not flat on the axis")
+        return
+    normal = triple(claim, "normal")
+    expect(any(normal) and gap(normal) == 0, "certificate: the axis does not support")

@@ -116,11 +116,11 @@ void expect_polygon(const std::vector<Triple>& points, const Places& ring) {
   }
 }
 
-using Corners = std::array<std::size_t, 3>;
+using FacePlaces = std::array<std::size_t, 3>;
 
-std::vector<Corners> faces(const json& list, std::size_t count) {
+std::vector<FacePlaces> faces(const json& list, std::size_t count) {
   expect(list.is_array() && list.size() >= 4, "truth.faces: a list of at least 4");
-  std::vector<Corners> found;
+  std::vector<FacePlaces> found;
   for (const json& value : list) {
     const Places named = places(value, "truth.faces", 3, count);
     expect(named.size() == 3, "truth.faces: three places each");
@@ -145,10 +145,10 @@ bool span_space(const std::vector<Triple>& normals) {
 /// different
 /// points leave for an edge of the hull nothing but the one edge between its ends, which is there once: so they cover
 /// the boundary once, and as an extreme point is inside no triangle and no edge, all of them are corners.
-Places expect_faces(const std::vector<Triple>& points, const std::vector<Corners>& triangles) {
+Places expect_faces(const std::vector<Triple>& points, const std::vector<FacePlaces>& triangles) {
   std::set<std::pair<std::size_t, std::size_t>> edges;
   std::map<std::size_t, std::vector<Triple>> normals;
-  for (const Corners& t : triangles) {
+  for (const FacePlaces& t : triangles) {
     const Triple normal = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
     expect(!(normal == Triple{0, 0, 0}), "truth: a face has no area");
     for (std::size_t k = 0; k < 3; ++k) {
@@ -200,7 +200,7 @@ void check_convex_hull(const Claim& claim) {
   const std::vector<Triple> points = listed_points<Triple>(claim, point_in_space);
   if (dimension(claim) == 3) {
     claim.answers({"dimension", "faces"});
-    const std::vector<Corners> triangles = faces(claim.truth["faces"], points.size());
+    const std::vector<FacePlaces> triangles = faces(claim.truth["faces"], points.size());
     expect_extreme_points(claim, "faces");
     expect_extreme(claim, expect_faces(points, triangles));
   } else {

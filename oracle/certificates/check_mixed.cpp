@@ -6,36 +6,6 @@
 namespace touchstone::certify {
 namespace {
 
-/// True if no point of the half-space behind the plane is nearer to c than x, which is one of them: the displacement
-/// from x to c is along the normal (Cauchy's inequality is an equality), and is 0 unless x is on the plane.
-bool is_nearest(const Plane& plane, const Triple& c, const Triple& x) {
-  const Triple displacement = c - x;
-  const Rational height = plane.at(x), along = dot(plane.normal, displacement);
-  return sgn(height) <= 0 && sgn(along) >= 0 && sgn(Rational(along * height)) == 0 &&
-         along * along == dot(displacement, displacement) * dot(plane.normal, plane.normal);
-}
-
-void check_sphere_plane(const Claim& claim) {
-  claim.inputs({"sphere", "plane"});
-  const Ball sphere = ball(claim.input["sphere"], "sphere");
-  const Plane level = plane(claim.input["plane"], "plane");
-  claim.answers({"contact"});
-  const std::string contact = claim.word("contact"), kind = claim.kind();
-  const bool disjoint = contact == "disjoint", overlapping = contact == "overlapping";
-  expect(disjoint || overlapping || contact == "touching", "truth: contact is wrong");
-  expect(kind == (disjoint ? "nearest_point" : overlapping ? "common_interior_point" : "tangent"), wrong_kind);
-  claim.facts({"point"});
-  const Triple point = triple(claim, "point"), displacement = sphere.center - point;
-  const int in_ball = sgn(Rational(dot(displacement, displacement) - sphere.radius * sphere.radius));
-  if (overlapping) {
-    expect(sgn(level.at(point)) < 0 && in_ball < 0, "certificate: the point is not inside both");
-    return;
-  }
-  expect(is_nearest(level, sphere.center, point), "certificate: a point of the half-space is nearer");
-  if (disjoint) expect(in_ball > 0, "certificate: the point is in the ball");
-  else expect(in_ball == 0, "certificate: the point is not on the boundary of the ball");
-}
-
 /// The height of a box's lowest point over a plane: at the lower end of every axis on which the plane slopes.
 Rational lowest(const Box& box, const Plane& plane) {
   const auto end = [](const Rational& slope, const Rational& min, const Rational& max) {
@@ -91,6 +61,6 @@ void check_triangle_aabb(const Claim& claim) {
 
 }  // namespace
 
-Checks checks_of_mixed() { return {{"sphere_plane", check_sphere_plane}, {"triangle_aabb", check_triangle_aabb}}; }
+Checks checks_of_mixed() { return {{"triangle_aabb", check_triangle_aabb}}; }
 
 }  // namespace touchstone::certify

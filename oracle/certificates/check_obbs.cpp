@@ -7,14 +7,6 @@
 namespace touchstone::certify {
 namespace {
 
-/// The greatest magnitude of three coefficients.
-Rational greatest(const std::vector<Rational>& coefficients, const std::string& name) {
-  expect(coefficients.size() == 3, "certificate." + name + ": a list of three");
-  Rational result;
-  for (const Rational& each : coefficients) result = std::max<Rational>(result, abs(each));
-  return result;
-}
-
 /// The coefficients of a point are unique, because the half axes are independent.
 void check_point_in_obb(const Claim& claim) {
   claim.inputs({"obb", "point"});
@@ -67,7 +59,60 @@ void check_obb_obb(const Claim& claim) {
   }
 }
 
+void check_aabb_obb(const Claim& claim) {
+  claim.inputs({"aabb", "obb"});
+  const Box box = box_in_space(claim.input["aabb"], "aabb");
+  const Obb other = obb(claim.input["obb"], "obb");
+  claim.answers({"contact"});
+  const std::string contact = claim.word("contact"), kind = claim.kind();
+  const bool disjoint = contact == "disjoint", overlapping = contact == "overlapping", flat = kind == "flat_axis";
+  expect(disjoint || overlapping || contact == "touching", "truth: contact is wrong");
+  expect(disjoint      ? kind == "separating_axis"
+         : overlapping ? kind == "common_interior_point"
+                       : flat || kind == "supporting_axis",
+         wrong_kind);
+  const auto gap = [&](const Triple& n) {
+    const auto most = [](const Rational& slope, const Rational& min, const Rational& max) {
+      return Rational(slope * (sgn(slope) > 0 ? max : min));
+    };
+    return Rational(dot(n, other.center) - other.reach(n) - most(n.x, box.min[0], box.max[0]) -
+                    most(n.y, box.min[1], box.max[1]) - most(n.z, box.min[2], box.max[2]));
+  };
+  if (disjoint) {
+    claim.facts({"normal"});
+    expect(sgn(gap(triple(claim, "normal"))) > 0, "certificate: the axis does not separate");
+    return;
+  }
+  if (overlapping) claim.facts({"coefficients"});
+  else if (flat) claim.facts({"coefficients", "axis"});
+  else claim.facts({"coefficients", "normal"});
+  const std::vector<Rational> coefficients = claim.list("coefficients");
+  const Rational growth = greatest(coefficients, "coefficients");
+  const Triple point = other.at(coefficients);
+  const std::vector<Rational> x{point.x, point.y, point.z};
+  if (overlapping) {
+    expect(growth < 1, "certificate: the point is not inside both boxes");
+    expect_inside(box, x);
+    return;
+  }
+  expect(growth <= 1 && box.holds(x), "certificate: the point is not in both boxes");
+  if (flat) {
+    expect_flat_axis(claim, box);
+    return;
+  }
+  const Triple normal = triple(claim, "normal");
+  const bool supports = !(normal == Triple{0, 0, 0}) && sgn(gap(normal)) == 0;
+  expect(supports, "certificate: the axis does not support");
+}
+
 }  // namespace
+
+Rational greatest(const std::vector<Rational>& coefficients, const std::string& name) {
+  expect(coefficients.size() == 3, "certificate." + name + ": a list of three");
+  Rational result;
+  for (const Rational& each : coefficients) result = std::max<Rational>(result, abs(each));
+  return result;
+}
 
 Triple Obb::at(const std::vector<Rational>& coefficients) const {
   Triple p = center;
@@ -95,6 +140,8 @@ Obb obb(const json& value, const std::string& what) {
   return result;
 }
 
-Checks checks_of_obbs() { return {{"obb_obb", check_obb_obb}, {"point_in_obb", check_point_in_obb}}; }
+Checks checks_of_obbs() {
+  return {{"obb_obb", check_obb_obb}, {"aabb_obb", check_aabb_obb}, {"point_in_obb", check_point_in_obb}};
+}
 
 }  // namespace touchstone::certify

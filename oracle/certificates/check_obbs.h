@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "oracle/certificates/check_space.h"
 
@@ -16,6 +18,9 @@ struct Obb {
   /// The sum of |normal . half axis|: its extent from its center to either side, in units of the normal.
   Rational reach(const Triple& normal) const;
 };
+
+/// The greatest magnitude of three coefficients, a fact of this name.
+Rational greatest(const std::vector<Rational>& coefficients, const std::string& name);
 
 Obb obb(const json& value, const std::string& what);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/families/box_draws.h"
-#include "catalogue/families/space_draws.h"
+#include "catalogue/families/half_space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/mixed/aabb_plane.h"
@@ -12,7 +12,7 @@
 
 namespace touchstone::catalogue::rows {
 
-struct aabb_plane : signatures::aabb_plane {
+struct aabb_plane : signatures::aabb_plane, OverHalfSpace<Aabb3d> {
   TOUCHSTONE_MODULES(aabb_plane)
   using stages = ::touchstone::robust::stages::aabb_plane;
   using decision = NoDecision;
@@ -50,10 +50,7 @@ struct aabb_plane : signatures::aabb_plane {
     add("flat", [](DrawStream& c) -> Question {
       // A rectangle, a segment or a point, in front of the plane, on it, through it or behind it.
       Aabb3d box = lattice_box(c);
-      const auto axes = c.below(7);
-      if (axes != 1 && axes != 2 && axes != 5) box.max.x = box.min.x;
-      if (axes == 1 || axes > 3) box.max.y = box.min.y;
-      if (axes == 2 || axes == 3 || axes > 4) box.max.z = box.min.z;
+      flatten(box, c);
       const Vector3d n = lattice_normal(c, 4);
       return over_plane(c, box, n, small_integer(c));
     });
@@ -119,13 +116,6 @@ struct aabb_plane : signatures::aabb_plane {
       const Vector3d n{0.0, zero(c), 0.0};
       return {lattice_box(c), {n, small_integer(c)}};
     });
-  }
-
-  /// The normal has no unit: it keeps its value.
-  static void scale(Question& question, int k) {
-    auto& [box, plane] = question;
-    for_each_number(box, [k](double& length) { length = std::ldexp(length, k); });
-    plane.offset = std::ldexp(plane.offset, k);
   }
 
   static void repair(Question& q) { put_in_order(std::get<0>(q)); }

@@ -74,4 +74,20 @@ let obb_obb = operation "obb_obb" [ "a"; "b" ] "contact" (function
           | _ -> assert false) ]
   | _ -> assert false)
 
-let operations = [ aabb_of_points; kdop_of_points; bounding_sphere; point_in_obb; obb_obb ]
+let aabb_obb = operation "aabb_obb" [ "aabb"; "obb" ] "contact" (function
+  | [ aabb; solid ] ->
+      let low, high = two_members "min" "max" in_space in_space aabb and center, axes = obb solid in
+      let check = check_aabb_obb low high center axes in
+      [ kind "disjoint" [] "separating_axis" [ "normal" ] (fun _ facts ->
+          check Disjoint (Past_aabb (exact_list (List.hd facts))));
+        kind "touching" [] "supporting_axis" [ "coefficients"; "normal" ] (fun _ facts -> match facts with
+          | [ u; normal ] -> check Touching (Touched_aabb (exact_list u, exact_list normal))
+          | _ -> assert false);
+        kind "touching" [] "flat_axis" [ "coefficients"; "axis" ] (fun _ facts -> match facts with
+          | [ u; axis ] -> check Touching (Flat_aabb (exact_list u, index axis))
+          | _ -> assert false);
+        kind "overlapping" [] "common_interior_point" [ "coefficients" ] (fun _ facts ->
+          check Overlapping (Inside_aabb (exact_list (List.hd facts)))) ]
+  | _ -> assert false)
+
+let operations = [ aabb_of_points; kdop_of_points; bounding_sphere; point_in_obb; obb_obb; aabb_obb ]

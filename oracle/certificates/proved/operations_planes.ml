@@ -74,6 +74,32 @@ let aabb_plane = operation "aabb_plane" [ "aabb"; "plane" ] "contact" (function
         of_point "overlapping" "common_interior_point" (check Overlapping) (fun x -> Common_point_inside x) ]
   | _ -> assert false)
 
+let obb_plane = operation "obb_plane" [ "obb"; "plane" ] "contact" (function
+  | [ solid; level ] ->
+      let (center, axes), (normal, offset) = (obb solid, plane level) in
+      let of_coefficients word contact name facts_of =
+        kind word [] name [ "coefficients" ] (fun _ facts ->
+          check_obb_plane center axes normal offset contact (facts_of (exact_in_space (List.hd facts)))) in
+      [ of_coefficients "disjoint" Disjoint "lowest_point" (fun u -> Lowest_point u);
+        of_coefficients "touching" Touching "lowest_point" (fun u -> Lowest_point u);
+        of_coefficients "overlapping" Overlapping "common_interior_point" (fun u -> Common_point_inside u) ]
+  | _ -> assert false)
+
+let capsule_plane = operation "capsule_plane" [ "capsule"; "plane" ] "contact" (function
+  | [ capsule; level ] ->
+      let points, radius =
+        two_members "segment" "radius" (fun ends -> List.map in_space (exactly 2 ends)) given capsule in
+      let normal, offset = plane level in
+      let of_weights word contact name facts_of =
+        kind word [] name [ "weights"; "point" ] (fun _ facts -> match facts with
+          | [ weights; x ] ->
+              check_capsule_plane points radius normal offset contact (facts_of (exact_in_space x)) (exact_list weights)
+          | _ -> assert false) in
+      [ of_weights "disjoint" Disjoint "nearest_point" (fun x -> Nearest_in_half_space x);
+        of_weights "touching" Touching "tangent" (fun x -> Tangent_to_plane x);
+        of_weights "overlapping" Overlapping "common_interior_point" (fun x -> Common_point_inside x) ]
+  | _ -> assert false)
+
 let kdop place = match members [ "normals"; "slabs" ] place with
   | [ normals; slabs ] ->
       let normals = List.map in_space (items normals) and slabs = List.map point (items slabs) in
@@ -108,5 +134,5 @@ let kdop_kdop = operation "kdop_kdop" [ "a"; "b" ] "contact" (function
   | _ -> assert false)
 
 let operations =
-  [ explicit_line; point_ground_plane; point_plane; ray_plane; segment_plane; sphere_plane; aabb_plane; point_in_kdop;
-    kdop_kdop ]
+  [ explicit_line; point_ground_plane; point_plane; ray_plane; segment_plane; sphere_plane; aabb_plane; obb_plane;
+    capsule_plane; point_in_kdop; kdop_kdop ]

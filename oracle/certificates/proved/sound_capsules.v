@@ -205,7 +205,7 @@ Theorem capsule_capsule_sound : forall a r b s w facts on_a on_b,
 Proof.
   intros a r b s w facts on_a on_b h. apply decide_means in h. destruct h as (pa & pb & hr & hs & wa & wb & h).
   apply points_mean in pa, pb. apply (weights_mean 3) in wa, wb. rewrite <- mixed_means in wa, wb. simpl in hr, hs.
-  unfold capsule_capsule_spec. do 4 (split; [assumption|]).
+  do 2 (split; [split; assumption|]).
   eapply gap_means; try exact h; try assumption; try (eapply counted; eauto); try (eapply flat_points; [eauto | lia]).
 Qed.
 Theorem sphere_capsule_sound : forall c r points s w facts weights,
@@ -215,7 +215,7 @@ Proof.
   intros c r points s w facts weights h. apply decide_means in h. destruct h as (lc & pb & hr & hs & wb & h).
   rewrite of_length_means in lc. assert (lc' := rl_length c). rewrite lc in lc'.
   apply points_mean in pb. apply (weights_mean 3) in wb. rewrite <- mixed_means in wb. simpl in hr, hs.
-  split; [split; auto|]. do 2 (split; [assumption|]).
+  do 2 (split; [split; auto|]).
   assert (pc : points_of 1 3 (map rl [c])) by (split; [auto | intros p [<- | []]; auto]).
   apply (contact_of_same_sets 3 (capsule (map rl [c]) (Q2R r)) (capsule (map rl points) (Q2R s))); [|tauto|].
   - intros x _. unfold ball. split.
@@ -226,10 +226,10 @@ Proof.
 Qed.
 Theorem capsule_capsule_unique : forall a r b s v w,
   capsule_capsule_spec a r b s v -> capsule_capsule_spec a r b s w -> v = w.
-Proof. intros a r b s v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros a r b s v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 Theorem sphere_capsule_unique : forall c r b s v w, sphere_capsule_spec c r b s v -> sphere_capsule_spec c r b s w ->
   v = w.
-Proof. intros c r b s v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros c r b s v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 
 (** ** Triangles *)
 Lemma flat_contact_unique : forall F S v w, flat_contact_spec F S v -> flat_contact_spec F S w -> v = w.

@@ -336,7 +336,7 @@ Proof.
   destruct h as (pa & hr & right & wa & hu & h). apply points_mean in pa. simpl in hr.
   apply right_box_means in right. destruct right as [right ind]. assert (lo := proj1 right).
   apply (weights_mean 3) in wa. rewrite <- mixed_means in wa. apply within_one_means in hu. destruct hu as [lu hu].
-  do 3 (split; [assumption|]). assert (pa' := proj2 pa).
+  split; [split; assumption|]. split; [assumption|]. assert (pa' := proj2 pa).
   set (x := values (mixed 3 on_a points)) in *.
   set (y := plus (rl center) (combined 3 (rl on_b) (map rl axes))).
   assert (hy : obb (rl center) (map rl axes) y) by (exists (rl on_b); auto).
@@ -393,4 +393,4 @@ Proof.
 Qed.
 Theorem capsule_obb_unique : forall points r center axes v w, capsule_obb_spec points r center axes v ->
   capsule_obb_spec points r center axes w -> v = w.
-Proof. intros points r center axes v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros points r center axes v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.

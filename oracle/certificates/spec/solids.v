@@ -43,12 +43,10 @@ Fixpoint dot (x y : list R) : R := match x, y with a :: x', b :: y' => a * b + d
 Definition nonzero (x : list R) : Prop := exists a, In a x /\ a <> 0.
 (** The plane normal . x + offset = 0 and what is behind it, where the normal does not point *)
 Definition half_space (normal : list R) (offset : R) (x : list R) : Prop := dot normal x + offset <= 0.
-Definition sphere_plane_spec (c : list R) (r : R) (normal : list R) (offset : R) (w : contact) : Prop :=
-  proper_ball 3 c r /\ length normal = 3%nat /\ nonzero normal /\
-  contact_spec 3 (ball c r) (half_space normal offset) w.
-Definition aabb_plane_spec (low high normal : list R) (offset : R) (w : contact) : Prop :=
-  proper_box 3 low high /\ length normal = 3%nat /\ nonzero normal /\
-  contact_spec 3 (box low high) (half_space normal offset) w.
+Definition over_half_space (S : list R -> Prop) (normal : list R) (offset : R) (w : contact) : Prop :=
+  length normal = 3%nat /\ nonzero normal /\ contact_spec 3 S (half_space normal offset) w.
+Definition sphere_plane_spec c r n d (w : contact) : Prop := proper_ball 3 c r /\ over_half_space (ball c r) n d w.
+Definition aabb_plane_spec l h n d (w : contact) : Prop := proper_box 3 l h /\ over_half_space (box l h) n d w.
 (** A slab (normal, (low, high)), and the solid that several have in common, a k-DOP *)
 Definition slab (A : Type) : Type := list A * (A * A).
 Definition in_slab (s : slab R) (x : list R) : Prop := let '(n, (low, high)) := s in low <= dot n x <= high.

@@ -33,6 +33,21 @@ def truth_aabb_plane(q):
     return {"contact": "overlapping" if margin else "touching"}, margin
 
 
+def truth_capsule_plane(q):
+    """That of the ball around the lower end."""
+    lower = min(q["capsule"]["segment"], key=lambda end: dot(point(q["plane"]["normal"]), point(end)))
+    return truth_sphere_plane({"sphere": {"center": lower, "radius": q["capsule"]["radius"]}, "plane": q["plane"]})
+
+
+def truth_obb_plane(q):
+    """The height of the center, and how far the half axes fall from it. Margin: the square of the least height."""
+    normal, axes = point(q["plane"]["normal"]), map(point, q["obb"]["half_axes"])
+    least = dot(normal, point(q["obb"]["center"])) + number(q["plane"]["offset"])
+    least -= sum(abs(dot(normal, axis)) for axis in axes)
+    contact = "disjoint" if least > 0 else "overlapping" if least < 0 else "touching"
+    return {"contact": contact}, least**2 / dot(normal, normal)
+
+
 def clamped(p, a, b):
     """The nearest point of a segment: the vertex of a parabola in t, moved into [0, 1]."""
     v = minus(b, a)

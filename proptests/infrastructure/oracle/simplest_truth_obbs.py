@@ -37,3 +37,16 @@ def truth_obb_obb(q):
     edges = edges_of(q["a"]) + edges_of(q["b"])
     by = beyond(edges, minus(point(q["b"]["center"]), point(q["a"]["center"])))
     return {"contact": "disjoint" if by > 0 else "overlapping" if by < 0 else "touching"}, abs(by)
+
+
+def truth_aabb_obb(q):
+    """The aligned box has edges as long as half of its width, or 0; a box that is flat touches what it meets. Margin:
+    the least width too, squared, where they meet."""
+    low, high = point(q["aabb"]["min"]), point(q["aabb"]["max"])
+    half = [(b - a) / 2 for a, b in zip(low, high)]
+    edges = [tuple(h * (k == axis) for k in range(3)) for axis, h in enumerate(half)] + edges_of(q["obb"])
+    by = beyond(edges, minus(point(q["obb"]["center"]), tuple(a + h for a, h in zip(low, half))))
+    if by > 0:
+        return {"contact": "disjoint"}, by
+    margin = min(-by, 4 * min(half) ** 2)
+    return {"contact": "overlapping" if margin else "touching"}, margin

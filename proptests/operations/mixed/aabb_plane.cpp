@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/mixed/aabb_plane.h"
 
-#include "proptests/space_laws.h"
+#include "proptests/half_space_laws.h"
 #include "robust/mixed/sphere_plane.h"
 #include "robust/planes/point_plane.h"
 
@@ -11,7 +11,6 @@ namespace {
 using Row = rows::aabb_plane;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
-constexpr Plane3d ground{{0, 1, 0}, 0};
 
 /// 2 wide, 2 high, 2 deep, its bottom at that height.
 Row::Question over_ground(double height) { return {{{3, height, -1}, {5, height + 2, 1}}, ground}; }
@@ -30,9 +29,7 @@ constexpr Worked<Row> worked;
 
 }  // namespace
 
-TEST_CASE("aabb_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<1>);
-}
+HALF_SPACE_LAWS("aabb_plane", flat)
 
 ROBUST_LAW("aabb_plane: the contact follows from the sides of the eight corners", box, plane) {
   int front = 0, behind = 0;
@@ -41,12 +38,6 @@ ROBUST_LAW("aabb_plane: the contact follows from the sides of the eight corners"
     front += static_cast<int>(side == PlaneSide::front), behind += static_cast<int>(side == PlaneSide::back);
   }
   return ask(asked) == (front == 8 ? disjoint : behind == 0 || flat(box) ? touching : overlapping);
-}
-
-LAW("aabb_plane: what is disjoint from the back overlaps the front, and a flat box overlaps neither", box, plane) {
-  const Contact front = ask(Row::Question{box, {-1.0 * plane.normal, -plane.offset}});
-  if (flat(box)) return ask(asked) != overlapping && front != overlapping;
-  return std::max(ask(asked), front) == overlapping;
 }
 
 LAW("aabb_plane: a box that grows never loses contact", box, plane) {

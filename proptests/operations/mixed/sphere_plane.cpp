@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/mixed/sphere_plane.h"
 
-#include "proptests/space_laws.h"
+#include "proptests/half_space_laws.h"
 #include "robust/planes/point_plane.h"
 #include "robust/sweeps/swept_sphere_plane.h"
 
@@ -11,27 +11,21 @@ namespace {
 using Row = rows::sphere_plane;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
-constexpr Plane3d ground{{0, 1, 0}, 0};
 
 Row::Question over_ground(double height, double radius) { return {{{3, height, -1}, radius}, ground}; }
+
+bool is_point(const Sphere3d& ball) { return ball.radius == 0; }
 
 constexpr Worked<Row> worked;
 
 }  // namespace
 
-TEST_CASE("sphere_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<1>);
-}
+HALF_SPACE_LAWS("sphere_plane", is_point)
 
 LAW("sphere_plane: a ball that grows never loses contact, and one that touched overlaps", sphere, plane) {
   if (sphere.radius == greatest) return true;
   const Contact then = ask(Row::Question{{sphere.center, catalogue::moved_by_ulps(sphere.radius, 1)}, plane});
   return ask(asked) == disjoint || then == overlapping;
-}
-
-LAW("sphere_plane: what is disjoint from the back is in front, and no point overlaps either side", sphere, plane) {
-  const Contact front = ask(Row::Question{sphere, {-1.0 * plane.normal, -plane.offset}});
-  return std::max(ask(asked), front) == (sphere.radius == 0 ? touching : overlapping);
 }
 
 ROBUST_LAW("sphere_plane: a ball meets the half-space exactly if it meets the plane or its center is on the back",
@@ -79,13 +73,7 @@ TEST_CASE("sphere_plane: rounding, huge, subnormal and negative zero") {
 }
 
 CONTRACT("sphere_plane: the formula in double keeps its contract", sphere, plane) {
-  const HeightBound e(plane, sphere.center);
-  const double q = dot(plane.normal, plane.normal), reach = sphere.radius * std::sqrt(q);
-  if (e.overflow || !(q >= 0x1p-960 && q <= 0x1p960) || !finite(reach)) return true;
-  const Rational gap = exact(e.computed) - exact(reach);
-  if (abs(gap) <= e.error + 5 * unit() * exact(reach) + power_of_two(-1074)) return true;
-  const Contact inside = sphere.radius == 0 ? touching : overlapping;
-  return answer == (gap > 0 ? disjoint : overlapping) && truth.answer == (gap > 0 ? disjoint : inside);
+  return keeps_contract_over_plane({sphere.center}, sphere.radius, plane, answer, truth.answer);
 }
 
 }  // namespace touchstone::proptests::sphere_plane_tests

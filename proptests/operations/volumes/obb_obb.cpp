@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/volumes/obb_obb.h"
 
-#include "proptests/forward_error.h"
+#include "proptests/box_laws.h"
 #include "proptests/laws.h"
 #include "robust/volumes/aabb_aabb.h"
 #include "robust/volumes/obb_obb.h"
@@ -20,16 +20,6 @@ Obb3d turned(const Point3d& center) { return {center, {{3, 4, 0}, {-4, 3, 0}, {0
 Obb3d shifted_cube(double x, double y, double z) { return {{x, y, z}, cube.half_axes}; }
 
 constexpr Worked<Row> worked;
-
-/// The box around 0 of all differences of a point of each, where it is one: half axes in the order of the axes.
-bool straight(const HalfAxes<double>& h) {
-  return h.u.y == 0 && h.u.z == 0 && h.v.x == 0 && h.v.z == 0 && h.w.x == 0 && h.w.y == 0;
-}
-Aabb3d aabb_of(const Obb3d& box) {
-  const double x = std::fabs(box.half_axes.u.x), y = std::fabs(box.half_axes.v.y), z = std::fabs(box.half_axes.w.z);
-  const Point3d& c = box.center;
-  return {{c.x - x, c.y - y, c.z - z}, {c.x + x, c.y + y, c.z + z}};
-}
 
 Vector3<Rational> rational(const Vector3d& v) { return {exact(v.x), exact(v.y), exact(v.z)}; }
 bool orthogonal(const HalfAxes<double>& h) {
@@ -71,11 +61,8 @@ struct Gap {
 }  // namespace
 
 LAW("obb_obb: half axes may be exchanged and reversed", a, b) {
-  const auto& [u, v, w] = a.half_axes;
-  const auto& [x, y, z] = b.half_axes;
   const Contact contact = ask(asked);
-  return ask(Row::Question{{a.center, {v, u, w}}, b}) == contact &&
-         ask(Row::Question{a, {b.center, {z, {-x.x, -x.y, -x.z}, y}}}) == contact;
+  return ask(in_another_order<0>(asked)) == contact && ask(in_another_order<1>(asked)) == contact;
 }
 
 LAW("obb_obb: a box overlaps itself and every box around its center", a, b) {
@@ -94,21 +81,18 @@ LAW("obb_obb: boxes touch where one stands an edge's length beside itself, and p
 ROBUST_LAW("obb_obb: a corner of one box in the other means that they meet", a, b) {
   if (!on_lattice(asked)) return true;
   const Contact contact = ask(asked);
-  for (const double r : {-2.0, 2.0})
-    for (const double s : {-2.0, 2.0})
-      for (const double t : {-2.0, 2.0}) {
-        const Location location = robust::point_in_obb(a, catalogue::halves_along(b, r, s, t));
-        if (contact < (location == Location::inside     ? overlapping
-                       : location == Location::boundary ? touching
-                                                        : disjoint))
-          return false;
-      }
+  for (const Point3d& corner : corners(b)) {
+    const Location location = robust::point_in_obb(a, corner);
+    if (contact < (location == Location::inside ? overlapping : location == Location::boundary ? touching : disjoint))
+      return false;
+  }
   return true;
 }
 
 ROBUST_LAW("obb_obb: boxes along the axes have the contact of aabb_aabb", a, b) {
-  if (!on_lattice(asked) || !straight(a.half_axes) || !straight(b.half_axes)) return true;
-  return robust::aabb_aabb(aabb_of(a), aabb_of(b)) == ask(asked);
+  const auto of_a = straightened(a), of_b = straightened(b);
+  if (!on_lattice(asked) || !of_a || !of_b) return true;
+  return robust::aabb_aabb(of_a->aabb, of_b->aabb) == ask(Row::Question{of_a->obb, of_b->obb});
 }
 
 TEST_CASE("obb_obb: p. 27's boxes worked by hand") {

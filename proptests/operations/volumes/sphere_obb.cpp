@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/volumes/sphere_obb.h"
 
+#include "proptests/box_laws.h"
 #include "proptests/round_laws.h"
 #include "robust/volumes/point_in_obb.h"
 #include "robust/volumes/sphere_aabb.h"
@@ -30,13 +31,9 @@ ROBUST_LAW("sphere_obb: a point only touches the box that it is in, and a ball a
 }
 
 ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ball, box) {
-  const auto& [u, v, w] = box.half_axes;
-  const Point3d& c = box.center;
-  if (!on_lattice(asked) || u.x == 0 || v.y == 0 || w.z == 0) return true;
-  const double x = std::fabs(u.x), y = std::fabs(v.y), z = std::fabs(w.z);
-  const Obb3d straight{c, {{u.x, 0, 0}, {0, v.y, 0}, {0, 0, w.z}}};
-  return ask(Row::Question{ball, straight}) ==
-         robust::sphere_aabb(ball, Aabb3d{{c.x - x, c.y - y, c.z - z}, {c.x + x, c.y + y, c.z + z}});
+  const auto straight = straightened(box);
+  if (!on_lattice(asked) || !straight) return true;
+  return ask(Row::Question{ball, straight->obb}) == robust::sphere_aabb(ball, straight->aabb);
 }
 
 TEST_CASE("sphere_obb: balls beside a cube and a turned box, worked by hand") {

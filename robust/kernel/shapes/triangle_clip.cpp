@@ -56,14 +56,26 @@ void add_ends(std::vector<HomogeneousPoint>& ends, const Triangle3<mpz_class>& t
     for (const Clipped::Parameter& end : {part.first, part.last}) {
       const mpz_class &n = end.numerator, &d = end.denominator;
       const mpz_class rest = d - n;
-      ends.push_back({{mpz_class(rest * edge.a.x + n * edge.b.x), mpz_class(rest * edge.a.y + n * edge.b.y),
-                       mpz_class(rest * edge.a.z + n * edge.b.z)},
-                      d});
+      auto& [at, w] = ends.emplace_back(
+          HomogeneousPoint{{mpz_class(rest * edge.a.x + n * edge.b.x), mpz_class(rest * edge.a.y + n * edge.b.y),
+                            mpz_class(rest * edge.a.z + n * edge.b.z)},
+                           d});
+      reduce({&w, &at.x, &at.y, &at.z});
     }
   }
 }
 
 }  // namespace
+
+void reduce(std::initializer_list<mpz_class*> numbers) {
+  mpz_class common;
+  for (const mpz_class* number : numbers) {
+    common = gcd(common, *number);
+    if (common == 1) return;
+  }
+  if (sgn(common) == 0) return;
+  for (mpz_class* number : numbers) mpz_divexact(number->get_mpz_t(), number->get_mpz_t(), common.get_mpz_t());
+}
 
 void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
   const int p = sgn(at_p), q = sgn(at_q);

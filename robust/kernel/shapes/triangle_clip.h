@@ -3,6 +3,7 @@
 
 #include <gmpxx.h>
 
+#include <initializer_list>
 #include <vector>
 
 #include "geometry/triangles.h"
@@ -42,6 +43,9 @@ struct HomogeneousPoint {
   mpz_class w;
 };
 
+/// Divides the numbers by their greatest common divisor, so that what is computed from them stays short.
+void reduce(std::initializer_list<mpz_class*> numbers);
+
 /// q - p, times a positive number.
 Vector3<mpz_class> displacement(const HomogeneousPoint& p, const HomogeneousPoint& q);
 inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
@@ -49,6 +53,7 @@ inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y)
 /// The ends of the parts that the edges of each triangle have in the other. Every extreme point of the common part lies
 /// on an edge of one of the two: a point inside both, coplanar or not, lies between others. So the common part is the
 /// convex hull of these ends.
+/// They are reduced.
 std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a, const Triangle3<mpz_class>& b);
 
 }  // namespace touchstone::robust::kernel

@@ -40,11 +40,11 @@ struct Wall {
     const auto named = [&other](Index i) { return std::count(other.names.begin(), other.names.end(), i) > 0; };
     return solid == other.solid && std::count_if(names.begin(), names.end(), named) > 1;
   }
+  int side_of(const Point& p) const { return sgn(dot(normal, p - corners.a)); }
   /// True if all corners are in front of the other's plane, or behind it, or in it.
   bool on_one_side_of(const Wall& other) const {
-    const auto side = [&other](const Point& p) { return sgn(dot(other.normal, p - other.corners.a)); };
-    const int first = side(corners.a);
-    return side(corners.b) == first && side(corners.c) == first;
+    const int first = other.side_of(corners.a);
+    return other.side_of(corners.b) == first && other.side_of(corners.c) == first;
   }
 };
 
@@ -64,10 +64,13 @@ std::optional<Line> common_line(const Wall& v, const Wall& w) {
   for (const HomogeneousPoint& end : ends) {
     if (zero(displacement(ends.front(), end))) continue;
     const HomogeneousPoint& first = ends.front();
-    return Line{{times(first.p, end.w), times(end.p, first.w)},
-                mpz_class(first.w * end.w),
-                cross(v.normal, w.normal),
-                v.box.with(w.box)};
+    Line line{{times(first.p, end.w), times(end.p, first.w)},
+              mpz_class(first.w * end.w),
+              displacement(first, end),
+              v.box.with(w.box)};
+    auto& [p, q] = line.segment;
+    reduce({&line.w, &p.x, &p.y, &p.z, &q.x, &q.y, &q.z}), reduce({&line.along.x, &line.along.y, &line.along.z});
+    return line;
   }
   return std::nullopt;
 }
@@ -165,6 +168,22 @@ class Walls {
     add(a, points.data(), 1, SpaceBox::around(b)), add(b, points.data() + a.vertices.size(), 2, SpaceBox::around(a));
   }
 
+  /// True if the plane of a wall lies between a and b: no corner of its own solid is where one of the other is.
+  bool any_separates() const {
+    const auto separates = [this](const Wall& plane) {
+      int side = 0;  // of the wall's own solid
+      for (const Wall& wall : walls_) {
+        for (const Point* p : {&wall.corners.a, &wall.corners.b, &wall.corners.c}) {
+          const int at = plane.side_of(*p), own = wall.solid == plane.solid ? at : -at;
+          if (own * side < 0) return false;
+          if (own != 0) side = own;
+        }
+      }
+      return true;
+    };
+    return std::any_of(walls_.begin(), walls_.end(), separates);
+  }
+
   bool any_sector_of_both() const {
     for (const bool across : {true, false}) {  // usually some sector is inside of both where a and b cross
       for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -186,8 +205,9 @@ class Walls {
     for (const Face& f : mesh.faces) {
       const Triangle3<mpz_class> corners{points[f.a], points[f.b], points[f.c]};
       const std::array edges{corners.b - corners.a, corners.c - corners.b, corners.a - corners.c};
-      const Vector normal = cross(edges[0], edges[1]);
+      Vector normal = cross(edges[0], edges[1]);
       if (zero(normal)) continue;
+      reduce({&normal.x, &normal.y, &normal.z});
       const SpaceBox box = SpaceBox::around(mesh, f);
       walls_.push_back({corners, edges, normal, {f.a, f.b, f.c}, box, solid, box.meets(other)});
       for (const auto& [p, q] : {std::minmax(f.a, f.b), std::minmax(f.b, f.c), std::minmax(f.c, f.a)}) {
@@ -219,9 +239,10 @@ class Walls {
     const auto [n, d] = between(from, to);
     const mpz_class rest = d - n;
     const auto& [p, q] = line.segment;
-    const HomogeneousPoint inside{
+    HomogeneousPoint inside{
         {mpz_class(rest * p.x + n * q.x), mpz_class(rest * p.y + n * q.y), mpz_class(rest * p.z + n * q.z)},
         mpz_class(d * line.w)};
+    reduce({&inside.w, &inside.p.x, &inside.p.y, &inside.p.z});
     Around around{line.along, {}, {}};
     for (std::size_t i = 0; i < walls_.size(); ++i) {
       const bool holds = !parts[i].empty && !(from < parts[i].first) && !(parts[i].last < to);
@@ -239,6 +260,9 @@ class Walls {
 
 }  // namespace
 
-bool have_common_interior(const Meshd& a, const Meshd& b) { return Walls(a, b).any_sector_of_both(); }
+bool have_common_interior(const Meshd& a, const Meshd& b) {
+  const Walls walls(a, b);
+  return !walls.any_separates() && walls.any_sector_of_both();
+}
 
 }  // namespace touchstone::robust::kernel
