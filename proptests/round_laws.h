@@ -11,6 +11,7 @@
 #include "proptests/closest_laws.h"
 #include "robust/mixed/sphere_capsule.h"
 #include "robust/mixed/sphere_triangle.h"
+#include "robust/volumes/sphere_aabb.h"
 #include "robust/volumes/sphere_obb.h"
 #include "robust/volumes/sphere_sphere.h"
 
@@ -22,9 +23,9 @@ namespace touchstone::proptests {
 inline std::vector<Sphere3d> rewritten(const Sphere3d&) { return {}; }
 inline std::vector<Capsule3d> rewritten(const Capsule3d& c) { return {{{c.segment.b, c.segment.a}, c.radius}}; }
 inline std::vector<Triangle3d> rewritten(const Triangle3d& t) { return {{t.b, t.c, t.a}, {t.c, t.b, t.a}}; }
-inline std::vector<Obb3d> rewritten(const Obb3d& box) {
-  return {std::get<0>(in_another_order<0>(std::tuple{box}))};
-}
+inline std::vector<Obb3d> rewritten(const Obb3d& box) { return {std::get<0>(in_another_order<0>(std::tuple{box}))}; }
+
+inline std::vector<Aabb3d> rewritten(const Aabb3d&) { return {}; }
 
 /// Balls at the ends and corners of a solid, which are parts of it. A box has them where its corners are exact.
 inline std::vector<Sphere3d> balls_in(const Sphere3d&) { return {}; }
@@ -37,10 +38,25 @@ inline std::vector<Sphere3d> balls_in(const Obb3d& box) {
   return balls;
 }
 
+inline std::vector<Sphere3d> balls_in(const Aabb3d& box) {
+  std::vector<Sphere3d> corners;
+  for (const double x : {box.min.x, box.max.x})
+    for (const double y : {box.min.y, box.max.y})
+      for (const double z : {box.min.z, box.max.z}) corners.push_back({{x, y, z}, 0});
+  return corners;
+}
+
 inline Contact with_ball(const Sphere3d& ball, const Sphere3d& other) { return robust::sphere_sphere(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Capsule3d& other) { return robust::sphere_capsule(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Triangle3d& other) { return robust::sphere_triangle(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Obb3d& other) { return robust::sphere_obb(ball, other); }
+
+inline Contact with_ball(const Sphere3d& ball, const Aabb3d& other) { return robust::sphere_aabb(ball, other); }
+
+inline bool flat(const auto&) { return false; }
+inline bool flat(const Aabb3d& box) {
+  return box.min.x == box.max.x || box.min.y == box.max.y || box.min.z == box.max.z;
+}
 
 template <class Ask, class A, class B>
 bool same_if_rewritten(const Ask& ask, const A& a, const B& b) {
@@ -70,7 +86,8 @@ bool grow(Solid& solid) {
 template <class Ask, class A, class B>
 bool keeps_contact_growing(const Ask& ask, A a, B b) {
   const Contact contact = ask(std::tuple{a, b});
-  return !grow(a) || !grow(b) || contact == Contact::disjoint || ask(std::tuple{a, b}) == Contact::overlapping;
+  if (!grow(a) || !grow(b) || contact == Contact::disjoint) return true;
+  return ask(std::tuple{a, b}) == (flat(a) || flat(b) ? Contact::touching : Contact::overlapping);
 }
 
 /// A part meets no more than the solid; a capsule of one point is the ball.

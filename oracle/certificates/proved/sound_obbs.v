@@ -2,8 +2,8 @@
 (** The formulas of oriented boxes are enough, and their specifications leave no choice. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
 From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest
-  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest sound_capsules unique_solids
-  unique_slabs.
+  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest sound_capsules sound_round
+  unique_solids unique_slabs.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -254,15 +254,6 @@ Proof.
   change (plus (times (t * a) h) (combined 3 (times t u) axes) = times t (plus (times a h) (combined 3 u axes))).
   rewrite IH, times_plus, times_times. auto.
 Qed.
-Lemma nearer_within : forall p c d t, length p = length c -> length d = length c -> 0 <= t <= 1 ->
-  sqdist p (plus c (times (1 - t) d)) <= (1 - t) * sqdist p (plus c d) + t * sqdist p c.
-Proof.
-  induction p as [|a p IH]; intros [|b c] [|e d] t lp ld ht; simpl in *; try discriminate; try lra.
-  assert (g := IH c d t ltac:(lia) ltac:(lia) ht).
-  assert (k : 0 <= t * (1 - t) * (e * e)).
-  { apply Rmult_le_pos; [apply Rmult_le_pos; lra | apply square]. }
-  lra.
-Qed.
 (** If a point of a box is inside of a ball, there are points of its interior that are. *)
 Lemma ball_reaches_inside : forall p r c axes u, length p = 3%nat -> 0 <= r -> right_obb c axes -> independent axes ->
   length u = 3%nat -> (forall a, In a u -> -1 <= a <= 1) -> sqdist p (plus c (combined 3 u axes)) < r * r ->
@@ -271,19 +262,9 @@ Proof.
   intros p r c axes u lp hr right ind lu hu near. assert (lc := proj1 right).
   assert (hp := proj2 (proj1 (proj2 right))).
   set (d := combined 3 u axes) in *. assert (ld : length d = 3%nat) by (apply combined_length; auto).
-  assert (f0 := sqdist_nonneg p (plus c d)). assert (f1 := sqdist_nonneg p c).
-  set (g := r * r - sqdist p (plus c d)). set (t := g / (g + sqdist p c + 1)).
-  assert (hg : 0 < g) by (unfold g; lra).
-  assert (e : t * (g + sqdist p c + 1) = g) by (unfold t; field; lra).
-  assert (ht : 0 < t) by (apply Rdiv_lt_0_compat; lra).
-  assert (tg : 0 < t * g) by (apply Rmult_lt_0_compat; auto).
-  assert (tf : 0 <= t * sqdist p c) by (apply Rmult_le_pos; lra).
-  assert (below : t < 1).
-  { apply (Rmult_lt_reg_r (g + sqdist p c + 1)); [lra|]. rewrite e. lra. }
+  destruct (nearer_on_the_way p r c d) as (t & ht & m); try congruence.
   exists (plus c (times (1 - t) d)). split.
-  - apply inside_ball; auto; [rewrite plus_length; rewrite times_length; congruence|].
-    assert (k := nearer_within p c d t ltac:(congruence) ltac:(congruence) ltac:(lra)).
-    assert (0 <= t * sqdist p (plus c d)) by (apply Rmult_le_pos; lra). unfold g in *. lra.
+  - apply inside_ball; auto. rewrite plus_length; rewrite times_length; congruence.
   - unfold d. rewrite <- combined_times. apply obb_inside; auto; [rewrite times_length; auto|].
     intros a i. apply in_map_iff in i. destruct i as [b [<- i]]. assert (hb := hu b i).
     assert (0 <= (1 - t) * (1 - b)) by (apply Rmult_le_pos; lra).
@@ -336,7 +317,7 @@ Proof.
   destruct h as (pa & hr & right & wa & hu & h). apply points_mean in pa. simpl in hr.
   apply right_box_means in right. destruct right as [right ind]. assert (lo := proj1 right).
   apply (weights_mean 3) in wa. rewrite <- mixed_means in wa. apply within_one_means in hu. destruct hu as [lu hu].
-  split; [split; assumption|]. split; [assumption|]. assert (pa' := proj2 pa).
+  split; [assumption|]. split; [split; assumption|]. assert (pa' := proj2 pa).
   set (x := values (mixed 3 on_a points)) in *.
   set (y := plus (rl center) (combined 3 (rl on_b) (map rl axes))).
   assert (hy : obb (rl center) (map rl axes) y) by (exists (rl on_b); auto).
@@ -347,43 +328,23 @@ Proof.
   assert (ew : values way = minus x y) by (unfold way; rewrite difference_means, placed_means; auto).
   assert (q : value Q2R (inner way way) = sqdist x y).
   { rewrite inner_means, ew, <- sqdist_dot; auto; congruence. }
-  (* Of any point of the box, the segment to it from y is in the box. *)
-  assert (near : means Q2R (none_nearer points (mixed 3 on_a points) (placed center axes on_b) /\
-    reach way axes <= inner way (difference (placed center axes on_b) (leaves center)))%check ->
-    (forall z, hull 3 (map rl points) z -> 0 <= dot (minus x y) (minus z x)) /\
-    forall v, obb (rl center) (map rl axes) v -> forall z, hull 3 [y; v] z -> 0 <= dot (minus y x) (minus z y)).
+  set (near := (none_nearer points (mixed 3 on_a points) (placed center axes on_b) /\ _ <= _)%check) in h.
+  assert (nearest : means Q2R near -> (forall z, hull 3 (map rl points) z -> 0 <= dot (minus x y) (minus z x)) /\
+    forall v, length v = 3%nat -> obb (rl center) (map rl axes) v -> 0 <= dot (minus y x) (minus v y)).
   { intros (na & nb). split.
     - intros z hz. assert (g := none_nearer_means 3 points _ _ (counted _ _ _ pa) lx na z hz).
       rewrite placed_means in g. exact g.
-    - intros v hv z hz. assert (lv := obb_length _ _ _ right hv).
-      assert (lz : length z = 3%nat) by (apply (hull_length 3 [y; v]); auto; intros p [<- | [<- | []]]; auto).
-      assert (k : dot (minus y x) y <= dot (minus y x) z).
-      { apply (hull_above 3 [y; v]); auto; [intros p [<- | [<- | []]]; auto|].
-        intros p [<- | [<- | []]]; [lra|].
-        apply (obb_reach (minus x y)) in hv; auto. simpl in nb.
-        rewrite reach_means, inner_means, difference_means, leaves_mean, placed_means, ew in nb. fold y in nb.
-        rewrite dot_minus in nb by congruence. rewrite !minus_dot in * by congruence. lra. }
-      rewrite dot_minus by congruence. lra. }
-  assert (pair : forall v, obb (rl center) (map rl axes) v ->
-    (forall p, In p [y; v] -> length p = 3%nat) /\ hull 3 [y; v] y /\ capsule [y; v] 0 v).
-  { intros v hv. assert (lv := obb_length _ _ _ right hv). split; [intros p [<- | [<- | []]]; auto|]. split.
-    - exists [1; 0]. split; [auto|]. split; [intros a [<- | [<- | []]]; lra|]. split; [simpl; lra|].
-      clear - ly lv. destruct y as [|y0 [|y1 [|y2 [|]]]]; try discriminate.
-      destruct v as [|v0 [|v1 [|v2 [|]]]]; try discriminate. simpl. repeat (f_equal; try ring).
-    - exists v. split; [|rewrite sqdist_self; lra].
-      exists [0; 1]. split; [auto|]. split; [intros a [<- | [<- | []]]; lra|]. split; [simpl; lra|].
-      clear - ly lv. destruct y as [|y0 [|y1 [|y2 [|]]]]; try discriminate.
-      destruct v as [|v0 [|v1 [|v2 [|]]]]; try discriminate. simpl. repeat (f_equal; try ring). }
+    - intros v lv hv. apply (obb_reach (minus x y)) in hv; auto. simpl in nb.
+      rewrite reach_means, inner_means, difference_means, leaves_mean, placed_means, ew in nb. fold y in nb.
+      rewrite dot_minus in nb by (rewrite ?minus_length; congruence).
+      rewrite dot_minus by (rewrite ?minus_length; congruence). rewrite !minus_dot in * by congruence. lra. }
   destruct w, facts; try (simpl in h; tauto).
-  - destruct h as (n & far). simpl in far. rewrite q in far. destruct (near n) as [na nb]. intros z lz [c o].
-    destruct (pair z o) as (pz & hz & cz).
-    apply (capsules_apart (map rl points) [y; z] x y (Q2R r) 0 pa' pz wa hz hr (Rle_refl 0) na (nb z o)) with z;
-      [lra | auto | auto].
-  - destruct h as (n & e). simpl in e. rewrite q in e. destruct (near n) as [na nb]. split.
+  - destruct h as (n & far). simpl in far. rewrite q in far. destruct (nearest n) as [na nb].
+    unfold contact_spec. apply (set_apart (map rl points) _ x y); auto.
+  - destruct h as (n & e). simpl in e. rewrite q in e. destruct (nearest n) as [na nb]. split.
     + exists y. split; [auto|]. split; [exists x; split; [auto | lra] | auto].
-    + intros z [i j]. apply interior_in in j. destruct (pair z j) as (pz & hz & cz).
-      apply (capsules_tangent (map rl points) [y; z] x y (Q2R r) 0 pa' pz wa hz hr (Rle_refl 0) na (nb z j)
-        ltac:(rewrite e; ring) fa z). auto.
+    + intros z [i j]. apply interior_in in j.
+      apply (set_tangent (map rl points) (obb (rl center) (map rl axes)) x y (Q2R r)) with z; auto.
   - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
     + exists y. split; [auto|]. split; [exists x; split; [auto | lra] | auto].
     + intros v [i _]. rewrite z in i. apply (flat_has_no_interior (map rl points) v) in i; auto.

@@ -31,8 +31,9 @@ Definition capsule points (r : R) x : Prop := exists y, hull 3 points y /\ sqdis
 Definition proper_capsule points r : Prop := points_of 2 3 points /\ 0 <= r.
 Definition sphere_capsule_spec c (r : R) points (s : R) (w : contact) : Prop :=
   proper_ball 3 c r /\ proper_capsule points s /\ contact_spec 3 (ball c r) (capsule points s) w.
-Definition capsule_capsule_spec a (r : R) b (s : R) (w : contact) : Prop :=
-  proper_capsule a r /\ proper_capsule b s /\ contact_spec 3 (capsule a r) (capsule b s) w.
+Definition capsule_with p r S w : Prop := proper_capsule p r /\ contact_spec 3 (capsule p r) S w.
+Definition capsule_capsule_spec a r b s w := proper_capsule b s /\ capsule_with a r (capsule b s) w.
+Definition capsule_aabb_spec p r low high w := proper_box 3 low high /\ capsule_with p r (box low high) w.
 (** A triangle F has no interior: it overlaps a solid S where it has a point inside of it. *)
 Definition flat_contact_spec (F S : list R -> Prop) (w : contact) : Prop :=
   match w with
@@ -55,7 +56,7 @@ Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := 
   right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
 Definition aabb_obb_spec l h c a w := proper_box 3 l h /\ right_obb c a /\ contact_spec 3 (box l h) (obb c a) w.
 Definition sphere_obb_spec c r o a w := proper_ball 3 c r /\ right_obb o a /\ contact_spec 3 (ball c r) (obb o a) w.
-Definition capsule_obb_spec p r o a w := proper_capsule p r /\ right_obb o a /\ contact_spec 3 (capsule p r) (obb o a) w.
+Definition capsule_obb_spec p r center axes w := right_obb center axes /\ capsule_with p r (obb center axes) w.
 Definition obb_plane_spec c axes n d (w : contact) : Prop := right_obb c axes /\ over_half_space (obb c axes) n d w.
 Definition capsule_plane_spec p r n d (w : contact) := proper_capsule p r /\ over_half_space (capsule p r) n d w.
 

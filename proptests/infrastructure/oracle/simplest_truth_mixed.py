@@ -4,7 +4,7 @@ import itertools
 from fractions import Fraction
 
 from simplest_truth_reading import Root, dot, minus, number, point
-from simplest_truth_volumes import contact_with_obb
+from simplest_truth_volumes import contact_with_obb, gap_to_box
 
 
 def truth_sphere_plane(q):
@@ -146,9 +146,25 @@ def truth_capsule_capsule(q):
 
 
 def truth_capsule_obb(q):
-    a, b = map(point, q["capsule"]["segment"])
-    middle, half = tuple((x + y) / 2 for x, y in zip(a, b)), tuple((y - x) / 2 for x, y in zip(a, b))
-    return contact_with_obb(middle, [half], q["obb"], number(q["capsule"]["radius"]))
+    segment, radius = capsule(q["capsule"])
+    middle, half = halves(*segment)
+    return contact_with_obb(middle, [half], q["obb"], radius)
+
+
+def halves(a, b):
+    return tuple((x + y) / 2 for x, y in zip(a, b)), tuple((y - x) / 2 for x, y in zip(a, b))
+
+
+def truth_capsule_aabb(q):
+    """Margin: as of other contacts; where they meet, also the square of the least width."""
+    segment, radius = capsule(q["capsule"])
+    (middle, half), (center, sizes) = halves(*segment), halves(point(q["aabb"]["min"]), point(q["aabb"]["max"]))
+    axes = [tuple(size if k == axis else Fraction(0) for k in range(3)) for axis, size in enumerate(sizes)]
+    truth, margin = contact(gap_to_box(middle, [half], center, axes), [radius])
+    if truth["contact"] == "disjoint":
+        return truth, margin
+    margin = min(margin, 4 * min(sizes) ** 2)
+    return {"contact": "overlapping" if margin else "touching"}, margin
 
 
 def clipped(polygon, height):

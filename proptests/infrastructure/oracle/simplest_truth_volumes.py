@@ -58,13 +58,12 @@ def truth_sphere_aabb(q):
     return {"contact": contact}, gap if gap > 0 else min(-gap, width * width)
 
 
-def contact_with_obb(way, edges, obb, radius):
-    """The contact of a box with a point, or a segment that leads from its middle by an edge and back, grown by a radius.
-    way: the place of that point or middle. Each coefficient of the nearest points is -1, 1, or such
+def gap_to_box(place, edges, center, axes):
+    """The squared distance of a box from a point, or a segment that leads from its middle by an edge and back; place: of
+    that point or middle. Each coefficient of the nearest points is -1, 1, or such
     that the displacement is at a right angle to its edge: of all that one of these choices makes, with coefficients in
-    [-1, 1], the nearest; where edges are dependent others make it too. Margin: how far its squared distance is from the
-    square of the radius."""
-    edges, way, distances = [*map(point, obb["half_axes"]), *edges], minus(way, point(obb["center"])), []
+    [-1, 1], the nearest; where edges are dependent others make it too."""
+    edges, way, distances = [*axes, *edges], minus(place, center), []
     for choice in product((-1, 0, 1), repeat=len(edges)):
         free = [edge for edge, side in zip(edges, choice) if side == 0]
         rest = minus(way, tuple(sum(side * edge[k] for edge, side in zip(edges, choice)) for k in range(3)))
@@ -72,7 +71,12 @@ def contact_with_obb(way, edges, obb, radius):
         if shares is not None and all(-1 <= share <= 1 for share in shares):
             beyond = minus(rest, tuple(sum(share * edge[k] for share, edge in zip(shares, free)) for k in range(3)))
             distances.append(dot(beyond, beyond))
-    gap = min(distances) - radius**2
+    return min(distances)
+
+
+def contact_with_obb(place, edges, obb, radius):
+    """Margin: how far the squared distance is from the square of the radius."""
+    gap = gap_to_box(place, edges, point(obb["center"]), list(map(point, obb["half_axes"]))) - radius**2
     return {"contact": "disjoint" if gap > 0 else "overlapping" if gap < 0 else "touching"}, abs(gap)
 
 
