@@ -95,6 +95,13 @@ inline Rational of_square(const Rational& square, const Rational& e) {
   return 2 * root * e + e * e + 6 * unit() * (root + e) * (root + e) + power_of_two(-1072);
 }
 
+/// By the contract of capsule_capsule: whether the distance D, of that square, is certain to exceed R in the formula.
+/// D > e + (1 + 8u) R + 2^-535 is enough for (1 - 6u) (D - e)^2 - 2^-1072 > (1 + 4u) R^2 + 2^-1072.
+inline bool certainly_apart(const Rational& square, const Rational& e, const Rational& reach) {
+  const Rational least(e + (1 + 8 * unit()) * reach + power_of_two(-535));
+  return square > least * least;
+}
+
 /// Distance and square of the formula, by the contract of closest_point_on_segment; `square`: the true one.
 inline bool keeps_distance(double distance, double squared, const Rational& square, const Rational& e) {
   const Rational u = unit();

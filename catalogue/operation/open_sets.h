@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "catalogue/operation/row.h"
 #include "geometry/closest.h"
 
-/// The hook `as_open_sets` of most rows: the answer for open sets if closed ones only touch.
+/// The hook `as_open_sets` of most rows: the answer for open sets if closed ones only touch; and all hooks of rows that
+/// decide the contact of two solids, one or both of which have a radius.
 namespace touchstone::catalogue {
 
 /// Open shapes that touch are disjoint.
@@ -40,6 +45,25 @@ std::optional<truth_t<Row>> apart_if_touching(const truth_t<Row>& truth, const t
   const auto margin = ask_oracle<Row>(question).margin;
   if (!margin || sgn(*margin) != 0) return std::nullopt;
   return truth_t<Row>{ConvexRelation::apart, {}, {}, {}, {}};
+}
+
+/// Radii lose their sign.
+template <class Question>
+void repair_radii(Question& question) {
+  const auto repair = [](auto& solid) {
+    if constexpr (requires { solid.radius; }) solid.radius = std::fabs(solid.radius);
+  };
+  std::apply([&repair](auto&... solid) { (repair(solid), ...); }, question);
+}
+
+template <class Row>
+Hooks<Row> hooks_of_round_pair(std::vector<Laws::Exchange> exchanges = {}) {
+  using Question = typename Row::Question;
+  return {.as_open_sets = disjoint_if_touching<Question>,
+          .repair = repair_radii<Question>,
+          .map_centre = Row::map_centre,
+          .map_axes = Row::map_axes,
+          .laws = {.maps = Laws::Maps::similarities, .scales = true, .exchanges = std::move(exchanges)}};
 }
 
 }  // namespace touchstone::catalogue

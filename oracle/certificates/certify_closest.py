@@ -179,11 +179,16 @@ KINDS = {"disjoint": ("nearest_points",), "touching": ("tangent", "no_interior")
 class Round:
     """All that is no farther from a core than a radius. A core that counts as a solid by itself has none."""
 
-    def __init__(self, core, radii, box=None):
-        self.core, self.radii, self.box = core, radii, box
+    def __init__(self, core, radii, box=None, aligned=None):
+        self.core, self.radii, self.box, self.aligned = core, radii, box, aligned
 
     def at(self, claim, fact):
         """The point of the core that a fact gives, by weights or coefficients."""
+        if self.aligned is not None:
+            place = claim.list(fact)
+            expect(len(place) == 3, f"certificate.{fact}: a list of three")
+            expect(box_holds(*self.aligned, place), "certificate: the point is not in the box")
+            return place
         if self.box is None:
             return weighted(claim, fact, self.core)
         coefficients = claim.list(fact)
@@ -214,10 +219,20 @@ def round_box(claim, name):
     return Round([at(box, signs) for signs in product((-1, 1), repeat=3)], [], box)
 
 
+def round_aabb(claim, name):
+    low, high = box_in_space(claim.input[name], name)
+    return Round([list(corner) for corner in product(*zip(low, high))], [], aligned=(low, high))
+
+
+def is_flat(solid):
+    return solid.aligned is not None and any(low == high for low, high in zip(*solid.aligned))
+
+
 def expect_contact(claim, a, x, b, y):
     """The contact of two round solids, or of one and a triangle, from points of their cores."""
     radii = a.radii + b.radii
-    kind, interiors = claim.kind(), all(radius > 0 for radius in radii)
+    kind = claim.kind()
+    interiors = all(radius > 0 for radius in radii) and not is_flat(a) and not is_flat(b)
     beyond = dot(minus(x, y), minus(x, y)) - sum(radii) ** 2
     if kind == "near_points":
         expect(beyond < 0 and interiors, "certificate: the points are no common interior")
@@ -262,3 +277,13 @@ def check_capsule_capsule(claim):
 def check_sphere_obb(claim):
     claim.inputs("sphere", "obb")
     check_contact(claim, round_ball(claim, "sphere"), round_box(claim, "obb"))
+
+
+def check_capsule_obb(claim):
+    claim.inputs("capsule", "obb")
+    check_contact(claim, round_capsule(claim, "capsule"), round_box(claim, "obb"))
+
+
+def check_capsule_aabb(claim):
+    claim.inputs("capsule", "aabb")
+    check_contact(claim, round_capsule(claim, "capsule"), round_aabb(claim, "aabb"))

@@ -203,13 +203,18 @@ void check_convex_distance(const Claim& claim) {
 struct Round {
   Hull core;
   std::vector<Rational> radii;
-  std::optional<Obb> box{};  ///< the core is its corners
+  std::optional<Obb> box{};      ///< the core is its corners
+  std::optional<Box> aligned{};  ///< the same; it has no interior if it is flat
 
   /// The point of the core that a fact gives, by weights or coefficients.
   Position at(const Claim& claim, const char* fact) const {
-    if (!box) return weighted(claim, fact, core);
-    const std::vector<Rational> coefficients = claim.list(fact);
+    if (!box && !aligned) return weighted(claim, fact, core);
+    std::vector<Rational> coefficients = claim.list(fact);
     expect(coefficients.size() == 3, std::string("certificate.") + fact + ": a list of three");
+    if (aligned) {
+      expect(aligned->holds(coefficients), "certificate: the point is not in the box");
+      return coefficients;
+    }
     for (const Rational& each : coefficients) expect(abs(each) <= 1, "certificate: the point is not in the box");
     const Triple p = box->at(coefficients);
     return {p.x, p.y, p.z};
@@ -242,6 +247,15 @@ Round round_box(const Claim& claim, const char* name) {
   return {std::move(corners), {}, box};
 }
 
+Round round_aabb(const Claim& claim, const char* name) {
+  const Box box = box_in_space(claim.input[name], name);
+  Hull corners;
+  for (const auto& x : {box.min[0], box.max[0]})
+    for (const auto& y : {box.min[1], box.max[1]})
+      for (const auto& z : {box.min[2], box.max[2]}) corners.push_back({x, y, z});
+  return {std::move(corners), {}, std::nullopt, box};
+}
+
 /// Checks the contact of two round convex solids, or of one and a triangle, from points x and y of the cores: no part
 /// of one core is nearer to the other than they are; and the sum of the radii. If a point of a box is nearer to the
 /// other core than that, points of its interior are.
@@ -253,7 +267,10 @@ void expect_contact(const Claim& claim, const Round& a, const Position& x, const
   Rational sum;
   for (const Rational& radius : radii) sum += radius;
   const int beyond = sgn(Rational(square - sum * sum));
-  const bool interiors = std::all_of(radii.begin(), radii.end(), [](const Rational& r) { return sgn(r) > 0; });
+  bool interiors = std::all_of(radii.begin(), radii.end(), [](const Rational& r) { return sgn(r) > 0; });
+  for (const Round* solid : {&a, &b})
+    for (std::size_t k = 0; solid->aligned && k < 3; ++k)
+      interiors = interiors && solid->aligned->min[k] < solid->aligned->max[k];
   if (kind == "near_points") {
     expect(beyond < 0 && interiors, "certificate: the points are no common interior");
   } else if (kind == "no_interior") {
@@ -307,6 +324,18 @@ void check_sphere_obb(const Claim& claim) {
   check_contact(claim, sphere, box);
 }
 
+void check_capsule_obb(const Claim& claim) {
+  claim.inputs({"capsule", "obb"});
+  const Round capsule = round_capsule(claim, "capsule"), box = round_box(claim, "obb");
+  check_contact(claim, capsule, box);
+}
+
+void check_capsule_aabb(const Claim& claim) {
+  claim.inputs({"capsule", "aabb"});
+  const Round capsule = round_capsule(claim, "capsule"), box = round_aabb(claim, "aabb");
+  check_contact(claim, capsule, box);
+}
+
 }  // namespace
 
 Checks checks_of_closest() {
@@ -318,7 +347,9 @@ Checks checks_of_closest() {
           {"sphere_triangle", check_sphere_triangle},
           {"sphere_capsule", check_sphere_capsule},
           {"capsule_capsule", check_capsule_capsule},
-          {"sphere_obb", check_sphere_obb}};
+          {"sphere_obb", check_sphere_obb},
+          {"capsule_obb", check_capsule_obb},
+          {"capsule_aabb", check_capsule_aabb}};
 }
 
 }  // namespace touchstone::certify

@@ -13,6 +13,15 @@ Real clamped_along(const Vector3<Real>& displacement, const Vector3<Real>& half_
   return t < Real(-1) ? Real(-1) : t > Real(1) ? Real(1) : t;
 }
 
+/// The point of a box with half axes at right angles that is nearest to p.
+template <class Real>
+Point3<Real> nearest_in_obb(const Point3<Real>& p, const Obb3<Real>& obb) {
+  const auto& [u, v, w] = obb.half_axes;
+  const Vector3<Real> d = p - obb.center;
+  const Real r = clamped_along(d, u), s = clamped_along(d, v), t = clamped_along(d, w);
+  return obb.center + (r * u + (s * v + t * w));
+}
+
 /// Decides whether a ball and an oriented box, as closed solids, overlap, only touch, or neither.
 ///
 /// No page of the deck asks this. Engines combine two: p. 27's box, in whose frame the center has the coordinates
@@ -41,10 +50,7 @@ Real clamped_along(const Vector3<Real>& displacement, const Vector3<Real>& half_
 /// No number is returned.
 template <class Real>
 Contact sphere_obb(const Sphere3<Real>& sphere, const Obb3<Real>& obb) {
-  const auto& [u, v, w] = obb.half_axes;
-  const Vector3<Real> d = sphere.center - obb.center;
-  const Real r = clamped_along(d, u), s = clamped_along(d, v), t = clamped_along(d, w);
-  const Vector3<Real> beyond = sphere.center - (obb.center + (r * u + (s * v + t * w)));
+  const Vector3<Real> beyond = sphere.center - nearest_in_obb(sphere.center, obb);
   const Real distance = dot(beyond, beyond), squared_radius = Real(sphere.radius * sphere.radius);
   return distance > squared_radius   ? Contact::disjoint
          : distance < squared_radius ? Contact::overlapping

@@ -33,7 +33,7 @@ const std::vector<Synonym>& synonyms() {
       {"cube", {"aabb_aabb", "obb_obb", "sphere_aabb", "ray_aabb", "triangle_aabb", "segment_aabb", "aabb_plane"}},
       {"cuboid", {"obb_obb", "aabb_aabb", "aabb_obb", "obb_plane"}},
       {"culling", {"aabb_plane", "sphere_plane", "obb_plane", "bounding_volume_hierarchy"}},
-      {"cylinder", {"capsule_capsule", "sphere_capsule", "capsule_plane"}},
+      {"cylinder", {"capsule_capsule", "sphere_capsule", "capsule_obb", "capsule_aabb", "capsule_plane"}},
       {"disc", {"sphere_sphere", "sphere_aabb", "ray_sphere"}},
       {"disk", {"sphere_sphere", "sphere_aabb", "ray_sphere"}},
       {"distance", {"segment_segment_distance", "closest_point_on_segment", "convex_distance"}},

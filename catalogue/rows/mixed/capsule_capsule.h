@@ -143,23 +143,11 @@ struct capsule_capsule : signatures::capsule_capsule {
     });
   }
 
-  /// Radii lose their sign.
-  static void repair(Question& q) {
-    std::get<0>(q).radius = std::fabs(std::get<0>(q).radius);
-    std::get<1>(q).radius = std::fabs(std::get<1>(q).radius);
-  }
-
   /// Capsules whose ends reach each other by the triple 3, 4, 5; moves the first.
   static Question map_centre() { return {{{{21, 20, 24}, {3, 12, 24}}, 3}, {{{24, 24, 24}, {48, 36, 24}}, 2}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<capsule_capsule> hooks() {
-    return {.as_open_sets = disjoint_if_touching<Question>,
-            .repair = repair,
-            .map_centre = map_centre,
-            .map_axes = map_axes,
-            .laws = {.maps = Laws::Maps::similarities, .scales = true, .exchanges = {{0, 1}}}};
-  }
+  static Hooks<capsule_capsule> hooks() { return hooks_of_round_pair<capsule_capsule>({{0, 1}}); }
 };
 
 }  // namespace touchstone::catalogue::rows

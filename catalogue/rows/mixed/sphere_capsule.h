@@ -136,23 +136,11 @@ struct sphere_capsule : signatures::sphere_capsule {
     });
   }
 
-  /// Radii lose their sign.
-  static void repair(Question& q) {
-    std::get<0>(q).radius = std::fabs(std::get<0>(q).radius);
-    std::get<1>(q).radius = std::fabs(std::get<1>(q).radius);
-  }
-
   /// A ball that reaches the capsule's end by the triple 3, 4, 5; moves its center.
   static Question map_centre() { return {{{21, 20, 24}, 3}, {{{24, 24, 24}, {48, 36, 24}}, 2}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<sphere_capsule> hooks() {
-    return {.as_open_sets = disjoint_if_touching<Question>,
-            .repair = repair,
-            .map_centre = map_centre,
-            .map_axes = map_axes,
-            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
-  }
+  static Hooks<sphere_capsule> hooks() { return hooks_of_round_pair<sphere_capsule>(); }
 };
 
 }  // namespace touchstone::catalogue::rows

@@ -134,20 +134,11 @@ struct sphere_triangle : signatures::sphere_triangle {
     });
   }
 
-  /// Radii lose their sign.
-  static void repair(Question& q) { std::get<0>(q).radius = std::fabs(std::get<0>(q).radius); }
-
   /// A ball that reaches the corner (24, 24, 24) by the triple 3, 4, 5; moves its center.
   static Question map_centre() { return {{{21, 20, 24}, 5}, {{24, 24, 24}, {48, 24, 30}, {30, 48, 24}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<sphere_triangle> hooks() {
-    return {.as_open_sets = disjoint_if_touching<Question>,
-            .repair = repair,
-            .map_centre = map_centre,
-            .map_axes = map_axes,
-            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
-  }
+  static Hooks<sphere_triangle> hooks() { return hooks_of_round_pair<sphere_triangle>(); }
 };
 
 }  // namespace touchstone::catalogue::rows

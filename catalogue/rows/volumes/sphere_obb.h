@@ -34,20 +34,11 @@ struct sphere_obb : signatures::sphere_obb {
     add_balls_and_boxes([&add](const char* family, auto draw) { add(family, draw); });
   }
 
-  /// Radii lose their sign.
-  static void repair(Question& q) { std::get<0>(q).radius = std::fabs(std::get<0>(q).radius); }
-
   /// A ball that reaches the corner (15, 17, 0) of a box that is turned by the triple 3, 4, 5; moves its center.
   static Question map_centre() { return {{{20, 17, 0}, 5}, {{8, 16, 0}, {{4, -3, 0}, {3, 4, 0}, {0, 0, 1}}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<sphere_obb> hooks() {
-    return {.as_open_sets = disjoint_if_touching<Question>,
-            .repair = repair,
-            .map_centre = map_centre,
-            .map_axes = map_axes,
-            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
-  }
+  static Hooks<sphere_obb> hooks() { return hooks_of_round_pair<sphere_obb>(); }
 };
 
 }  // namespace touchstone::catalogue::rows

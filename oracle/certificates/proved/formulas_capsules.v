@@ -45,6 +45,19 @@ Definition check_sphere_triangle (c : list A) (r : A) (points : list (list A)) (
   of_length 3 c /\ zero <= Leaf r /\ are_points 3 3 points /\ are_weights weights points /\
   gap_proves [c] (leaves c) points (mixed 3 weights points) (Leaf r) (Leaf r = zero) w facts.
 
+(** [capsule_aabb] *)
+Definition check_capsule_aabb (points : list (list A)) (r : A) (low high : list A) (w : contact) (facts : gap_facts)
+    (on_a y : list A) : C :=
+  let c := coordinate in let x := mixed 3 on_a points in let x_at k := nth k x zero in
+  let way := difference x (leaves y) in
+  let near := none_nearer points x (leaves y) /\
+    on_each 3 (fun k => (x_at k <= c k y \/ c k y = c k high) /\ (c k y <= x_at k \/ c k y = c k low)) in
+  let flat := Leaf r = zero \/ c 0 low = c 0 high \/ c 1 low = c 1 high \/ c 2 low = c 2 high in
+  are_points 2 3 points /\ zero <= Leaf r /\ of_length 3 low /\ of_length 3 high /\
+  on_each 3 (fun k => c k low <= c k high) /\ are_weights on_a points /\ of_length 3 y /\
+  on_each 3 (fun k => c k low <= c k y /\ c k y <= c k high) /\
+  gap_decides near (inner way way) (Leaf r) flat w facts.
+
 (** The least n . x of a box *)
 Fixpoint lowest_of_box (n low high : list A) : T :=
   match n, low, high with

@@ -61,5 +61,13 @@ Definition check_sphere_obb (c : list A) (r : A) (center : list A) (axes : list 
   let near := reach way axes <= inner way (difference x (leaves center)) in
   of_length 3 c /\ zero <= Leaf r /\ right_box center axes /\ within_one u /\
   gap_decides near (inner way way) (Leaf r) (Leaf r = zero) w facts.
+
+(** [capsule_obb] *)
+Definition check_capsule_obb (points : list (list A)) (r : A) (center : list A) (axes : list (list A)) (w : contact)
+    (facts : gap_facts) (on_a on_b : list A) : C :=
+  let x := mixed 3 on_a points in let y := placed center axes on_b in let way := difference x y in
+  let near := none_nearer points x y /\ reach way axes <= inner way (difference y (leaves center)) in
+  are_points 2 3 points /\ zero <= Leaf r /\ right_box center axes /\ are_weights on_a points /\ within_one on_b /\
+  gap_decides near (inner way way) (Leaf r) (Leaf r = zero) w facts.
 End checks.
 Arguments obb_facts : clear implicits. Arguments obbs_facts : clear implicits.

@@ -76,6 +76,23 @@ let sphere_obb = operation "sphere_obb" [ "sphere"; "obb" ] "contact" (function
         check_sphere_obb c r center axes contact gap (exact_list (List.hd facts)))
   | _ -> assert false)
 
+let capsule_obb = operation "capsule_obb" [ "capsule"; "obb" ] "contact" (function
+  | [ round; solid ] ->
+      let (points, r), (center, axes) = (capsule round, obb solid) in
+      contacts [ "on_a"; "on_b" ] (fun contact gap facts -> match facts with
+        | [ on_a; on_b ] ->
+            check_capsule_obb points r center axes contact gap (exact_list on_a) (exact_list on_b)
+        | _ -> assert false)
+  | _ -> assert false)
+
+let capsule_aabb = operation "capsule_aabb" [ "capsule"; "aabb" ] "contact" (function
+  | [ round; aabb ] ->
+      let (points, r), (low, high) = (capsule round, two_members "min" "max" in_space in_space aabb) in
+      contacts [ "on_a"; "on_b" ] (fun contact gap facts -> match facts with
+        | [ on_a; on_b ] -> check_capsule_aabb points r low high contact gap (exact_list on_a) (exact_list on_b)
+        | _ -> assert false)
+  | _ -> assert false)
+
 let triangle_aabb = operation "triangle_aabb" [ "triangle"; "aabb" ] "contact" (function
   | [ triangle; aabb ] ->
       let low, high = two_members "min" "max" in_space in_space aabb in
@@ -96,4 +113,4 @@ let triangle_aabb = operation "triangle_aabb" [ "triangle"; "aabb" ] "contact" (
 
 let operations =
   [ closest_point_on_segment; closest_point_on_triangle; segment_segment_distance; sphere_capsule; capsule_capsule;
-    sphere_triangle; sphere_obb; triangle_aabb ]
+    sphere_triangle; sphere_obb; capsule_obb; capsule_aabb; triangle_aabb ]

@@ -59,7 +59,7 @@ Qed.
 
 (** Planes through the capsules' common point, across the way between the nearest points *)
 Lemma capsules_tangent : sqdist x y = (r + s) * (r + s) -> flat a -> forall z,
-  ~ (interior 3 (capsule a r) z /\ interior 3 (capsule b s) z).
+  ~ (interior 3 (capsule a r) z /\ capsule b s z).
 Proof.
   intros e fa z [ia ib]. destruct (Req_dec (r + s) 0) as [zero | pos].
   { assert (r = 0) by lra. subst r. apply (flat_has_no_interior a z) in ia; auto. }
@@ -95,7 +95,7 @@ Proof.
     assert (g := nearest_a p hp). rewrite flip, dot_minus in g by congruence.
     destruct (reach p u r lp lu hr d) as [k _]. unfold half_space. lra. }
   apply half_space_interior in ba; auto.
-  apply interior_in in ib. destruct ib as (p & hp & d). assert (lp := hull_length _ _ _ pb hp).
+  destruct ib as (p & hp & d). assert (lp := hull_length _ _ _ pb hp).
   assert (g := nearest_b p hp). fold n in g. rewrite dot_minus in g by congruence.
   destruct (reach p z s lp (proj1 ia) hs d) as [_ k]. lra.
 Qed.
@@ -176,7 +176,8 @@ Proof.
       [apply (none_nearer_means 3 a) | apply (none_nearer_means 3 b)]; auto.
   - destruct h as ((na & nb) & e). simpl in e. rewrite q in e. split.
     + apply (capsules_meet _ _ (values x) (values y)); auto. lra.
-    + apply (capsules_tangent _ _ (values x) (values y)); auto;
+    + intros z [i j]. apply interior_in in j.
+      apply (capsules_tangent (map rl a) (map rl b) (values x) (values y) (Q2R r) (Q2R s)) with z; auto;
         [apply (none_nearer_means 3 a) | apply (none_nearer_means 3 b)]; auto.
   - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
     + apply (capsules_meet _ _ (values x) (values y)); auto.
@@ -204,7 +205,7 @@ Theorem capsule_capsule_sound : forall a r b s w facts on_a on_b,
 Proof.
   intros a r b s w facts on_a on_b h. apply decide_means in h. destruct h as (pa & pb & hr & hs & wa & wb & h).
   apply points_mean in pa, pb. apply (weights_mean 3) in wa, wb. rewrite <- mixed_means in wa, wb. simpl in hr, hs.
-  unfold capsule_capsule_spec. do 4 (split; [assumption|]).
+  do 2 (split; [split; assumption|]).
   eapply gap_means; try exact h; try assumption; try (eapply counted; eauto); try (eapply flat_points; [eauto | lia]).
 Qed.
 Theorem sphere_capsule_sound : forall c r points s w facts weights,
@@ -214,7 +215,7 @@ Proof.
   intros c r points s w facts weights h. apply decide_means in h. destruct h as (lc & pb & hr & hs & wb & h).
   rewrite of_length_means in lc. assert (lc' := rl_length c). rewrite lc in lc'.
   apply points_mean in pb. apply (weights_mean 3) in wb. rewrite <- mixed_means in wb. simpl in hr, hs.
-  split; [split; auto|]. do 2 (split; [assumption|]).
+  do 2 (split; [split; auto|]).
   assert (pc : points_of 1 3 (map rl [c])) by (split; [auto | intros p [<- | []]; auto]).
   apply (contact_of_same_sets 3 (capsule (map rl [c]) (Q2R r)) (capsule (map rl points) (Q2R s))); [|tauto|].
   - intros x _. unfold ball. split.
@@ -225,10 +226,10 @@ Proof.
 Qed.
 Theorem capsule_capsule_unique : forall a r b s v w,
   capsule_capsule_spec a r b s v -> capsule_capsule_spec a r b s w -> v = w.
-Proof. intros a r b s v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros a r b s v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 Theorem sphere_capsule_unique : forall c r b s v w, sphere_capsule_spec c r b s v -> sphere_capsule_spec c r b s w ->
   v = w.
-Proof. intros c r b s v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros c r b s v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 
 (** ** Triangles *)
 Lemma flat_contact_unique : forall F S v w, flat_contact_spec F S v -> flat_contact_spec F S w -> v = w.

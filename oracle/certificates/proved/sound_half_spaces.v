@@ -71,7 +71,7 @@ Proof.
   assert (hp := proj2 pp). apply (weights_mean 3) in hw.
   set (x := combined 3 (rl weights) (map rl points)) in *.
   assert (lx := hull_length _ _ _ hp hw).
-  split; [auto|]. split; [auto|]. do 2 (split; [auto|]).
+  split; [split; auto|]. do 2 (split; [auto|]).
   assert (low : forall q, hull 3 (map rl points) q -> dot (rl n) x <= dot (rl n) q).
   { intros q hq. rewrite all_means in m. apply (hull_above 3 (map rl points)); auto.
     intros p ip. apply in_map_iff in ip. destruct ip as [p' [<- ip]]. specialize (m p' ip). simpl in m.
@@ -103,4 +103,4 @@ Proof.
 Qed.
 Theorem capsule_plane_unique : forall points r n d v w, capsule_plane_spec points r n d v ->
   capsule_plane_spec points r n d w -> v = w.
-Proof. intros points r n d v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros points r n d v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.

@@ -2,7 +2,8 @@
 (** The formulas of oriented boxes are enough, and their specifications leave no choice. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
 From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest
-  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest unique_solids unique_slabs.
+  formulas_capsules formulas_obbs sound_solids sound_vectors sound_slabs sound_nearest sound_capsules sound_round
+  unique_solids unique_slabs.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -253,15 +254,6 @@ Proof.
   change (plus (times (t * a) h) (combined 3 (times t u) axes) = times t (plus (times a h) (combined 3 u axes))).
   rewrite IH, times_plus, times_times. auto.
 Qed.
-Lemma nearer_within : forall p c d t, length p = length c -> length d = length c -> 0 <= t <= 1 ->
-  sqdist p (plus c (times (1 - t) d)) <= (1 - t) * sqdist p (plus c d) + t * sqdist p c.
-Proof.
-  induction p as [|a p IH]; intros [|b c] [|e d] t lp ld ht; simpl in *; try discriminate; try lra.
-  assert (g := IH c d t ltac:(lia) ltac:(lia) ht).
-  assert (k : 0 <= t * (1 - t) * (e * e)).
-  { apply Rmult_le_pos; [apply Rmult_le_pos; lra | apply square]. }
-  lra.
-Qed.
 (** If a point of a box is inside of a ball, there are points of its interior that are. *)
 Lemma ball_reaches_inside : forall p r c axes u, length p = 3%nat -> 0 <= r -> right_obb c axes -> independent axes ->
   length u = 3%nat -> (forall a, In a u -> -1 <= a <= 1) -> sqdist p (plus c (combined 3 u axes)) < r * r ->
@@ -270,19 +262,9 @@ Proof.
   intros p r c axes u lp hr right ind lu hu near. assert (lc := proj1 right).
   assert (hp := proj2 (proj1 (proj2 right))).
   set (d := combined 3 u axes) in *. assert (ld : length d = 3%nat) by (apply combined_length; auto).
-  assert (f0 := sqdist_nonneg p (plus c d)). assert (f1 := sqdist_nonneg p c).
-  set (g := r * r - sqdist p (plus c d)). set (t := g / (g + sqdist p c + 1)).
-  assert (hg : 0 < g) by (unfold g; lra).
-  assert (e : t * (g + sqdist p c + 1) = g) by (unfold t; field; lra).
-  assert (ht : 0 < t) by (apply Rdiv_lt_0_compat; lra).
-  assert (tg : 0 < t * g) by (apply Rmult_lt_0_compat; auto).
-  assert (tf : 0 <= t * sqdist p c) by (apply Rmult_le_pos; lra).
-  assert (below : t < 1).
-  { apply (Rmult_lt_reg_r (g + sqdist p c + 1)); [lra|]. rewrite e. lra. }
+  destruct (nearer_on_the_way p r c d) as (t & ht & m); try congruence.
   exists (plus c (times (1 - t) d)). split.
-  - apply inside_ball; auto; [rewrite plus_length; rewrite times_length; congruence|].
-    assert (k := nearer_within p c d t ltac:(congruence) ltac:(congruence) ltac:(lra)).
-    assert (0 <= t * sqdist p (plus c d)) by (apply Rmult_le_pos; lra). unfold g in *. lra.
+  - apply inside_ball; auto. rewrite plus_length; rewrite times_length; congruence.
   - unfold d. rewrite <- combined_times. apply obb_inside; auto; [rewrite times_length; auto|].
     intros a i. apply in_map_iff in i. destruct i as [b [<- i]]. assert (hb := hu b i).
     assert (0 <= (1 - t) * (1 - b)) by (apply Rmult_le_pos; lra).
@@ -324,3 +306,52 @@ Qed.
 Theorem sphere_obb_unique : forall c r center axes v w, sphere_obb_spec c r center axes v ->
   sphere_obb_spec c r center axes w -> v = w.
 Proof. intros c r center axes v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+
+(** ** A capsule *)
+Theorem capsule_obb_sound : forall points r center axes w facts on_a on_b,
+  decide (check_capsule_obb points r center axes w facts on_a on_b) = true ->
+  capsule_obb_spec (map rl points) (Q2R r) (rl center) (map rl axes) w.
+Proof.
+  intros points r center axes w facts on_a on_b h. apply decide_means in h. unfold check_capsule_obb in h.
+  cbv zeta in h.
+  destruct h as (pa & hr & right & wa & hu & h). apply points_mean in pa. simpl in hr.
+  apply right_box_means in right. destruct right as [right ind]. assert (lo := proj1 right).
+  apply (weights_mean 3) in wa. rewrite <- mixed_means in wa. apply within_one_means in hu. destruct hu as [lu hu].
+  split; [assumption|]. split; [split; assumption|]. assert (pa' := proj2 pa).
+  set (x := values (mixed 3 on_a points)) in *.
+  set (y := plus (rl center) (combined 3 (rl on_b) (map rl axes))).
+  assert (hy : obb (rl center) (map rl axes) y) by (exists (rl on_b); auto).
+  assert (lx := hull_length _ _ _ pa' wa). assert (ly := obb_length _ _ _ right hy).
+  assert (fa : flat (map rl points)) by (eapply flat_points; [eauto | lia]).
+  unfold gap_decides in h.
+  set (way := difference (mixed 3 on_a points) (placed center axes on_b)) in *.
+  assert (ew : values way = minus x y) by (unfold way; rewrite difference_means, placed_means; auto).
+  assert (q : value Q2R (inner way way) = sqdist x y).
+  { rewrite inner_means, ew, <- sqdist_dot; auto; congruence. }
+  set (near := (none_nearer points (mixed 3 on_a points) (placed center axes on_b) /\ _ <= _)%check) in h.
+  assert (nearest : means Q2R near -> (forall z, hull 3 (map rl points) z -> 0 <= dot (minus x y) (minus z x)) /\
+    forall v, length v = 3%nat -> obb (rl center) (map rl axes) v -> 0 <= dot (minus y x) (minus v y)).
+  { intros (na & nb). split.
+    - intros z hz. assert (g := none_nearer_means 3 points _ _ (counted _ _ _ pa) lx na z hz).
+      rewrite placed_means in g. exact g.
+    - intros v lv hv. apply (obb_reach (minus x y)) in hv; auto. simpl in nb.
+      rewrite reach_means, inner_means, difference_means, leaves_mean, placed_means, ew in nb. fold y in nb.
+      rewrite dot_minus in nb by (rewrite ?minus_length; congruence).
+      rewrite dot_minus by (rewrite ?minus_length; congruence). rewrite !minus_dot in * by congruence. lra. }
+  destruct w, facts; try (simpl in h; tauto).
+  - destruct h as (n & far). simpl in far. rewrite q in far. destruct (nearest n) as [na nb].
+    unfold contact_spec. apply (set_apart (map rl points) _ x y); auto.
+  - destruct h as (n & e). simpl in e. rewrite q in e. destruct (nearest n) as [na nb]. split.
+    + exists y. split; [auto|]. split; [exists x; split; [auto | lra] | auto].
+    + intros z [i j]. apply interior_in in j.
+      apply (set_tangent (map rl points) (obb (rl center) (map rl axes)) x y (Q2R r)) with z; auto.
+  - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
+    + exists y. split; [auto|]. split; [exists x; split; [auto | lra] | auto].
+    + intros v [i _]. rewrite z in i. apply (flat_has_no_interior (map rl points) v) in i; auto.
+  - destruct h as (e & _). simpl in e. rewrite q in e.
+    destruct (ball_reaches_inside x (Q2R r) (rl center) (map rl axes) (rl on_b)) as (z & i & j); auto.
+    exists z. split; [|auto]. apply (interior_subset 3 (ball x (Q2R r))); auto. intros u _ hb. exists x. auto.
+Qed.
+Theorem capsule_obb_unique : forall points r center axes v w, capsule_obb_spec points r center axes v ->
+  capsule_obb_spec points r center axes w -> v = w.
+Proof. intros points r center axes v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.

@@ -28,10 +28,12 @@ Definition segment_segment_distance_spec a b (x y : list R) (square distance : R
   distance_spec x y square distance.
 (** A capsule is all that is no farther than r from a segment. *)
 Definition capsule points (r : R) x : Prop := exists y, hull 3 points y /\ sqdist y x <= r * r.
+Definition proper_capsule points r : Prop := points_of 2 3 points /\ 0 <= r.
 Definition sphere_capsule_spec c (r : R) points (s : R) (w : contact) : Prop :=
-  proper_ball 3 c r /\ points_of 2 3 points /\ 0 <= s /\ contact_spec 3 (ball c r) (capsule points s) w.
-Definition capsule_capsule_spec a (r : R) b (s : R) (w : contact) : Prop :=
-  points_of 2 3 a /\ points_of 2 3 b /\ 0 <= r /\ 0 <= s /\ contact_spec 3 (capsule a r) (capsule b s) w.
+  proper_ball 3 c r /\ proper_capsule points s /\ contact_spec 3 (ball c r) (capsule points s) w.
+Definition capsule_with p r S w : Prop := proper_capsule p r /\ contact_spec 3 (capsule p r) S w.
+Definition capsule_capsule_spec a r b s w := proper_capsule b s /\ capsule_with a r (capsule b s) w.
+Definition capsule_aabb_spec p r low high w := proper_box 3 low high /\ capsule_with p r (box low high) w.
 (** A triangle F has no interior: it overlaps a solid S where it has a point inside of it. *)
 Definition flat_contact_spec (F S : list R -> Prop) (w : contact) : Prop :=
   match w with
@@ -53,11 +55,10 @@ Definition point_in_obb_spec center axes p (w : location) : Prop :=
 Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := right_obb center_a axes_a /\
   right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
 Definition aabb_obb_spec l h c a w := proper_box 3 l h /\ right_obb c a /\ contact_spec 3 (box l h) (obb c a) w.
-Definition sphere_obb_spec c (r : R) center axes (w : contact) : Prop :=
-  proper_ball 3 c r /\ right_obb center axes /\ contact_spec 3 (ball c r) (obb center axes) w.
+Definition sphere_obb_spec c r o a w := proper_ball 3 c r /\ right_obb o a /\ contact_spec 3 (ball c r) (obb o a) w.
+Definition capsule_obb_spec p r center axes w := right_obb center axes /\ capsule_with p r (obb center axes) w.
 Definition obb_plane_spec c axes n d (w : contact) : Prop := right_obb c axes /\ over_half_space (obb c axes) n d w.
-Definition capsule_plane_spec points (r : R) normal (offset : R) (w : contact) : Prop :=
-  points_of 2 3 points /\ 0 <= r /\ over_half_space (capsule points r) normal offset w.
+Definition capsule_plane_spec p r n d (w : contact) := proper_capsule p r /\ over_half_space (capsule p r) n d w.
 
 (** * What a segment, a ray or a triangle has in common with a triangle *)
 Inductive common (A : Type) := no_point | common_point (t : A) (p : list A) | common_segment (p q : list A).

@@ -20,14 +20,16 @@ std::vector<Rational> coefficients(const std::vector<Rational>& weights) {
 Facts facts_of(const RoundSolid& a, const RoundSolid& b, const NearestPair& nearest) {
   Facts facts;
   const bool both = a.core.size() > 1 && b.core.size() > 1;
-  const auto add = [&](const RoundSolid& solid, const char* name, const std::vector<Rational>& weights) {
+  const auto add = [&](const RoundSolid& solid, const char* name, const std::vector<Rational>& weights,
+                       const Point3<Rational>& p) {
     if (solid.core.size() == 1) return;
+    if (solid.width) return facts.push_back({name, {p.x, p.y, p.z}});
     facts.push_back({both        ? name
                      : solid.box ? "coefficients"
                                  : "weights",
                      solid.box ? coefficients(weights) : weights});
   };
-  add(a, "on_a", nearest.weights_of_a), add(b, "on_b", nearest.weights_of_b);
+  add(a, "on_a", nearest.weights_of_a, nearest.on_a), add(b, "on_b", nearest.weights_of_b, nearest.on_b);
   return facts;
 }
 
@@ -44,7 +46,8 @@ Hull corners_of(const Obb3<Rational>& box) {
 }
 
 Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b) {
-  const NearestPair nearest = a.box || b.box ? any_nearest_pair(a.core, b.core) : nearest_pair(a.core, b.core);
+  const bool many = a.core.size() > 3 || b.core.size() > 3;
+  const NearestPair nearest = many ? any_nearest_pair(a.core, b.core) : nearest_pair(a.core, b.core);
   std::vector<Rational> radii = a.radii;
   radii.insert(radii.end(), b.radii.begin(), b.radii.end());
   Rational sum;
@@ -56,6 +59,8 @@ Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b) {
       const Rational others(sum - radius);
       margin = std::min(margin, Rational(reach - others * others));
     }
+    for (const RoundSolid* solid : {&a, &b})
+      if (solid->width) margin = std::min(margin, Rational(*solid->width * *solid->width));
   }
   const Contact contact = sgn(depth) < 0    ? Contact::disjoint
                           : sgn(margin) > 0 ? Contact::overlapping

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,8 @@ struct RoundSolid {
   /// The radius. A core that counts as a solid by itself is not grown, and has none: a box, and a triangle in the
   /// contracts of what meets it.
   std::vector<Rational> radii;
-  bool box = false;  ///< the core is a parallelepiped, its corners in the order of corners_of
+  bool box = false;                 ///< the core is a parallelepiped, its corners in the order of corners_of
+  std::optional<Rational> width{};  ///< of a core along the axes: the least; if it is 0 there is no interior
 };
 
 /// center + r u + s v + t w, where r, s and t are 1 in corner number i if its bits 0, 1 and 2 are, and otherwise -1.
@@ -44,16 +47,28 @@ RoundSolid round_solid(const Obb3<Number>& box) {
   return {corners_of({exact(box.center), {along(u), along(v), along(w)}}), {}, true};
 }
 
+template <class Number>
+RoundSolid round_solid(const Aabb3<Number>& box) {
+  const Point3<Rational> low = exact(box.min), high = exact(box.max);
+  RoundSolid solid{
+      {}, {}, false, std::min({Rational(high.x - low.x), Rational(high.y - low.y), Rational(high.z - low.z)})};
+  for (unsigned i = 0; i < 8; ++i)
+    solid.core.push_back(
+        {(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z});
+  return solid;
+}
+
 /// The contact of two round convex solids. They have a common point exactly if the distance of the cores is at most the
 /// sum of the radii, and a common interior point, or an interior point of the only solid in a triangle, exactly if it
-/// is less and no radius is 0.
+/// is less, no radius is 0, and no box is flat.
 ///
 /// Margin: in squares, the difference of the distance and that sum; if they meet, and a radius becomes 0, the decrease
-/// of the sum, if that is less.
+/// of the sum, if that is less; and the least width of a box along the axes.
 ///
 /// Certificate, with a nearest point of each core as facts: disjoint: "nearest_points". touching: "tangent", or
-/// "no_interior", if a radius is 0 and they are nearer. overlapping: "near_points". The point of a box is given by the
-/// coefficients of its half axes, that of another core by the weights of its points, that of a single point not at all.
+/// "no_interior", if a radius is 0, or a box flat, and they are nearer. overlapping: "near_points". The point of a box
+/// is given by its coordinates or the coefficients of its half axes, that of another core by the weights of its points,
+/// that of a single point not at all.
 Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b);
 
 template <class Shape>

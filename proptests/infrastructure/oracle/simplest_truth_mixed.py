@@ -4,6 +4,7 @@ import itertools
 from fractions import Fraction
 
 from simplest_truth_reading import Root, dot, minus, number, point
+from simplest_truth_volumes import contact_with_obb, gap_to_box
 
 
 def truth_sphere_plane(q):
@@ -142,6 +143,28 @@ def truth_sphere_capsule(q):
 def truth_capsule_capsule(q):
     (a, r), (b, s) = capsule(q["a"]), capsule(q["b"])
     return contact(min(square(*pair) for pair in nearest_pairs(a, b)), [r, s])
+
+
+def truth_capsule_obb(q):
+    segment, radius = capsule(q["capsule"])
+    middle, half = halves(*segment)
+    return contact_with_obb(middle, [half], q["obb"], radius)
+
+
+def halves(a, b):
+    return tuple((x + y) / 2 for x, y in zip(a, b)), tuple((y - x) / 2 for x, y in zip(a, b))
+
+
+def truth_capsule_aabb(q):
+    """Margin: as of other contacts; where they meet, also the square of the least width."""
+    segment, radius = capsule(q["capsule"])
+    (middle, half), (center, sizes) = halves(*segment), halves(point(q["aabb"]["min"]), point(q["aabb"]["max"]))
+    axes = [tuple(size if k == axis else Fraction(0) for k in range(3)) for axis, size in enumerate(sizes)]
+    truth, margin = contact(gap_to_box(middle, [half], center, axes), [radius])
+    if truth["contact"] == "disjoint":
+        return truth, margin
+    margin = min(margin, 4 * min(sizes) ** 2)
+    return {"contact": "overlapping" if margin else "touching"}, margin
 
 
 def clipped(polygon, height):

@@ -58,27 +58,38 @@ def truth_sphere_aabb(q):
     return {"contact": contact}, gap if gap > 0 else min(-gap, width * width)
 
 
-def truth_sphere_obb(q):
-    """Each coefficient of the nearest point is -1, 1, or such that the displacement is at a right angle to its half axis:
-    of all the points that one of these choices makes, and that are in the box, the nearest. Margin: how far its squared
-    distance is from the square of the radius."""
-    p, center, axes = point(q["sphere"]["center"]), point(q["obb"]["center"]), list(map(point, q["obb"]["half_axes"]))
-    way, distances = minus(p, center), []
-    for choice in product((-1, 0, 1), repeat=3):
-        free = [axis for axis, side in zip(axes, choice) if side == 0]
-        rest = minus(way, tuple(sum(side * axis[k] for axis, side in zip(axes, choice)) for k in range(3)))
+def gap_to_box(place, edges, center, axes):
+    """The squared distance of a box from a point, or a segment that leads from its middle by an edge and back; place: of
+    that point or middle. Each coefficient of the nearest points is -1, 1, or such
+    that the displacement is at a right angle to its edge: of all that one of these choices makes, with coefficients in
+    [-1, 1], the nearest; where edges are dependent others make it too."""
+    edges, way, distances = [*axes, *edges], minus(place, center), []
+    for choice in product((-1, 0, 1), repeat=len(edges)):
+        free = [edge for edge, side in zip(edges, choice) if side == 0]
+        rest = minus(way, tuple(sum(side * edge[k] for edge, side in zip(edges, choice)) for k in range(3)))
         shares = solved_equations([[dot(a, b) for b in free] for a in free], [dot(a, rest) for a in free])
-        if all(-1 <= share <= 1 for share in shares):
-            beyond = minus(rest, tuple(sum(share * axis[k] for share, axis in zip(shares, free)) for k in range(3)))
+        if shares is not None and all(-1 <= share <= 1 for share in shares):
+            beyond = minus(rest, tuple(sum(share * edge[k] for share, edge in zip(shares, free)) for k in range(3)))
             distances.append(dot(beyond, beyond))
-    gap = min(distances) - number(q["sphere"]["radius"]) ** 2
+    return min(distances)
+
+
+def contact_with_obb(place, edges, obb, radius):
+    """Margin: how far the squared distance is from the square of the radius."""
+    gap = gap_to_box(place, edges, point(obb["center"]), list(map(point, obb["half_axes"]))) - radius**2
     return {"contact": "disjoint" if gap > 0 else "overlapping" if gap < 0 else "touching"}, abs(gap)
 
 
+def truth_sphere_obb(q):
+    return contact_with_obb(point(q["sphere"]["center"]), [], q["obb"], number(q["sphere"]["radius"]))
+
+
 def solved_equations(rows, right):
-    """Independent linear equations, by elimination; pivots of a Gram matrix are not 0."""
+    """Linear equations of a Gram matrix, by elimination; nothing where they are dependent, which makes a pivot 0."""
     rows = [[*row, value] for row, value in zip(rows, right)]
     for k, pivot in enumerate(rows):
+        if pivot[k] == 0:
+            return None
         pivot[:] = [x / pivot[k] for x in pivot]
         for row in rows[:k] + rows[k + 1:]:
             row[:] = [x - row[k] * y for x, y in zip(row, pivot)]

@@ -2,8 +2,7 @@
 #include "catalogue/rows/mixed/capsule_capsule.h"
 
 #include "oracle/mixed/segment_segment_distance.h"
-#include "proptests/closest_laws.h"
-#include "robust/mixed/sphere_capsule.h"
+#include "proptests/round_laws.h"
 
 namespace touchstone::proptests::capsule_capsule_tests {
 namespace {
@@ -16,31 +15,12 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 Capsule3d along_x(double radius) { return {{{0, 0, 0}, {10, 0, 0}}, radius}; }
 /// Across it, so high above.
 Capsule3d across(double height, double radius) { return {{{3, height, -5}, {3, height, 5}}, radius}; }
-Capsule3d reversed(const Capsule3d& c) { return {{c.segment.b, c.segment.a}, c.radius}; }
 
 constexpr Worked<Row> worked;
 
 }  // namespace
 
-LAW("capsule_capsule: reversed segments are the same capsules, and radii may be exchanged", a, b) {
-  const Contact contact = ask(asked);
-  return ask(Row::Question{reversed(a), b}) == contact && ask(Row::Question{a, reversed(b)}) == contact &&
-         ask(Row::Question{{a.segment, b.radius}, {b.segment, a.radius}}) == contact;
-}
-
-LAW("capsule_capsule: capsules that grow never lose contact, and those that touched overlap", a, b) {
-  const double r = catalogue::moved_by_ulps(a.radius, 1), s = catalogue::moved_by_ulps(b.radius, 1);
-  if (r == a.radius || s == b.radius) return true;
-  return ask(asked) == disjoint || ask(Row::Question{{a.segment, r}, {b.segment, s}}) == overlapping;
-}
-
-ROBUST_LAW("capsule_capsule: a capsule of one point is a ball, and the ends of one are in it", a, b) {
-  for (const Point3d& end : {b.segment.a, b.segment.b}) {
-    const Contact with_end = robust::sphere_capsule({end, b.radius}, a);
-    if (ask(Row::Question{a, {{end, end}, b.radius}}) != with_end || ask(asked) < with_end) return false;
-  }
-  return true;
-}
+ROUND_LAWS("capsule_capsule")
 
 LAW("capsule_capsule: a capsule overlaps itself, unless its radius is 0", a) {
   return ask(Row::Question{a, a}) == (a.radius == 0 ? touching : overlapping);
@@ -85,11 +65,10 @@ CONTRACT("capsule_capsule: where the formula in double is certain by its contrac
     const std::vector<Rational> p = exact_coordinates(s.a), q = exact_coordinates(s.b);
     for (std::size_t k = 0; k < 3; ++k) e += 5 * u * (abs(p[k]) + abs(q[k])) + power_of_two(-1074);
   }
-  // D > e + (1 + 8u) R + 2^-535 is enough for (1 - 6u) (D - e)^2 - 2^-1072 > (1 + 4u) R^2 + 2^-1072.
-  const Rational r(exact(a.radius) + exact(b.radius)), least(e + (1 + 8 * u) * r + power_of_two(-535));
+  const Rational r(exact(a.radius) + exact(b.radius));
   const Rational square =
       oracle::segment_segment_distance(a.segment, b.segment).answer.squared_distance.rational_part();
-  return square <= least * least || (answer == disjoint && truth.answer == disjoint);
+  return !certainly_apart(square, e, r) || (answer == disjoint && truth.answer == disjoint);
 }
 
 }  // namespace touchstone::proptests::capsule_capsule_tests

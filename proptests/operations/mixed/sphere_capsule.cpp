@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/mixed/sphere_capsule.h"
 
-#include "proptests/closest_laws.h"
-#include "robust/volumes/sphere_sphere.h"
+#include "proptests/round_laws.h"
 
 namespace touchstone::proptests::sphere_capsule_tests {
 namespace {
@@ -18,28 +17,7 @@ constexpr Worked<Row> worked;
 
 }  // namespace
 
-LAW("sphere_capsule: a reversed segment is the same capsule", ball, capsule) {
-  return ask(asked) == ask(Row::Question{ball, {{capsule.segment.b, capsule.segment.a}, capsule.radius}});
-}
-
-LAW("sphere_capsule: solids that grow never lose contact, and those that touched overlap", ball, capsule) {
-  const double r = catalogue::moved_by_ulps(ball.radius, 1), s = catalogue::moved_by_ulps(capsule.radius, 1);
-  if (r == ball.radius || s == capsule.radius) return true;
-  const Contact then = ask(Row::Question{{ball.center, r}, {capsule.segment, s}});
-  return ask(asked) == disjoint || then == overlapping;
-}
-
-ROBUST_LAW("sphere_capsule: a capsule of one point is a ball, and the ends of one are in it", ball, capsule) {
-  for (const Point3d& end : {capsule.segment.a, capsule.segment.b}) {
-    const Contact with_end = robust::sphere_sphere(ball, {end, capsule.radius});
-    if (ask(Row::Question{ball, {{end, end}, capsule.radius}}) != with_end || ask(asked) < with_end) return false;
-  }
-  return true;
-}
-
-LAW("sphere_capsule: radii may be exchanged", ball, capsule) {
-  return ask(asked) == ask(Row::Question{{ball.center, capsule.radius}, {capsule.segment, ball.radius}});
-}
+ROUND_LAWS("sphere_capsule")
 
 TEST_CASE("sphere_capsule: beside it and beyond its ends, worked by hand") {
   worked({{{3, 6, 0}, 2}, along_x(3)}, disjoint, 11);  // 6^2 - 5^2

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/mixed/sphere_triangle.h"
 
-#include "proptests/closest_laws.h"
+#include "proptests/round_laws.h"
 #include "proptests/space_laws.h"
 #include "robust/mixed/sphere_capsule.h"
 #include "robust/polyhedra/segment_triangle.h"
@@ -21,16 +21,7 @@ constexpr Worked<Row> worked;
 
 }  // namespace
 
-LAW("sphere_triangle: the order of the corners does not matter", ball, t) {
-  return ask(asked) == ask(Row::Question{ball, {t.b, t.c, t.a}}) &&
-         ask(asked) == ask(Row::Question{ball, {t.c, t.b, t.a}});
-}
-
-LAW("sphere_triangle: a ball that grows never loses contact, and one that touched overlaps", ball, t) {
-  if (ball.radius == greatest) return true;
-  const Contact then = ask(Row::Question{{ball.center, catalogue::moved_by_ulps(ball.radius, 1)}, t});
-  return ask(asked) == disjoint || then == overlapping;
-}
+ROUND_LAWS("sphere_triangle")
 
 ROBUST_LAW("sphere_triangle: a ball that meets a corner or an edge meets the triangle", ball, t) {
   const Contact contact = ask(asked);

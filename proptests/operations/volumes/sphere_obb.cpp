@@ -2,10 +2,9 @@
 #include "catalogue/rows/volumes/sphere_obb.h"
 
 #include "proptests/box_laws.h"
-#include "proptests/closest_laws.h"
+#include "proptests/round_laws.h"
 #include "robust/volumes/point_in_obb.h"
 #include "robust/volumes/sphere_aabb.h"
-#include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::proptests::sphere_obb_tests {
 namespace {
@@ -22,28 +21,13 @@ constexpr Worked<Row> worked;
 
 }  // namespace
 
-LAW("sphere_obb: half axes may be exchanged and reversed", ball, box) {
-  return ask(in_another_order<1>(asked)) == ask(asked);
-}
-
-LAW("sphere_obb: a ball that grows never loses contact, and one that touched overlaps", ball, box) {
-  if (ball.radius == greatest) return true;
-  const Contact then = ask(Row::Question{{ball.center, catalogue::moved_by_ulps(ball.radius, 1)}, box});
-  return ask(asked) == disjoint || then == overlapping;
-}
+ROUND_LAWS("sphere_obb")
 
 ROBUST_LAW("sphere_obb: a point only touches the box that it is in, and a ball around one overlaps it", ball, box) {
   const Location location = robust::point_in_obb(box, ball.center);
   const Contact of_point = ask(Row::Question{{ball.center, 0}, box});
   return of_point == (location == Location::outside ? disjoint : touching) &&
          (of_point == disjoint || ask(asked) == (ball.radius == 0 ? touching : overlapping));
-}
-
-ROBUST_LAW("sphere_obb: a ball that meets a corner meets the box", ball, box) {
-  if (!on_lattice(asked)) return true;
-  for (const Point3d& corner : corners(box))
-    if (ask(asked) < robust::sphere_sphere(ball, Sphere3d{corner, 0})) return false;
-  return true;
 }
 
 ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ball, box) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/answers.h"
+#include "geometry/volumes.h"
 #include "robust/kernel/filters/obb_filter.h"
 #include "robust/kernel/filters/sized.h"
 #include "robust/kernel/filters/staged.h"
@@ -20,16 +21,21 @@ namespace touchstone::robust::filters {
 
 inline constexpr double error_of_32_roundings = 0x1p-46;
 
+inline bool moderate(const Obb3d& box) {
+  return moderate(box.center) & moderate(box.half_axes.u) & moderate(box.half_axes.v) & moderate(box.half_axes.w);
+}
+
 /// True if three vectors are certainly linearly independent. Five operations for each term of the determinant.
 inline bool independent(const Vector3d& u, const Vector3d& v, const Vector3d& w) {
   const double sizes = size_of<double>(u) * size_of<double>(v) * size_of<double>(w);
   return FloatFormat<double>::magnitude(dot(cross(u, v), w)) > error_of_32_roundings * sizes;
 }
 
-/// Two cores: the displacements from a point of one to a point of the other are way - sum t_k edge_k with t_k in [-1,
-/// 1]. Each coordinate of the way and of edges is a number of the input or the difference of two of them. It is then
-/// off by u of itself at most; a sum of more numbers may cancel, and be off by more than that.
-template <std::size_t n>
+/// Two cores: the displacements from a point of one to a point of the other are way - sum t_k edge_k, with t_k in [-1,
+/// 1] for the first, symmetric edges, and in [0, 1] for the others. Each coordinate of the way and of edges is a number
+/// of the input or the difference of two of them. It is then off by u of itself at most; a sum of more numbers may
+/// cancel, and be off by more than that.
+template <std::size_t n, std::size_t symmetric = n>
 struct Differences {
   std::array<Vector3d, n> edges;
   Vector3d way;
@@ -38,12 +44,12 @@ struct Differences {
   /// cores are nearer than the reach. Only for solids of which that is true: one core has an interior, or both radii
   /// are not 0.
   ///
-  /// The guess of the t_k: the foot of the perpendicular along each edge, moved into [-1, 1], which for edges at right
-  /// angles is the nearest point; for others again, along one edge after the other. Its proof, for any numbers t_k in
-  /// [-1, 1] and any direction: if the displacement is shorter than the reach, there are points as near as that. If the
-  /// way leads farther along the direction than the edges and the reach together, all points are farther apart. The
-  /// direction is the displacement as computed. A t_k is 0 or at least 2^-30, and a difference of `moderate` numbers is
-  /// a multiple of 2^-82, so no product underflows.
+  /// The guess of the t_k: the foot of the perpendicular along each edge, moved into its interval, which for edges at
+  /// right angles is the nearest point; for others again, along one edge after the other. Its proof, for any numbers t_k
+  /// in these intervals and any direction: if the displacement is shorter than the reach, there are points as near as
+  /// that. If the way leads farther along the direction than the edges and the reach together, all points are farther
+  /// apart. The direction is the displacement as computed. A t_k is 0 or at least 2^-30, and a difference of `moderate`
+  /// numbers is a multiple of 2^-82, so no product underflows.
   ///
   /// A square goes through one operation in the way, n + 1 in the displacement, twice, and 4 more; a height through no
   /// more than these, and no coordinate of the direction exceeds its length, which is less than 2^-40 of itself off.
@@ -53,13 +59,13 @@ struct Differences {
     const double squares = error_of_32_roundings * (dot(most, most) + reach * reach),
                  heights = error_of_32_roundings * (size_of<double>(most) + reach);
     std::array<double, n> t{};
-    for (std::size_t k = 0; k < n; ++k) t[k] = moved(0, way, edges[k]);
+    for (std::size_t k = 0; k < n; ++k) t[k] = moved(k, 0, way);
     for (int turn = 0; turn < 16; ++turn) {
       const Vector3d between = displacement(t);
       const double square = dot(between, between), length = std::sqrt(square) * (1 + 0x1p-40);
       if (reach * reach - square > squares) return Contact::overlapping;
       double reached = reach * length;
-      for (const Vector3d& edge : edges) reached = reached + magnitude(dot(between, edge));
+      for (std::size_t k = 0; k < n; ++k) reached = reached + farthest(k, dot(between, edges[k]));
       if (dot(between, way) - reached > heights * length) return Contact::disjoint;
       if (!approach(t)) break;
     }
@@ -71,11 +77,15 @@ struct Differences {
   static Vector3d magnitudes(const Vector3d& v) { return {magnitude(v.x), magnitude(v.y), magnitude(v.z)}; }
   static double moderated(double x) { return magnitude(x) < 0x1p-30 ? 0.0 : x; }
 
-  static double moved(double t, const Vector3d& rest, const Vector3d& edge) {
-    const double length = dot(edge, edge);
+  static constexpr double least(std::size_t k) { return k < symmetric ? -1 : 0; }
+  /// The greatest of t_k times a number.
+  static double farthest(std::size_t k, double along) { return along > 0 ? along : least(k) * along; }
+
+  double moved(std::size_t k, double t, const Vector3d& rest) const {
+    const double length = dot(edges[k], edges[k]);
     if (!(length > 0)) return 0;
-    const double foot = t + dot(rest, edge) / length;
-    return foot > 1 ? 1.0 : foot < -1 ? -1.0 : moderated(foot);
+    const double foot = t + dot(rest, edges[k]) / length;
+    return foot > 1 ? 1.0 : foot < least(k) ? least(k) : moderated(foot);
   }
 
   Vector3d displacement(const std::array<double, n>& t) const {
@@ -89,7 +99,7 @@ struct Differences {
     Vector3d rest = displacement(t);
     bool changed = false;
     for (std::size_t k = 0; k < n; ++k) {
-      const double next = moved(t[k], rest, edges[k]);
+      const double next = moved(k, t[k], rest);
       changed = changed || next != t[k];
       rest = rest - (next - t[k]) * edges[k];
       t[k] = next;

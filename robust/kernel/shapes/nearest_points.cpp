@@ -89,12 +89,13 @@ QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle& triangl
 /// The nearest point is on a face whose plane p is beyond. The vector from it to p is a sum of outward normals of the
 /// faces there, with factors >= 0. Its product with itself is positive, so its product with one of these normals is,
 /// and p is beyond that face. Each face is two triangles.
-QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box) {
-  const auto& [u, v, w] = box.half_axes;
+QuotientPoint nearest_in_box(const IntegerPoint& p, const IntegerBox& box) {
   const Vector displacement = p - box.center;
   std::optional<Nearest> nearest;
-  for (const auto& [out, one, other] : {std::array{u, v, w}, std::array{v, w, u}, std::array{w, u, v}}) {
-    const Vector normal = cross(one, other);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    const Vector &out = box.half_axes[k], &one = box.half_axes[l], &other = box.half_axes[m],
+                 normal = cross(box.directions[l], box.directions[m]);
     const mpz_class along = dot(normal, displacement), reach = dot(normal, out);
     if (abs(along) <= abs(reach)) continue;
     const mpz_class side(sgn(along) * sgn(reach)), back(-1);
@@ -107,6 +108,50 @@ QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box) 
     }
   }
   return nearest ? nearest->pair.on_a : vertex(p);
+}
+
+namespace {
+
+/// They do unless the displacement of their middles leads farther along a direction than half of the edges of both do
+/// together; that is then so along a normal of two of the edges, which span the faces of the solid of all such
+/// displacements. All is doubled. That of a flat box is so of all less flat ones, and thus of itself.
+bool meet(const Segment& segment, const IntegerBox& box) {
+  const mpz_class two(2);
+  const auto& [u, v, w] = box.half_axes;
+  const Vector step = segment.b - segment.a;
+  const std::array edges{two * u, two * v, two * w, step};
+  const std::array directions{box.directions[0], box.directions[1], box.directions[2], step};
+  const Vector way = (segment.a - box.center) + (segment.b - box.center);
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector normal = cross(directions[i], directions[j]);
+      mpz_class reach;
+      for (const Vector& edge : edges) reach += abs(dot(normal, edge));
+      if (abs(dot(normal, way)) > reach) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+/// Where they do not meet, one of the nearest points is an end of the segment, or the other is on an edge of the box:
+/// within a face and between the ends both may move along the face until one of that is so.
+Quotient squared_distance(const Segment& segment, const IntegerBox& box) {
+  if (meet(segment, box)) return {0, 1};
+  Nearest nearest(vertex(segment.a), nearest_in_box(segment.a, box));
+  nearest.try_next(vertex(segment.b), nearest_in_box(segment.b, box));
+  const auto& [u, v, w] = box.half_axes;
+  for (const auto& [out, one, other] : {std::array{u, v, w}, std::array{v, w, u}, std::array{w, u, v}}) {
+    for (const Vector& across : {one + other, one - other}) {
+      for (const int side : {-1, 1}) {
+        const IntegerPoint middle = box.center + mpz_class(side) * across;
+        QuotientPair pair = nearest_pair(segment, {middle + mpz_class(-1) * out, middle + out});
+        nearest.try_next(std::move(pair.on_a), std::move(pair.on_b));
+      }
+    }
+  }
+  return nearest.square;
 }
 
 /// The feet of the common perpendicular if both are on the segments; otherwise, and if the segments are parallel, one

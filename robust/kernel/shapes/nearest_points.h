@@ -3,10 +3,12 @@
 
 #include <gmpxx.h>
 
+#include <array>
+#include <vector>
+
 #include "geometry/answers.h"
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
-#include "geometry/volumes.h"
 #include "robust/kernel/filters/staged.h"
 #include "robust/kernel/shapes/points_in_space.h"
 
@@ -30,12 +32,20 @@ struct Quotient {
 };
 QuotientPoint nearest_on_segment(const IntegerPoint& p, const Segment3<mpz_class>& segment);
 QuotientPoint nearest_on_triangle(const IntegerPoint& p, const Triangle3<mpz_class>& triangle);
-/// A point of the solid is the nearest to itself. The half axes are linearly independent.
-QuotientPoint nearest_in_box(const IntegerPoint& p, const Obb3<mpz_class>& box);
+/// All center + r u + s v + t w with r, s and t in [-1, 1], u, v and w being the half axes. Each has a direction; these
+/// are linearly independent, and half axes may be 0.
+struct IntegerBox {
+  IntegerPoint center;
+  std::array<Vector3<mpz_class>, 3> half_axes, directions;
+};
+/// A point of the box is the nearest to itself.
+QuotientPoint nearest_in_box(const IntegerPoint& p, const IntegerBox& box);
 /// Among several nearest pairs the one with the least parameter on a.
 QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class>& b);
 
 Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q);
+/// 0 if they have a common point.
+Quotient squared_distance(const Segment3<mpz_class>& segment, const IntegerBox& box);
 
 /// The contact of two shapes at that distance, one or both of them grown by a radius; `reach` is the sum of the radii.
 /// `interiors`: no radius is 0.
@@ -43,6 +53,7 @@ Contact contact(const Quotient& square, const mpz_class& reach, bool interiors);
 
 inline Point3d in_space(const Point2d& p) { return {p.x, p.y, 0}; }
 inline const Point3d& in_space(const Point3d& p) { return p; }
+inline Point3d in_space(const Vector3d& v) { return {v.x, v.y, v.z}; }
 inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(s.b)}; }
 
 /// Points of the plane or of space over one power of two.
@@ -50,6 +61,21 @@ template <class... Points>
 ScaledPoints<mpz_class> integer_points(const Points&... p) {
   return integers_of(Polygon3d{{in_space(p)...}});
 }
+
+/// The box whose center and independent half axes are these points, one after the other.
+inline IntegerBox box_of(const std::vector<IntegerPoint>& at, std::size_t center) {
+  const auto axis = [&](std::size_t k) { return at[center + k] - IntegerPoint{0, 0, 0}; };
+  const std::array half_axes{axis(1), axis(2), axis(3)};
+  return {at[center], half_axes, half_axes};
+}
+/// Twice a box along the axes, so that its center is an integer; it may be flat.
+inline IntegerBox doubled_box(const IntegerPoint& min, const IntegerPoint& max) {
+  const auto along = [](const mpz_class& x, const mpz_class& y, const mpz_class& z) {
+    return std::array<Vector3<mpz_class>, 3>{{{x, 0, 0}, {0, y, 0}, {0, 0, z}}};
+  };
+  return {max + (min - IntegerPoint{0, 0, 0}), along(max.x - min.x, max.y - min.y, max.z - min.z), along(1, 1, 1)};
+}
+inline IntegerPoint doubled(const IntegerPoint& p) { return p + (p - IntegerPoint{0, 0, 0}); }
 
 /// A point in units of the input times 2^exponent, each number rounded once.
 Point3d rounded(const QuotientPoint& p, int exponent);

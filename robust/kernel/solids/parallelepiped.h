@@ -5,12 +5,24 @@
 
 #include "geometry/volumes.h"
 #include "robust/kernel/shapes/plane.h"
+#include "robust/kernel/shapes/valid.h"
 
 /// Parallelepipeds on integers: Integer is std::int64_t (a lattice) or mpz_class, as in plane.h.
 namespace touchstone::robust::kernel {
 
 /// Refuses a box whose numbers are not finite or whose half axes are linearly dependent.
 void validate_obb(const std::string& field, const Obb3d& box);
+
+/// Refuses numbers of either that are not finite, then what breaks a rule of the solid, then of the box.
+template <class Solid>
+void validate_with_obb(const std::string& field, const Solid& solid, const std::string& field_of_box,
+                       const Obb3d& box) {
+  if (!valid(solid)) {
+    validation::validate_numbers(field, solid), validation::validate_numbers(field_of_box, box);
+    validation::validate(field, solid);
+  }
+  validate_obb(field_of_box, box);
+}
 
 /// On a lattice vectors are below 2^62, and an axis below 2^125.
 template <class Integer>

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/round_draws.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/signatures/mixed/capsule_obb.h"
+#include "oracle/mixed/capsule_obb.h"
+#include "reference/mixed/capsule_obb.h"
+#include "robust/mixed/capsule_obb.h"
+
+namespace touchstone::catalogue::rows {
+
+struct capsule_obb : signatures::capsule_obb {
+  TOUCHSTONE_MODULES(capsule_obb)
+  using stages = ::touchstone::robust::stages::capsule_obb;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = name,
+                                   .chapter = "mixed",
+                                   .pages = "9, 27, 48-50",
+                                   .question = "Do a capsule and an oriented box overlap, only touch, or neither?",
+                                   .kind = Kind::decision,
+                                   .fields = {"capsule", "obb"},
+                                   .answer = "contact",
+                                   .margin_degree = 2,
+                                   .cost = 20,
+                                   .longest_vector = 2300};
+    return metadata;
+  }
+
+  static void hard_cases(HardCases<Question>& add) {
+    add_capsules_and_boxes([&add](const char* family, auto draw) { add(family, draw); });
+  }
+
+  /// A capsule whose end reaches the corner (15, 17, 0) of a box that is turned by the triple 3, 4, 5; moves that end.
+  static Question map_centre() {
+    return {{{{20, 17, 0}, {32, 24, 0}}, 5}, {{8, 16, 0}, {{4, -3, 0}, {3, 4, 0}, {0, 0, 1}}}};
+  }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<capsule_obb> hooks() { return hooks_of_round_pair<capsule_obb>(); }
+};
+
+}  // namespace touchstone::catalogue::rows
