@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Measures the cost of operations: core-seconds of building and testing, handwritten lines, and whether
-Metadata::cost is what a question costs. For information: the exit code is 0.
+Metadata::cost is what a question costs. The exit code is 1 if the lines are over their bound. Seconds depend on the
+machine: where they are over their goal, the table says so, and that is all.
 
   costs.py [--json FILE]   the builds in build/release (g++) and build/clang, after ./dev test or ./dev test full
   costs.py --self-check    a small made-up build, whose costs are known
@@ -24,7 +25,8 @@ from handwritten import handwritten
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PRESETS = {"release": "g++", "clang": "clang"}
-LIMITS = {"lines": 600, "program": 600}
+GOALS = {"lines": 600, "program": 600}
+LINES_AT_MOST = 665  # it only falls
 CACHED = 0.15  # s; an object that takes less came out of ccache
 # proptests/agreement/interrogation.cpp: so many questions a family where one costs 1, and what that is in seconds.
 QUESTIONS, LEAST, BATCH, UNIT = 4096, 8, 64, 45e-6
@@ -100,21 +102,27 @@ def measure(root, operations, cores, factor):
                                "worst_operation": most}}
 
 
+def too_long(costs):
+    return costs["lines"]["mean"] > LINES_AT_MOST
+
+
 def table(costs):
     """The lines of the table."""
-    def row(what, value, limit=None):
-        over = limit is not None and value > limit
-        return f"{what:<60}{value:>10.1f}{'' if limit is None else f'   at most {limit:g}'}{'  OVER' if over else ''}"
+    def row(what, value, goal=None):
+        over = goal is not None and value > goal
+        return f"{what:<60}{value:>10.1f}{'' if goal is None else f'   goal {goal:g}'}{'  OVER' if over else ''}"
 
     for compiler, of in costs["compilers"].items():
-        yield row(f"{compiler}: core-seconds of building the program", of["program"], LIMITS["program"])
+        yield row(f"{compiler}: core-seconds of building the program", of["program"], GOALS["program"])
         yield row(f"{compiler}: of building everything", of["building"])
         yield row(f"{compiler}: of {of['tests']} tests", of["testing"])
         if of["objects_cached"]:
             yield f"  {of['objects_cached']} of {of['objects']} objects came from ccache, so building seems cheaper than it is"
     yield row(f"minutes, {costs['operations']} operations, {costs['cores']} cores", costs["minutes"])
-    yield row("handwritten lines, an operation, with mutants and claims: mean", costs["lines"]["mean"], LIMITS["lines"])
+    yield row("handwritten lines, an operation, with mutants and claims: mean", costs["lines"]["mean"], GOALS["lines"])
     yield row(f"  worst: {costs['lines']['worst_operation']}", costs["lines"]["worst"])
+    if too_long(costs):
+        yield f"  over the bound of {LINES_AT_MOST} lines"
     dear = ", ".join(f"{name} {seconds:.0f} s" for name, seconds in costs["testing"].items())
     yield f"most expensive to test: {dear}" if dear else "no tests were run"
     for name, (said, measured) in costs["costs"].items():
@@ -153,6 +161,7 @@ def self_check():
                 ("dearest", costs["testing"]["touch_all"], 30.036), ("lines", costs["lines"]["worst"], 2 + 1 + 4 + 3),
                 ("cost of touch", costs["costs"]["touch"][1], 1 / 8192 / UNIT),
                 ("cost of touch_all", costs["costs"]["touch_all"][1], 0.036 / 8 / UNIT),
+                ("not too long", too_long(costs), 0), ("too long", too_long({"lines": {"mean": LINES_AT_MOST + 1}}), 1),
                 ("told", shown.count("Metadata::cost is 1024, measured 100.0"), 1), ("not told", shown.count("touch: Metadata"), 0)]
     wrong = [f"{what}: {got} instead of {wanted}" for what, got, wanted in expected if abs(got - wanted) > 1e-9]
     print(*wrong, f"self-check: {len(expected) - len(wrong)} of {len(expected)} as expected", sep="\n")
@@ -176,7 +185,7 @@ def main():
     print(*table(costs), sep="\n")
     if options.json:
         options.json.write_text(json.dumps(costs, indent=1) + "\n", encoding="utf-8")
-    return 0
+    return 1 if too_long(costs) else 0
 
 
 if __name__ == "__main__":
