@@ -66,7 +66,7 @@ std::optional<Line> common_line(const Wall& v, const Wall& w) {
     const HomogeneousPoint& first = ends.front();
     Line line{{times(first.p, end.w), times(end.p, first.w)},
               mpz_class(first.w * end.w),
-              displacement(first, end),
+              cross(v.normal, w.normal),
               v.box.with(w.box)};
     auto& [p, q] = line.segment;
     reduce({&line.w, &p.x, &p.y, &p.z, &q.x, &q.y, &q.z}), reduce({&line.along.x, &line.along.y, &line.along.z});
