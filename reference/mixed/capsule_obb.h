@@ -38,7 +38,7 @@ Point3<Real> nearest_to_obb(const Segment3<Real>& segment, const Obb3<Real>& obb
 
 /// Decides whether a capsule and an oriented box, as closed solids, overlap, only touch, or neither.
 ///
-/// No page of the deck asks this. The formula is that of ODE (dCollideCapsuleBox; dClosestLineBoxPoints of R. Smith):
+/// No page of the deck asks this. The formula is that of ODE (dCollideCapsuleBox, dClosestLineBoxPoints):
 /// on the segment a + t (b - a) the slope of the squared distance from the box grows with t, and linearly between the t
 /// at which the segment passes a face's plane, -1 or 1 in p. 27's frame. With x the nearest point of the box to a point
 /// p of the segment, it is twice (b - a) . (p - x). Where its sign changes between two of these t, it is interpolated.
