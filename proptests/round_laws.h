@@ -19,12 +19,19 @@
 /// scaling, exchanged arguments) are tested for every operation.
 namespace touchstone::proptests {
 
+/// Boxes of the examples worked by hand.
+namespace worked_boxes {
+inline constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+inline constexpr Obb3d turned{{0, 0, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}};  // by the triple 3, 4, 5
+inline constexpr Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {6, 2, 0}, {0, 0, 1}}};  // y from -2 to 2, |x - 3 y| <= 2
+inline constexpr Obb3d least{{0, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}};
+}  // namespace worked_boxes
+
 /// Other ways to write the same solid.
 inline std::vector<Sphere3d> rewritten(const Sphere3d&) { return {}; }
 inline std::vector<Capsule3d> rewritten(const Capsule3d& c) { return {{{c.segment.b, c.segment.a}, c.radius}}; }
 inline std::vector<Triangle3d> rewritten(const Triangle3d& t) { return {{t.b, t.c, t.a}, {t.c, t.b, t.a}}; }
 inline std::vector<Obb3d> rewritten(const Obb3d& box) { return {std::get<0>(in_another_order<0>(std::tuple{box}))}; }
-
 inline std::vector<Aabb3d> rewritten(const Aabb3d&) { return {}; }
 
 /// Balls at the ends and corners of a solid, which are parts of it. A box has them where its corners are exact.
@@ -37,7 +44,6 @@ inline std::vector<Sphere3d> balls_in(const Obb3d& box) {
   for (const Point3d& corner : corners(box)) balls.push_back({corner, 0});
   return balls;
 }
-
 inline std::vector<Sphere3d> balls_in(const Aabb3d& box) {
   std::vector<Sphere3d> corners;
   for (const double x : {box.min.x, box.max.x})
@@ -50,7 +56,6 @@ inline Contact with_ball(const Sphere3d& ball, const Sphere3d& other) { return r
 inline Contact with_ball(const Sphere3d& ball, const Capsule3d& other) { return robust::sphere_capsule(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Triangle3d& other) { return robust::sphere_triangle(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Obb3d& other) { return robust::sphere_obb(ball, other); }
-
 inline Contact with_ball(const Sphere3d& ball, const Aabb3d& other) { return robust::sphere_aabb(ball, other); }
 
 inline bool flat(const auto&) { return false; }

@@ -59,10 +59,10 @@ def truth_sphere_aabb(q):
 
 
 def gap_to_box(place, edges, center, axes):
-    """The squared distance of a box from a point, or a segment that leads from its middle by an edge and back; place: of
-    that point or middle. Each coefficient of the nearest points is -1, 1, or such
-    that the displacement is at a right angle to its edge: of all that one of these choices makes, with coefficients in
-    [-1, 1], the nearest; where edges are dependent others make it too."""
+    """The squared distance of a box from a point, or from a segment that leads from its middle by an edge and back; place
+    is that point or middle. Each coefficient of the nearest points is -1, 1, or such that the displacement is at a right
+    angle to its edge: of all that one of these choices makes, with coefficients in [-1, 1], the nearest. A choice whose
+    edges are dependent is skipped: others make the nearest points too."""
     edges, way, distances = [*axes, *edges], minus(place, center), []
     for choice in product((-1, 0, 1), repeat=len(edges)):
         free = [edge for edge, side in zip(edges, choice) if side == 0]

@@ -12,10 +12,7 @@ namespace {
 using Row = rows::sphere_obb;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
-constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
-constexpr Obb3d turned{{0, 0, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}};  // by the triple 3, 4, 5
-constexpr Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {6, 2, 0}, {0, 0, 1}}};  // y from -2 to 2, |x - 3 y| <= 2
-constexpr Obb3d least{{0, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}};
+using namespace worked_boxes;
 
 constexpr Worked<Row> worked;
 

@@ -45,8 +45,8 @@ struct Differences {
   /// are not 0.
   ///
   /// The guess of the t_k: the foot of the perpendicular along each edge, moved into its interval, which for edges at
-  /// right angles is the nearest point; for others again, along one edge after the other. Its proof, for any numbers t_k
-  /// in these intervals and any direction: if the displacement is shorter than the reach, there are points as near as
+  /// right angles is the nearest point; for others again, along one edge after the other. Its proof, for any t_k in
+  /// these intervals and any direction: if the displacement is shorter than the reach, there are points as near as
   /// that. If the way leads farther along the direction than the edges and the reach together, all points are farther
   /// apart. The direction is the displacement as computed. A t_k is 0 or at least 2^-30, and a difference of `moderate`
   /// numbers is a multiple of 2^-82, so no product underflows.

@@ -52,8 +52,7 @@ inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y)
 
 /// The ends of the parts that the edges of each triangle have in the other. Every extreme point of the common part lies
 /// on an edge of one of the two: a point inside both, coplanar or not, lies between others. So the common part is the
-/// convex hull of these ends.
-/// They are reduced.
+/// convex hull of these ends, which are reduced.
 std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a, const Triangle3<mpz_class>& b);
 
 }  // namespace touchstone::robust::kernel
