@@ -4,7 +4,8 @@
 
 A NAME is a preset that inherits `platform`; without one, all are built. The libraries of that processor are Debian's, unpacked
 below build/libraries; nothing is installed. Each check runs under the emulator and on this machine; the outputs have to be
-the same, byte for byte. A platform is skipped where its compiler, emulator or libraries are missing.
+the same, byte for byte. Tests of robust and of agreement with the oracle run under the emulator. A platform is skipped where
+its compiler, emulator or libraries are missing.
 
   --ask NAME    the checks of one platform that is already built, as a test: 77 if it is not
 """
@@ -13,6 +14,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -29,6 +31,9 @@ CHECKS = {
     "soak": ["soak", "all", "--cases", "{cases}", "--json", "-"],
     "exhaust": ["exhaust", "segment_segment", "--grid", "8", "--decisions", "--json", "-"],
 }
+
+# Programs of tests, and the share of their cases (TOUCHSTONE_CASES).
+TESTS = {"test_robust": 0.1, "test_agreement": 0.005}
 
 
 def platforms():
@@ -84,7 +89,8 @@ def build(name, triple, libraries, jobs):
     if missing := unpack_libraries(libraries):
         return missing
     subprocess.run(["cmake", "--preset", name], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", BUILD / name, "-j", str(jobs), "--target", "touchstone"], check=True)
+    tests = TESTS if any(libraries.glob("usr/lib/*/librapidcheck.*")) else ()
+    subprocess.run(["cmake", "--build", BUILD / name, "-j", str(jobs), "--target", "touchstone", *tests], check=True)
     return ""
 
 
@@ -112,6 +118,24 @@ def shown(text):
     return output.strip() if len(output) < 40 else hashlib.sha256(output.encode()).hexdigest()[:16]
 
 
+def tested(name, triple):
+    """The number of tests that passed, or the programs that did not; whether none failed."""
+    passed, failed = 0, []
+    for program, cases in TESTS.items():
+        if not (BUILD / name / "tests" / program).exists():
+            return "not built", True
+        run = subprocess.run([*emulator_of(triple), BUILD / name / "tests" / program], cwd=ROOT, text=True,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                             env=os.environ | {"TOUCHSTONE_CASES": str(cases)})
+        (BUILD / name / f"{program}.txt").write_text(run.stdout, encoding="utf-8")
+        all_of = re.search(r"All tests passed \(\d+ assertions? in (\d+) test cases?\)", run.stdout)
+        if run.returncode or not all_of:
+            failed.append(f"build/{name}/{program}.txt")
+        else:
+            passed += int(all_of[1])
+    return (f"failed: {', '.join(failed)}", False) if failed else (f"{passed} passed", True)
+
+
 def ask(name, triple, native, given, operations):
     """Prints a row of the table; whether all is the same as here."""
     row, same, began = [name, f"{triple}-g++", emulator_of(triple)[0]], True, time.time()
@@ -126,8 +150,24 @@ def ask(name, triple, native, given, operations):
             (BUILD / name / f"{check}.txt").write_text(here, encoding="utf-8")
             (BUILD / name / f"{check}.native.txt").write_text(native[check], encoding="utf-8")
             print(f"{name}: compare build/{name}/{check}.txt with {check}.native.txt", file=sys.stderr)
+    tests, passed = tested(name, triple)
+    row, same = [*row, tests], same and passed
     print("| " + " | ".join([*row, f"{time.time() - began:.0f} s"]) + " |", flush=True)
     return same
+
+
+def parts_engines(name, triple):
+    """Whether the example of docs/platforms.md, an engine built for two processors, prints there what it prints here."""
+    page = (ROOT / "docs/platforms.md").read_text(encoding="utf-8")
+    commands = re.search(rf"```sh\n([^`]*\n{triple}-g\+\+ [^`]*)```\n\n```\n([^`]*)```", page)
+    if commands is None:  # no example for this platform
+        return True
+    script = re.sub(r"(?<= )(?:\./)?engine_|(?<=\")\./engine_", f"build/{name}/engine_", commands[1])
+    done = subprocess.run(["sh", "-ec", script], cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    missing = [line for line in commands[2].splitlines() if line not in done.stdout.splitlines()]
+    print(f"{name}: the example of two processors {'does not print' if missing else 'prints what the page says'}", *missing,
+          sep="\n")
+    return not missing
 
 
 def main():
@@ -147,7 +187,8 @@ def main():
         print(f"skipped: ./dev platforms {' '.join(names)} builds it")
         sys.exit(77)
     operations = share_of_vectors(given.share)
-    print("| platform | compiler | emulator | " + " | ".join(CHECKS) + " | time |\n|---|---|---|" + "---|" * (len(CHECKS) + 1))
+    columns = ["platform", "compiler", "emulator", *CHECKS, "tests", "time"]
+    print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
     for name in names:
         triple, libraries = known[name]
         skipped = "" if given.ask else build(name, triple, libraries, given.jobs)
@@ -155,6 +196,7 @@ def main():
             print(f"| {name} | skipped: {skipped} |", flush=True)
         else:
             right &= ask(name, triple, native, given, operations)
+            right &= parts_engines(name, triple)
     sys.exit(0 if right else 1)
 
 

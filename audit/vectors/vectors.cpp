@@ -41,7 +41,9 @@ std::string id_of(const Operation& operation, const Json& input) {
   return operation.name() + "/" + sha256(one_line(input)).substr(0, digits_of_id);
 }
 
-Json vector_line(const std::string& family, const Examined& examined) {
+/// Without what takes long, certificate and flags, if the line is longer than `most` characters before them.
+Json vector_line(const std::string& family, const Examined& examined,
+                 std::size_t most = std::string::npos) {
   const auto& [operation, question, once] = examined;
   const Json input = operation.print(question), named = with_names(input);
   Json line = Json::object();
@@ -54,6 +56,7 @@ Json vector_line(const std::string& family, const Examined& examined) {
     const Examination& examination = *examined;
     line["truth"] = examination.truth();
     line["rounded"] = examination.rounded_truth();
+    if (one_line(line).size() > most) return line;
     if (examination.margin()) line["margin"] = written(*examination.margin());
     line["certificate"] = certificate_json(examination.certificate());
     line["flags"] = flags_of(operation, question, examination);
@@ -174,7 +177,7 @@ std::string other_complaint(const Json& line, const Examined& examined) {
 Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
   Vectors vectors;
   std::set<Json> ids;  // a question that is drawn again is no vector more
-  const std::size_t longest = operation.metadata().longest_vector;
+  const std::size_t limit = operation.metadata().longest_vector, longest = limit == 0 ? std::string::npos : limit;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     std::map<std::string, std::size_t> seen;
     std::size_t kept = 0;
@@ -182,10 +185,10 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
       DrawStream draws = case_draws(operation, family, seed, i);
       const Examined examined{operation, operation.draw(draws, family)};
       if (seen[likeness(examined)]++ >= most_alike) continue;
-      const Json vector = vector_line(operation.families()[family], examined);
+      const Json vector = vector_line(operation.families()[family], examined, longest);
       if (!ids.insert(vector["id"]).second) continue;
       std::string line = one_line(vector);
-      if (longest != 0 && line.size() > longest) {
+      if (line.size() > longest) {
         ++vectors.left_out;
         continue;
       }

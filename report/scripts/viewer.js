@@ -64,7 +64,8 @@ class Strokes {
       const first = number === '' || number === '[0]';
       const whose = figure.whose === 'truth' ? 'truth' : '', name = long ? list : figure.label;
       const label = first ? [whose, name].filter(Boolean).join(': ') : long ? '' : number;
-      const again = !name && this.labels.some(other => other.text === label);  // the truth's figures without a name
+      // Figures of the truth without a name, and parts of one shape, such as a capsule's segment and balls.
+      const again = this.labels.some(other => other.text === label && other.style === this.style);
       if (label && !again && places.length && this.labels.length < mostLabels)
         this.labels.push({style: this.style, text: label, places, radius: figure.radius ?? 0, kind: figure.kind});
     }

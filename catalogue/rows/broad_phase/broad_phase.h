@@ -33,6 +33,7 @@ struct broad_phase : signatures::broad_phase {
                                    .fields = {"boxes", "commands"},
                                    .answer = "replies",
                                    .margin_degree = 2,
+                                   .cost = 8,
                                    .time = grows(Growth::quadratic),
                                    .list_length = 2,
                                    .longest_vector = 6000};

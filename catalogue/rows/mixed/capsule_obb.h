@@ -25,7 +25,7 @@ struct capsule_obb : signatures::capsule_obb {
                                    .fields = {"capsule", "obb"},
                                    .answer = "contact",
                                    .margin_degree = 2,
-                                   .cost = 20,
+                                   .cost = 60,
                                    .longest_vector = 2300};
     return metadata;
   }

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/meshes/contact_mesh_draws.h"
 #include "catalogue/families/meshes/mesh_draws.h"
+#include "catalogue/families/meshes/part_draws.h"
 #include "catalogue/families/meshes/polygon_draws.h"
 #include "catalogue/families/meshes/prism_draws.h"
 #include "catalogue/families/meshes/reported_meshes.h"
@@ -107,6 +108,10 @@ struct polyhedron_complexity : signatures::polyhedron_complexity {
     add.unscaled("foreign_cut", [](DrawStream& c) -> Question { return {with_foreign_cut(drawn_prism(c), c)}; });
     add.unscaled("lifted_corner", [](DrawStream& c) -> Question { return {with_lifted_corner(drawn_prism(c), c)}; });
     add.unscaled("convex_at_a_vertex", [](DrawStream& c) -> Question { return {convex_at_a_vertex(c)}; });
+    add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
+      const Meshd mesh = c.one_in(4) ? lattice_polyhedron(c) : lattice_solid(c);
+      return {with_unnamed_vertices(mesh, between_vertices(mesh, c), c)};
+    });
   }
 
   static void repair(Question& question) { make_solid(std::get<0>(question)); }

@@ -86,6 +86,13 @@ test('viewer: figures of the truth without a name are named once', () => {
   assert.deepEqual(texts(drawn([truth(x), truth(y)])), [['truth', 'truth']]);
 });
 
+test('viewer: the parts of one shape bear its name once, and another shape of that name its own', () => {
+  const capsule = [figure('segment', [o, y]), ...[o, y].map(at => figure('sphere', [at], {radius: 900}))];
+  const named = capsule.map(part => ({...part, label: 'capsule'}));
+  const other = figure('point', [z], {label: 'capsule', whose: 'answer'});
+  assert.deepEqual(texts(drawn([...named, other])), [['q0', 'capsule'], ['said', 'capsule']]);
+});
+
 test('viewer: a label is no markup', () => {
   const svg = drawn([figure('point', [x], {label: '<b>&"'})]);
   assert.ok(!svg.includes('<b>'));

@@ -5,13 +5,13 @@
 
 #include "robust/kernel/filters/two_and_four.h"
 
-/// Any other processor, as far as the C library knows it. The library cannot say whether a processor flushes; it can
-/// mask exceptions, and not unmask them.
+/// Any other processor, as far as the C library knows it. The library cannot say whether a processor flushes, and only
+/// GNU's whether exceptions trap; it can mask them, and not unmask them.
 namespace touchstone::robust::kernel::processor {
 
 struct Control {
   std::fenv_t all;
-  bool none_trap;
+  bool may_trap;
   int rounding;
   unsigned flags;
   friend bool operator==(const Control& a, const Control& b) { return a.rounding == b.rounding && a.flags == b.flags; }
@@ -20,22 +20,29 @@ struct Control {
 inline constexpr unsigned all_flags = FE_ALL_EXCEPT;
 inline constexpr bool can_flush = false;
 
+inline bool may_trap() {
+#ifdef __GLIBC__
+  return ::fegetexcept() != 0;
+#else
+  return true;
+#endif
+}
 inline Control control() {
-  Control c{{}, false, std::fegetround(), static_cast<unsigned>(std::fetestexcept(FE_ALL_EXCEPT))};
+  Control c{{}, may_trap(), std::fegetround(), static_cast<unsigned>(std::fetestexcept(FE_ALL_EXCEPT))};
   std::fegetenv(&c.all);
   return c;
 }
 inline void set_control(const Control& c) {
-  std::fesetenv(c.none_trap ? FE_DFL_ENV : &c.all);
+  std::fesetenv(c.may_trap ? &c.all : FE_DFL_ENV);
   std::fesetround(c.rounding);
   std::feclearexcept(FE_ALL_EXCEPT);
   std::feraiseexcept(static_cast<int>(c.flags));
 }
-inline bool is_ieee(const Control&) { return false; }
+inline bool is_ieee(const Control& c) { return c.rounding == FE_TONEAREST && !c.may_trap; }
 inline void set_ieee() { std::fesetenv(FE_DFL_ENV); }
 inline bool plain_arithmetic() { return std::fegetround() == FE_TONEAREST; }
 inline Control masked(Control c) {
-  c.none_trap = true;
+  c.may_trap = false;
   return c;
 }
 inline Control unmasked(const Control& c) { return c; }
