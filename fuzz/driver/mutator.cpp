@@ -161,9 +161,9 @@ class Mutation {
 }  // namespace
 
 /// Draws a question of some family. A question that has become numbers never returns to draws, so without this step
-/// families would rarely be asked.
+/// families would rarely be asked. A mesh takes hundreds of bytes.
 void draw_afresh(DrawStream& draws, std::vector<std::uint8_t>& result) {
-  result.resize(1 + draws.below(48));
+  result.resize(1 + draws.below(draws.one_in(4) ? 400 : 48));
   for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(draws.below(256));
   result[0] = static_cast<std::uint8_t>(draws.below(target().operation().families().size()));
 }
@@ -172,7 +172,7 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   DrawStream draws = DrawStream::seeded(seed);
   const std::uint64_t kind = draws.below(16);
   if (kind < 2) return false;
-  if (kind == 2) {
+  if (kind < 5) {
     draw_afresh(draws, result);
     return true;
   }

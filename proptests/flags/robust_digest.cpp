@@ -15,9 +15,9 @@
 namespace touchstone::proptests {
 namespace {
 
-/// Of each family; a dear question is asked less often.
+/// Of each family; an expensive question is asked less often.
 std::uint64_t asked_of(const catalogue::Operation& operation) {
-  return std::max<std::uint64_t>(8, 60 / static_cast<std::uint64_t>(operation.metadata().cost));
+  return std::max<std::uint64_t>(3, 60 / static_cast<std::uint64_t>(operation.metadata().cost));
 }
 
 /// FNV-1a over everything said.
