@@ -5,10 +5,19 @@
 #include <optional>
 #include <vector>
 
-#include "proptests/forward_error.h"
+#include "proptests/closest_laws.h"
+#include "robust/volumes/point_in_obb.h"
 
 /// Laws of oriented boxes.
 namespace touchstone::proptests {
+
+/// Boxes of the examples worked by hand.
+namespace worked_boxes {
+inline constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+inline constexpr Obb3d turned{{0, 0, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}};  // by the triple 3, 4, 5
+inline constexpr Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {6, 2, 0}, {0, 0, 1}}};  // y from -2 to 2, |x - 3 y| <= 2
+inline constexpr Obb3d least{{0, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}};
+}  // namespace worked_boxes
 
 /// The eight corners; exact on the lattice.
 inline std::vector<Point3d> corners(const Obb3d& box) {
@@ -33,6 +42,27 @@ inline std::optional<Straight> straightened(const Obb3d& box) {
   const double x = std::fabs(u.x), y = std::fabs(v.y), z = std::fabs(w.z);
   return Straight{{c, {{u.x, 0, 0}, {0, v.y, 0}, {0, 0, w.z}}},
                   {{c.x - x, c.y - y, c.z - z}, {c.x + x, c.y + y, c.z + z}}};
+}
+
+inline Vector3<Rational> exact_vector(const Vector3d& v) { return {exact(v.x), exact(v.y), exact(v.z)}; }
+inline Obb3<Rational> exact_obb(const Obb3d& box) {
+  const auto& [u, v, w] = box.half_axes;
+  return {exact_point(box.center), {exact_vector(u), exact_vector(v), exact_vector(w)}};
+}
+inline bool has_right_angles(const Obb3d& box) {
+  const auto [u, v, w] = exact_obb(box).half_axes;
+  return sgn(dot(u, v)) == 0 && sgn(dot(v, w)) == 0 && sgn(dot(w, u)) == 0;
+}
+inline bool holds_point(const Obb3d& box, const Point3d& p) {
+  return robust::point_in_obb(box, p) != Location::outside;
+}
+/// Half axes twice as long; none if they would leave the range.
+inline std::optional<Obb3d> twice_as_large(Obb3d box) {
+  for (Vector3d* axis : {&box.half_axes.u, &box.half_axes.v, &box.half_axes.w}) {
+    *axis = 2.0 * *axis;
+    if (!finite(axis->x, axis->y, axis->z)) return std::nullopt;
+  }
+  return box;
 }
 
 /// The question with the half axes of the box that is its part of that number exchanged and one reversed.
