@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -64,6 +65,37 @@ inline std::optional<Obb3d> twice_as_large(Obb3d box) {
   }
   return box;
 }
+
+/// What the contract of sphere_obb promises of the point of a box that it takes: where that is in exact arithmetic, and
+/// how far each coordinate is off.
+struct ObbBound {
+  bool defined = true;
+  Point3<Rational> exactly{};
+  Vector3<Rational> of_coordinate{};
+  Rational sum;
+
+  ObbBound(const Point3d& p, const Obb3d& box) {
+    const Rational u = unit();
+    const Vector3<Rational> d = exact_point(p) - exact_point(box.center);
+    Vector3<Rational> along{}, error{};
+    for (const Vector3d& axis : {box.half_axes.u, box.half_axes.v, box.half_axes.w}) {
+      const Vector3<Rational> a = exact_vector(axis), size{abs(a.x), abs(a.y), abs(a.z)};
+      const double length = dot(axis, axis);
+      defined = defined && length >= 0x1p-960 && finite(length, dot(p - box.center, axis));
+      if (!defined) return;
+      const Rational products = abs(d.x) * size.x + abs(d.y) * size.y + abs(d.z) * size.z,
+                     of_t = ((5 + 11 * u) * u * products + power_of_two(-1073)) / dot(a, a) + 7 * u,
+                     share = std::clamp(Rational(dot(d, a) / dot(a, a)), Rational(-1), Rational(1));
+      along = along + share * a, error = error + Rational(of_t * (1 + 6 * u) + 5 * u) * size;
+    }
+    exactly = exact_point(box.center) + along;
+    const auto of = [&u](const Rational& e, const Rational& x) {
+      return Rational(e + u * abs(x) + power_of_two(-1073));
+    };
+    of_coordinate = {of(error.x, exactly.x), of(error.y, exactly.y), of(error.z, exactly.z)};
+    sum = of_coordinate.x + of_coordinate.y + of_coordinate.z;
+  }
+};
 
 /// The question with the half axes of the box that is its part of that number exchanged and one reversed.
 template <std::size_t part, class Asked>
