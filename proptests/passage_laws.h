@@ -56,23 +56,23 @@ inline bool divided(const Surd& t, const Surd& found, int k) { return t == found
 /// A direction times a power of two divides first and last by it.
 template <class Row>
 inline constexpr auto directions_divide_t = [](const auto& ask, const auto& asked) {
-  return std::visit(
-      [&](const auto& question) {
-        const auto answer = ask(asked);
-        for (const int k : {1, -29, 300}) {
-          auto other = question;
-          auto& v = std::get<0>(other).direction;
-          const auto given = coordinates(v);
-          v = std::ldexp(1, k) * v;
-          if (coordinates(std::ldexp(1, -k) * v) != given) continue;
-          const auto found = ask(typename Row::Question(other));
-          if (found.relation != answer.relation) return false;
-          if (answer.first && !divided(*answer.first, *found.first, k)) return false;
-          if (answer.last && !divided(*answer.last, *found.last, k)) return false;
-        }
-        return true;
-      },
-      asked);
+  const auto divides = [&](const auto& question) {
+    const auto answer = ask(asked);
+    for (const int k : {1, -29, 300}) {
+      auto other = question;
+      auto& v = std::get<0>(other).direction;
+      const auto given = coordinates(v);
+      v = std::ldexp(1, k) * v;
+      if (coordinates(std::ldexp(1, -k) * v) != given) continue;
+      const auto found = ask(typename Row::Question(other));
+      if (found.relation != answer.relation) return false;
+      if (answer.first && !divided(*answer.first, *found.first, k)) return false;
+      if (answer.last && !divided(*answer.last, *found.last, k)) return false;
+    }
+    return true;
+  };
+  if constexpr (requires { asked.index(); }) return std::visit(divides, asked);
+  else return divides(asked);
 };
 
 /// What one axis sees of a line and a box: `to` is the end of a segment, or the direction of a ray.

@@ -19,14 +19,6 @@
 /// scaling, exchanged arguments) are tested for every operation.
 namespace touchstone::proptests {
 
-/// Boxes of the examples worked by hand.
-namespace worked_boxes {
-inline constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
-inline constexpr Obb3d turned{{0, 0, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}};  // by the triple 3, 4, 5
-inline constexpr Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {6, 2, 0}, {0, 0, 1}}};  // y from -2 to 2, |x - 3 y| <= 2
-inline constexpr Obb3d least{{0, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}};
-}  // namespace worked_boxes
-
 /// Other ways to write the same solid.
 inline std::vector<Sphere3d> rewritten(const Sphere3d&) { return {}; }
 inline std::vector<Capsule3d> rewritten(const Capsule3d& c) { return {{{c.segment.b, c.segment.a}, c.radius}}; }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <variant>
 
 #include "catalogue/operation/row.h"
 #include "geometry/rays.h"
@@ -24,7 +23,7 @@ std::optional<LinePlane<mpq_class>> without_ends(const LinePlane<mpq_class>& tru
 template <class Row>
 std::optional<truth_t<Row>> none_if_grazing(const truth_t<Row>& truth, const typename Row::Question& question) {
   if (truth.relation != PassageRelation::hit) return std::nullopt;
-  const bool open = std::visit([](const auto& q) { return Row::has_interior(std::get<1>(q)); }, question);
+  const bool open = applied([](const auto&, const auto& solid) { return Row::has_interior(solid); }, question);
   if (open && sgn(*ask_oracle<Row>(question).margin) != 0) return std::nullopt;
   return truth_t<Row>{PassageRelation::none, {}, {}};
 }

@@ -6,7 +6,7 @@ from itertools import product
 from certify_meshes import mesh, outward_planes
 from certify_obbs import at, greatest, obb
 from certify_reading import WRONG_KIND, exact_value, expect, number, only
-from certify_space import ball, box_holds, box_in_space, plane, triple, two_or_three
+from certify_space import ball, box_holds, box_in_space, plane, point_in_space, triple, two_or_three
 from certify_surd import exact_surd, expect_kind_of_root, is_square
 
 
@@ -91,6 +91,12 @@ def expect_distance(claim, square):
     expect_kind_of_root(claim, is_square(square))
 
 
+def expect_closest(claim, points, x, p):
+    expect_nearest(points, x, p)
+    expect_position(claim, "point", x)
+    expect_distance(claim, dot(minus(x, p), minus(x, p)))
+
+
 def closest_point(claim, shape, corners):
     claim.inputs("point", shape)
     p = two_or_three(claim.input["point"], "point")
@@ -98,10 +104,7 @@ def closest_point(claim, shape, corners):
     expect(corners == 2 or len(p) == 3, "point: a list of three")
     claim.answers("point", "squared_distance", "distance")
     claim.facts("weights")
-    x = weighted(claim, "weights", points)
-    expect_nearest(points, x, p)
-    expect_position(claim, "point", x)
-    expect_distance(claim, dot(minus(x, p), minus(x, p)))
+    expect_closest(claim, points, weighted(claim, "weights", points), p)
 
 
 def check_closest_point_on_segment(claim):
@@ -277,6 +280,14 @@ def check_capsule_capsule(claim):
 def check_sphere_obb(claim):
     claim.inputs("sphere", "obb")
     check_contact(claim, round_ball(claim, "sphere"), round_box(claim, "obb"))
+
+
+def check_closest_point_on_obb(claim):
+    claim.inputs("point", "obb")
+    p, box = point_in_space(claim.input["point"], "point"), round_box(claim, "obb")
+    claim.answers("point", "squared_distance", "distance")
+    claim.facts("coefficients")
+    expect_closest(claim, box.core, box.at(claim, "coefficients"), p)
 
 
 def check_capsule_obb(claim):

@@ -3,6 +3,7 @@
 
 A line is (from, way, ends): the points from + t way with t >= 0, and t <= 1 where it ends."""
 
+from certify_obbs import obb, reach
 from certify_reading import WRONG_KIND, expect, list_of_two, only
 from certify_space import ball_or_disc, box, cross, dot, exact_triple, plane, point_in_space, two_or_three
 from certify_surd import exact_surd
@@ -141,26 +142,23 @@ def inner(p, q):
     return sum(x * y for x, y in zip(p, q))
 
 
-def prove_passage_of_box(claim, name):
+def prove_passage(claim, line, highest, seen, low, high):
     """Why each proves it stands in check_rays.cpp."""
-    claim.inputs(name, "aabb")
-    start, way, ends = course(claim)
-    low, high = box(claim.input["aabb"], "aabb")
-    expect(len(low) == len(start), f"aabb: as many coordinates as {name}")
+    start, way, ends = line
     if not says_hit(claim):
         claim.expect_kind("separating_plane"), claim.facts("normal")
         normal = claim.list("normal")
         expect(len(normal) == len(start), "certificate: as many coordinates as the line")
-        highest = sum(n * (most if n > 0 else least) for n, least, most in zip(normal, low, high))
-        first, slope = inner(normal, start), inner(normal, way)
-        beyond = first > highest and (first + slope > highest if ends else slope >= 0)
+        top, first, slope = highest(normal), inner(normal, start), inner(normal, way)
+        beyond = first > top and (first + slope > top if ends else slope >= 0)
         expect(beyond, "certificate: the plane does not separate")
         return
     claim.expect_kind("passage"), claim.facts()
     first, last = claim.exact("first"), claim.exact("last")
+    base, rates = seen
 
     def inside_and_leaves(t, direction):
-        axes = [(x, direction * v, least, most) for x, v, least, most in zip(along(start, t, way), way, low, high)]
+        axes = [(x, direction * v, least, most) for x, v, least, most in zip(along(base, t, rates), rates, low, high)]
         inside = all(least <= x <= most for x, _, least, most in axes)
         return inside, any((v > 0 and x == most) or (v < 0 and x == least) for x, v, least, most in axes)
 
@@ -170,6 +168,28 @@ def prove_passage_of_box(claim, name):
     at_end = ends and (last == 1 if any(way) else last == 0)
     in_order = last >= first and (not ends or last <= 1)
     expect(in_order and inside and (at_end or leaves), "truth: last is wrong")
+
+
+def prove_passage_of_box(claim, name):
+    claim.inputs(name, "aabb")
+    start, way, ends = course(claim)
+    low, high = box(claim.input["aabb"], "aabb")
+    expect(len(low) == len(start), f"aabb: as many coordinates as {name}")
+
+    def highest(normal):
+        return sum(n * (most if n > 0 else least) for n, least, most in zip(normal, low, high))
+
+    prove_passage(claim, (start, way, ends), highest, (start, way), low, high)
+
+
+def prove_passage_of_obb(claim, line):
+    """The frame is that of check_rays.cpp."""
+    start, way, ends = line
+    center, (u, v, w) = solid = obb(claim.input["obb"], "obb")
+    start, normals = minus(start, center), (cross(v, w), cross(w, u), cross(u, v))
+    seen = [tuple(dot(normal, x) for normal in normals) for x in (start, way)]
+    high = abs(dot(cross(u, v), w))
+    prove_passage(claim, (start, way, ends), lambda normal: reach(solid, normal), seen, [-high] * 3, [high] * 3)
 
 
 def is_positive(kind, constant, linear, square, ends):
@@ -221,6 +241,16 @@ def check_ray_aabb(claim):
 
 def check_segment_aabb(claim):
     prove_passage_of_box(claim, "segment")
+
+
+def check_ray_obb(claim):
+    claim.inputs("ray", "obb")
+    prove_passage_of_obb(claim, ray_in_space(claim.input["ray"], "ray"))
+
+
+def check_segment_obb(claim):
+    claim.inputs("segment", "obb")
+    prove_passage_of_obb(claim, segment_in_space(claim.input["segment"], "segment"))
 
 
 def check_ray_sphere(claim):

@@ -116,6 +116,13 @@ void expect_distance(const Claim& claim, const Rational& square) {
   expect_kind_of_root(claim, is_square(square));
 }
 
+/// x, which the claim's facts give, is the point of the hull that is nearest to p.
+void expect_closest(const Claim& claim, const Hull& hull, const Position& x, const Position& p) {
+  expect_nearest(hull, x, p);
+  expect_position(claim, "point", x);
+  expect_distance(claim, dot(x - p, x - p));
+}
+
 void check_closest_point(const Claim& claim, const char* shape, std::size_t corners) {
   claim.inputs({"point", shape});
   const Position p = two_or_three(claim.input["point"], "point");
@@ -123,10 +130,7 @@ void check_closest_point(const Claim& claim, const char* shape, std::size_t corn
   expect(corners == 2 || p.size() == 3, "point: a list of three");
   claim.answers({"point", "squared_distance", "distance"});
   claim.facts({"weights"});
-  const Position x = weighted(claim, "weights", points);
-  expect_nearest(points, x, p);
-  expect_position(claim, "point", x);
-  expect_distance(claim, dot(x - p, x - p));
+  expect_closest(claim, points, weighted(claim, "weights", points), p);
 }
 void check_closest_point_on_segment(const Claim& claim) { check_closest_point(claim, "segment", 2); }
 void check_closest_point_on_triangle(const Claim& claim) { check_closest_point(claim, "triangle", 3); }
@@ -324,6 +328,15 @@ void check_sphere_obb(const Claim& claim) {
   check_contact(claim, sphere, box);
 }
 
+void check_closest_point_on_obb(const Claim& claim) {
+  claim.inputs({"point", "obb"});
+  const Triple p = point_in_space(claim.input["point"], "point");
+  const Round box = round_box(claim, "obb");
+  claim.answers({"point", "squared_distance", "distance"});
+  claim.facts({"coefficients"});
+  expect_closest(claim, box.core, box.at(claim, "coefficients"), {p.x, p.y, p.z});
+}
+
 void check_capsule_obb(const Claim& claim) {
   claim.inputs({"capsule", "obb"});
   const Round capsule = round_capsule(claim, "capsule"), box = round_box(claim, "obb");
@@ -342,6 +355,7 @@ Checks checks_of_closest() {
   return {{"aabb_plane", check_aabb_plane},
           {"closest_point_on_segment", check_closest_point_on_segment},
           {"closest_point_on_triangle", check_closest_point_on_triangle},
+          {"closest_point_on_obb", check_closest_point_on_obb},
           {"segment_segment_distance", check_segment_segment_distance},
           {"convex_distance", check_convex_distance},
           {"sphere_triangle", check_sphere_triangle},

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "oracle/certificates/check_obbs.h"
 #include "oracle/certificates/check_surd.h"
 #include "oracle/certificates/check_triangles.h"
 
@@ -152,13 +153,11 @@ bool says_hit(const Claim& claim) {
   return relation == "hit";
 }
 
-/// True if all of the line is beyond all of the box along the normal.
-bool is_beyond(const Course& line, const Box& solid, const std::vector<Rational>& normal) {
-  Rational start, slope, highest;
-  for (std::size_t k = 0; k < line.axes(); ++k) {
+/// True if all of the line is beyond the highest point of the solid along the normal.
+bool is_beyond(const Course& line, const std::vector<Rational>& normal, const Rational& highest) {
+  Rational start, slope;
+  for (std::size_t k = 0; k < line.axes(); ++k)
     start += normal[k] * line.from[k], slope += normal[k] * line.displacement[k];
-    highest += normal[k] * (sgn(normal[k]) > 0 ? solid.max[k] : solid.min[k]);
-  }
   return start > highest && (line.ends ? Rational(start + slope) > highest : sgn(slope) >= 0);
 }
 
@@ -182,27 +181,55 @@ bool moves(const Course& line) {
   return false;
 }
 
-void prove_passage_of_box(const Claim& claim, const char* name) {
-  claim.inputs({name, "aabb"});
-  const Course line = course(claim);
-  const Box solid = box(claim.input["aabb"], "aabb");
-  expect(solid.axes() == line.axes(), std::string("aabb: as many coordinates as ") + name);
+/// highest(normal) of the solid, of which `seen` and `solid` are the line and the solid in a frame of its own.
+template <class Highest>
+void prove_passage(const Claim& claim, const Course& line, const Highest& highest, const Course& seen,
+                   const Box& solid) {
   if (!says_hit(claim)) {
     claim.expect_kind("separating_plane"), claim.facts({"normal"});
     const std::vector<Rational> normal = claim.list("normal");
     expect(normal.size() == line.axes(), "certificate: as many coordinates as the line");
-    expect(is_beyond(line, solid, normal), "certificate: the plane does not separate");
+    expect(is_beyond(line, normal, highest(normal)), "certificate: the plane does not separate");
     return;
   }
   claim.expect_kind("passage"), claim.facts({});
   const Rational first = exact_value(claim.truth["first"], "truth.first"),
                  last = exact_value(claim.truth["last"], "truth.last");
-  const InBox at_first(line, solid, first), at_last(line, solid, last);
-  // The box is convex: a line that leaves it on one axis does not return.
+  const InBox at_first(seen, solid, first), at_last(seen, solid, last);
+  // The solid is convex: a line that leaves it on one axis does not return.
   expect(sgn(first) >= 0 && at_first.inside && (sgn(first) == 0 || at_first.leaves_backwards), "truth: first is wrong");
   const bool at_end = line.ends && (moves(line) ? last == 1 : sgn(last) == 0);
   expect(last >= first && (!line.ends || last <= 1) && at_last.inside && (at_end || at_last.leaves_forwards),
          "truth: last is wrong");
+}
+
+void prove_passage_of_box(const Claim& claim, const char* name) {
+  claim.inputs({name, "aabb"});
+  const Course line = course(claim);
+  const Box solid = box(claim.input["aabb"], "aabb");
+  expect(solid.axes() == line.axes(), std::string("aabb: as many coordinates as ") + name);
+  const auto highest = [&](const std::vector<Rational>& normal) {
+    Rational sum;
+    for (std::size_t k = 0; k < normal.size(); ++k)
+      sum += normal[k] * (sgn(normal[k]) > 0 ? solid.max[k] : solid.min[k]);
+    return sum;
+  };
+  prove_passage(claim, line, highest, line, solid);
+}
+
+/// The frame: heights over the planes through the center that two half axes each span. The third is as high, up or
+/// down, as the magnitude of the determinant.
+void prove_passage_of_obb(const Claim& claim, const Line& line) {
+  const Obb solid = obb(claim.input["obb"], "obb");
+  const auto& [u, v, w] = solid.half_axes;
+  const Triple from = line.from - solid.center, way = line.displacement;
+  Course seen{{}, {}, line.ends};
+  for (const Triple& normal : {cross(v, w), cross(w, u), cross(u, v)})
+    seen.from.push_back(dot(normal, from)), seen.displacement.push_back(dot(normal, way));
+  const Rational high = abs(dot(cross(u, v), w)), low(-high);
+  const auto highest = [&](const std::vector<Rational>& n) { return solid.reach({n[0], n[1], n[2]}); };
+  prove_passage(claim, {{from.x, from.y, from.z}, {way.x, way.y, way.z}, line.ends}, highest, seen,
+                {{low, low, low}, {high, high, high}});
 }
 
 /// f is the squared distance from the center minus the squared radius: at most 0 in the ball.
@@ -240,6 +267,14 @@ void prove_passage_of_ball(const Claim& claim, const char* name) {
 
 void check_ray_aabb(const Claim& claim) { prove_passage_of_box(claim, "ray"); }
 void check_segment_aabb(const Claim& claim) { prove_passage_of_box(claim, "segment"); }
+void check_ray_obb(const Claim& claim) {
+  claim.inputs({"ray", "obb"});
+  prove_passage_of_obb(claim, ray_in_space(claim.input["ray"], "ray"));
+}
+void check_segment_obb(const Claim& claim) {
+  claim.inputs({"segment", "obb"});
+  prove_passage_of_obb(claim, segment_in_space(claim.input["segment"], "segment"));
+}
 void check_ray_sphere(const Claim& claim) { prove_passage_of_ball(claim, "ray"); }
 void check_segment_sphere(const Claim& claim) { prove_passage_of_ball(claim, "segment"); }
 
@@ -248,7 +283,8 @@ void check_segment_sphere(const Claim& claim) { prove_passage_of_ball(claim, "se
 Checks checks_of_rays() {
   return {{"segment_plane", check_segment_plane},  {"ray_plane", check_ray_plane},
           {"ray_triangle", check_ray_triangle},    {"ray_aabb", check_ray_aabb},
-          {"segment_aabb", check_segment_aabb},    {"ray_sphere", check_ray_sphere},
+          {"segment_aabb", check_segment_aabb},    {"ray_obb", check_ray_obb},
+          {"segment_obb", check_segment_obb},      {"ray_sphere", check_ray_sphere},
           {"segment_sphere", check_segment_sphere}};
 }
 

@@ -9,14 +9,6 @@ namespace {
 
 using Facts = std::vector<std::pair<std::string, std::vector<Rational>>>;
 
-/// The coefficients of the half axes that the corners' weights make.
-std::vector<Rational> coefficients(const std::vector<Rational>& weights) {
-  std::vector<Rational> sums(3);
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) sums[k] += (i >> k & 1U) != 0 ? weights[i] : Rational(-weights[i]);
-  return sums;
-}
-
 Facts facts_of(const RoundSolid& a, const RoundSolid& b, const NearestPair& nearest) {
   Facts facts;
   const bool both = a.core.size() > 1 && b.core.size() > 1;
@@ -27,13 +19,20 @@ Facts facts_of(const RoundSolid& a, const RoundSolid& b, const NearestPair& near
     facts.push_back({both        ? name
                      : solid.box ? "coefficients"
                                  : "weights",
-                     solid.box ? coefficients(weights) : weights});
+                     solid.box ? coefficients_of(weights) : weights});
   };
   add(a, "on_a", nearest.weights_of_a, nearest.on_a), add(b, "on_b", nearest.weights_of_b, nearest.on_b);
   return facts;
 }
 
 }  // namespace
+
+std::vector<Rational> coefficients_of(const std::vector<Rational>& weights) {
+  std::vector<Rational> sums(3);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) sums[k] += (i >> k & 1U) != 0 ? weights[i] : Rational(-weights[i]);
+  return sums;
+}
 
 Hull corners_of(const Obb3<Rational>& box) {
   const auto& [u, v, w] = box.half_axes;

@@ -27,6 +27,8 @@ struct RoundSolid {
 
 /// center + r u + s v + t w, where r, s and t are 1 in corner number i if its bits 0, 1 and 2 are, and otherwise -1.
 Hull corners_of(const Obb3<Rational>& box);
+/// The coefficients of the half axes that weights of these corners make.
+std::vector<Rational> coefficients_of(const std::vector<Rational>& weights);
 
 template <class Number>
 RoundSolid round_solid(const Sphere3<Number>& sphere) {

@@ -4,7 +4,7 @@ import itertools
 from fractions import Fraction
 
 from simplest_truth_reading import Root, dot, minus, number, point
-from simplest_truth_volumes import contact_with_obb, gap_to_box
+from simplest_truth_volumes import contact_with_obb, gap_to_box, way_from_box
 
 
 def truth_sphere_plane(q):
@@ -90,6 +90,11 @@ def foot_on_face(p, a, b, c):
 def truth_closest_point_on_triangle(q):
     p, (a, b, c) = point(q["point"]), map(point, q["triangle"])
     return closest(p, [clamped(p, a, b), clamped(p, b, c), clamped(p, c, a), *foot_on_face(p, a, b, c)])
+
+
+def truth_closest_point_on_obb(q):
+    p, box = point(q["point"]), q["obb"]
+    return closest(p, [minus(p, way_from_box(p, [], point(box["center"]), list(map(point, box["half_axes"]))))])
 
 
 def nearest_pairs(a, b):

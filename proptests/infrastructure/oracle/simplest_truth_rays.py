@@ -169,5 +169,33 @@ def of_ball(q):
     return {"relation": "hit", "first": first, "last": "1" if last and gap(last) <= 0 else greater}, -gap(nearest)
 
 
+def of_obb(q):
+    """Between the planes of opposite faces, pair by pair. Margin: the planes that two half axes span, or one and the way,
+    at their distance in the maximum norm from the line that is moved until it lies on them: the greatest."""
+    (start, way, last), axes = line_of(q), [point(axis) for axis in q["obb"]["half_axes"]]
+    start = minus(start, point(q["obb"]["center"]))
+
+    def reach(normal):
+        return sum(abs(dot(normal, axis)) for axis in axes)
+
+    interval, u, v, w = (Fraction(0), last), *axes
+    faces = [cross(u, v), cross(v, w), cross(w, u)]
+    normals = [n for n in faces + [cross(axis, way) for axis in axes] if any(n)]
+    normals += [tuple(-x for x in n) for n in normals]
+    for n in faces:
+        for side in (1, -1):
+            interval = cut(interval, side * dot(n, way), reach(n) + side * dot(n, start))
+    gaps = []
+    for n in normals:
+        rate = dot(n, way)
+        if rate >= 0 or last is not ENDLESS:
+            gaps.append((dot(n, start) + min(rate, 0) - reach(n)) / sum(map(abs, n)))
+    if interval is None:
+        return {"relation": "none"}, abs(max(gaps))
+    first, last = interval if any(way) else (Fraction(0), Fraction(0))
+    return {"relation": "hit", "first": str(first), "last": str(last)}, abs(max(gaps))
+
+
 truth_ray_aabb = truth_segment_aabb = of_box
+truth_ray_obb = truth_segment_obb = of_obb
 truth_ray_sphere = truth_segment_sphere = of_ball

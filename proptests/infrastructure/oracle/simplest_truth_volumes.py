@@ -58,20 +58,26 @@ def truth_sphere_aabb(q):
     return {"contact": contact}, gap if gap > 0 else min(-gap, width * width)
 
 
-def gap_to_box(place, edges, center, axes):
-    """The squared distance of a box from a point, or from a segment that leads from its middle by an edge and back; place
+def way_from_box(place, edges, center, axes):
+    """The displacement between the nearest points of a box and of a point, or from a segment that leads from its middle by an edge and back; place
     is that point or middle. Each coefficient of the nearest points is -1, 1, or such that the displacement is at a right
     angle to its edge: of all that one of these choices makes, with coefficients in [-1, 1], the nearest. A choice whose
     edges are dependent is skipped: others make the nearest points too."""
-    edges, way, distances = [*axes, *edges], minus(place, center), []
+    edges, way, found = [*axes, *edges], minus(place, center), []
     for choice in product((-1, 0, 1), repeat=len(edges)):
         free = [edge for edge, side in zip(edges, choice) if side == 0]
         rest = minus(way, tuple(sum(side * edge[k] for edge, side in zip(edges, choice)) for k in range(3)))
         shares = solved_equations([[dot(a, b) for b in free] for a in free], [dot(a, rest) for a in free])
         if shares is not None and all(-1 <= share <= 1 for share in shares):
             beyond = minus(rest, tuple(sum(share * edge[k] for share, edge in zip(shares, free)) for k in range(3)))
-            distances.append(dot(beyond, beyond))
-    return min(distances)
+            found.append(beyond)
+    return min(found, key=lambda beyond: dot(beyond, beyond))
+
+
+def gap_to_box(*shapes):
+    """The squared distance."""
+    beyond = way_from_box(*shapes)
+    return dot(beyond, beyond)
 
 
 def contact_with_obb(place, edges, obb, radius):

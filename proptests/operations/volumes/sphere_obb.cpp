@@ -75,29 +75,13 @@ TEST_CASE("sphere_obb: numbers are refused first, then the radius, then the half
 
 CONTRACT("sphere_obb: the formula in double is that in exact arithmetic where the bound of its contract says so", ball,
          box) {
-  const auto vector = [](const Vector3d& v) { return Vector3<Rational>{exact(v.x), exact(v.y), exact(v.z)}; };
-  const Rational u = unit();
-  const Vector3<Rational> d = exact_point(ball.center) - exact_point(box.center);
-  Vector3<Rational> along{}, error{};
-  for (const Vector3d& axis : {box.half_axes.u, box.half_axes.v, box.half_axes.w}) {
-    const Vector3<Rational> a = vector(axis), size{abs(a.x), abs(a.y), abs(a.z)};
-    const double length = dot(axis, axis);
-    if (length < 0x1p-960 || !finite(length, dot(ball.center - box.center, axis))) return true;
-    const Rational products = abs(d.x) * size.x + abs(d.y) * size.y + abs(d.z) * size.z,
-                   of_t = ((5 + 11 * u) * u * products + power_of_two(-1073)) / dot(a, a) + 7 * u,
-                   share = std::clamp(Rational(dot(d, a) / dot(a, a)), Rational(-1), Rational(1));
-    along = along + share * a, error = error + Rational(of_t * (1 + 6 * u) + 5 * u) * size;
-  }
-  const Point3<Rational> x = exact_point(box.center) + along;
-  const Vector3<Rational> beyond = exact_point(ball.center) - x;
-  const Rational e(error.x + error.y + error.z + u * (abs(x.x) + abs(x.y) + abs(x.z)) + 3 * power_of_two(-1073)),
-      s(dot(beyond, beyond)), r(exact(ball.radius) * exact(ball.radius));
+  const ObbBound bound(ball.center, box);
+  if (!bound.defined) return true;
+  const Vector3<Rational> beyond = exact_point(ball.center) - bound.exactly;
+  const Rational s(dot(beyond, beyond)), r(exact(ball.radius) * exact(ball.radius));
   if (!finite(catalogue::nearest(4 * s), catalogue::nearest(4 * r))) return true;
-  if (abs(s - r) <= of_square(s, e) + u * r + power_of_two(-1071)) return true;
-  const auto& [v, w, z] = box.half_axes;
-  const bool right =
-      sgn(dot(vector(v), vector(w))) == 0 && sgn(dot(vector(w), vector(z))) == 0 && sgn(dot(vector(z), vector(v))) == 0;
-  return answer == (s > r ? disjoint : overlapping) && (answer == truth.answer || !right);
+  if (abs(s - r) <= of_square(s, bound.sum) + unit() * r + power_of_two(-1071)) return true;
+  return answer == (s > r ? disjoint : overlapping) && (answer == truth.answer || !has_right_angles(box));
 }
 
 }  // namespace touchstone::proptests::sphere_obb_tests

@@ -58,9 +58,8 @@ struct Differences {
     for (const Vector3d& edge : edges) most = most + magnitudes(edge);
     const double squares = error_of_32_roundings * (dot(most, most) + reach * reach),
                  heights = error_of_32_roundings * (size_of<double>(most) + reach);
-    std::array<double, n> t{};
-    for (std::size_t k = 0; k < n; ++k) t[k] = moved(k, 0, way);
-    for (int turn = 0; turn < 16; ++turn) {
+    std::array<double, n> t = first_guess();
+    for (int turn = 0; turn < turns; ++turn) {
       const Vector3d between = displacement(t);
       const double square = dot(between, between), length = std::sqrt(square) * (1 + 0x1p-40);
       if (reach * reach - square > squares) return Contact::overlapping;
@@ -72,7 +71,23 @@ struct Differences {
     return std::nullopt;
   }
 
+  /// The guess alone.
+  std::array<double, n> guess() const {
+    std::array<double, n> t = first_guess();
+    for (int turn = 0; turn < turns && approach(t); ++turn) {
+    }
+    return t;
+  }
+
  private:
+  static constexpr int turns = 16;
+
+  std::array<double, n> first_guess() const {
+    std::array<double, n> t{};
+    for (std::size_t k = 0; k < n; ++k) t[k] = moved(k, 0, way);
+    return t;
+  }
+
   static double magnitude(double x) { return FloatFormat<double>::magnitude(x); }
   static Vector3d magnitudes(const Vector3d& v) { return {magnitude(v.x), magnitude(v.y), magnitude(v.z)}; }
   static double moderated(double x) { return magnitude(x) < 0x1p-30 ? 0.0 : x; }

@@ -81,6 +81,10 @@ Passage<double> BoxPassage::exact(const Line& line, const Box& box) {
     part.keep(from - min, to - min), part.keep(max - from, max - to);
     moves = moves || !axis.zero_displacement(line.ends);
   }
+  return rounded_passage(part, moves);
+}
+
+Passage<double> rounded_passage(const Clipped& part, bool moves) {
   if (part.empty) return no_passage;
   if (!moves) return {PassageRelation::hit, 0.0, 0.0};
   const auto rounded = [](const Clipped::Parameter& t) { return round_quotient(t.numerator, t.denominator); };

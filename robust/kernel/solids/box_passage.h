@@ -17,6 +17,10 @@ struct BoxPassage {
   static Passage<double> exact(const Line& line, const Box& box);
 };
 
+struct Clipped;
+/// The passage of a line of which that part is in the solid; `moves`: it is not one point.
+Passage<double> rounded_passage(const Clipped& part, bool moves);
+
 /// Tests whether there is a passage: latest entry and earliest exit as fractions, each axis on a lattice of its own.
 Perhaps<PassageRelation> box_relation_on_lattice(const Line& line, const Box& box);
 

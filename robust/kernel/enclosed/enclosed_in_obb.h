@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/closest.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/filters/staged.h"
+
+namespace touchstone::robust::kernel {
+
+/// The point of a valid oriented box that is nearest to a point, the distance and its square, enclosed and rounded;
+/// empty if numbers are not `moderate`, or if anything is not certain.
+///
+/// The guess: each coefficient of a half axis is -1, 1 or free, by the feet of perpendiculars, one half axis after the
+/// other. The free ones span a face, an edge or all of space, of which the foot is the nearest point, unless there is no
+/// free one. The proof is that of Karush, Kuhn and Tucker: the free coefficients of the foot are between -1 and 1, and
+/// along each other half axis the way from it to the point leads outwards. Then no other point of the box is as near.
+Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d& obb);
+
+}  // namespace touchstone::robust::kernel
