@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/triangles.h"
-#include "proptests/forward_error.h"
+#include "proptests/closest_laws.h"
 
 /// What the tests of triangles in space share.
 namespace touchstone::proptests {
@@ -34,5 +34,21 @@ struct SideBound {
     error = 8 * (1 + 4 * unit()) * unit() * products + power_of_two(-1073) * (dx + dy + dz + 2);
   }
 };
+
+/// By the contract of closest_point_on_triangle: whether the formula is certain to find the corner a nearest to p.
+inline bool certainly_beyond_a(const Point3d& p, const Triangle3d& t) {
+  const Rational u = unit();
+  const auto beyond = [&](const Point3d& end) {
+    if (!finite(dot(end - t.a, p - t.a))) return false;
+    const std::vector<Rational> from = exact_coordinates(t.a), to = exact_coordinates(end), q = exact_coordinates(p);
+    Rational sum, products;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational product((to[k] - from[k]) * (q[k] - from[k]));
+      sum += product, products += abs(product);
+    }
+    return sum < -((5 + 11 * u) * u * products + power_of_two(-1073));
+  };
+  return beyond(t.b) && beyond(t.c);
+}
 
 }  // namespace touchstone::proptests

@@ -124,18 +124,23 @@ void add_balls_and_boxes(const Add& add) {
   });
 }
 
-/// A capsule that ends in the ball: of one point, or leading away from the box, through its center, or anywhere.
-inline CapsuleAndBox ending_in(const BallAndBox& drawn, DrawStream& c) {
-  const auto& [ball, box] = drawn;
+inline const Point3d& a_point_of(const Obb3d& box) { return box.center; }
+inline const Point3d& a_point_of(const Triangle3d& triangle) { return triangle.a; }
+
+/// A capsule that ends in the ball: of one point, or leading away from a point of the other solid, through it, or
+/// anywhere.
+template <class Solid>
+std::tuple<Capsule3d, Solid> ending_in(const std::tuple<Sphere3d, Solid>& drawn, DrawStream& c) {
+  const auto& [ball, solid] = drawn;
   const Point3d end = ball.center;
   Point3d other = end;
   switch (c.below(4)) {
     case 0: break;
-    case 1: other = along(end, one_to(c, 2), end - box.center); break;
-    case 2: other = along(end, -one_to(c, 2), end - box.center); break;
+    case 1: other = along(end, one_to(c, 2), end - a_point_of(solid)); break;
+    case 2: other = along(end, -one_to(c, 2), end - a_point_of(solid)); break;
     default: other = end + lattice_normal(c, 4);
   }
-  return {{c.coin() ? Segment3d{other, end} : Segment3d{end, other}, ball.radius}, box};
+  return {{c.coin() ? Segment3d{other, end} : Segment3d{end, other}, ball.radius}, solid};
 }
 
 /// Calls add(name, draw) for each.

@@ -298,3 +298,8 @@ def check_capsule_obb(claim):
 def check_capsule_aabb(claim):
     claim.inputs("capsule", "aabb")
     check_contact(claim, round_capsule(claim, "capsule"), round_aabb(claim, "aabb"))
+
+
+def check_capsule_triangle(claim):
+    claim.inputs("capsule", "triangle")
+    check_contact(claim, round_capsule(claim, "capsule"), round_triangle(claim, "triangle"))

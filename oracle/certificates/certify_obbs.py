@@ -3,6 +3,7 @@
 
 from certify_reading import WRONG_KIND, expect, only
 from certify_space import box_holds, box_in_space, dot, list_of_three, point_in_space, triple
+from certify_triangles import points, weighted
 
 
 def obb(value, what):
@@ -52,15 +53,11 @@ def check_point_in_obb(claim):
     expect(location == ("inside" if growth < 1 else "boundary"), "truth: location is wrong")
 
 
-def check_obb_obb(claim):
-    claim.inputs("a", "b")
-    a, b = obb(claim.input["a"], "a"), obb(claim.input["b"], "b")
+def check_along_normal(claim, whole, gap, growth):
+    """The contact of a solid and a box, `whole` naming both: gap(normal) is how far the box is beyond the other along a
+    normal; growth() requires a common point, and is less than 1 where that is inside, 1 at most where it is in both."""
     claim.answers("contact")
-    contact, way = claim.word("contact"), minus(b[0], a[0])
-
-    def gap(normal):
-        return dot(normal, way) - reach(a, normal) - reach(b, normal)
-
+    contact = claim.word("contact")
     if contact == "disjoint":
         claim.expect_kind("separating_axis"), claim.facts("normal")
         expect(gap(triple(claim, "normal")) > 0, "certificate: the axis does not separate")
@@ -69,15 +66,43 @@ def check_obb_obb(claim):
     expect(touching or contact == "overlapping", "truth: contact is wrong")
     claim.expect_kind("supporting_axis" if touching else "common_interior_point")
     claim.facts("on_a", "on_b", *["normal"] * touching)
-    on_a, on_b = claim.list("on_a"), claim.list("on_b")
-    growth = max(greatest(on_a, "on_a"), greatest(on_b, "on_b"))
-    expect(at(a, on_a) == at(b, on_b), "certificate: the coefficients give two points")
+    found = growth()
     if touching:
-        expect(growth <= 1, "certificate: the point is not in both boxes")
+        expect(found <= 1, f"certificate: the point is not in {whole}")
         normal = triple(claim, "normal")
         expect(any(normal) and gap(normal) == 0, "certificate: the axis does not support")
     else:
-        expect(growth < 1, "certificate: the point is not inside both boxes")
+        expect(found < 1, f"certificate: the point is not inside {whole}")
+
+
+def check_obb_obb(claim):
+    claim.inputs("a", "b")
+    a, b = obb(claim.input["a"], "a"), obb(claim.input["b"], "b")
+
+    def growth():
+        on_a, on_b = claim.list("on_a"), claim.list("on_b")
+        found = max(greatest(on_a, "on_a"), greatest(on_b, "on_b"))
+        expect(at(a, on_a) == at(b, on_b), "certificate: the coefficients give two points")
+        return found
+
+    check_along_normal(claim, "both boxes", lambda normal: dot(normal, minus(b[0], a[0])) - reach(a, normal)
+                       - reach(b, normal), growth)
+
+
+def check_triangle_obb(claim):
+    claim.inputs("triangle", "obb")
+    corners, box = points(claim.input["triangle"], "triangle", 3, "three"), obb(claim.input["obb"], "obb")
+
+    def growth():
+        weights, coefficients = claim.list("on_a"), claim.list("on_b")
+        found = greatest(coefficients, "on_b")
+        expect(len(weights) == 3, "certificate: as many weights as points")
+        same = tuple(weighted(corners, weights)) == at(box, coefficients)
+        expect(same, "certificate: the weights and coefficients give two points")
+        return found
+
+    check_along_normal(claim, "the box", lambda normal: dot(normal, box[0]) - reach(box, normal)
+                       - max(dot(normal, p) for p in corners), growth)
 
 
 AABB_OBB = {

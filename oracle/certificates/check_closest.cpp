@@ -203,7 +203,7 @@ void check_convex_distance(const Claim& claim) {
 }
 
 /// A round convex solid: all that is no farther from its core than a radius. A core that counts as a solid by itself, a
-/// box, or a triangle that a ball meets, has none.
+/// box, or a triangle that a round solid meets, has none.
 struct Round {
   Hull core;
   std::vector<Rational> radii;
@@ -349,6 +349,12 @@ void check_capsule_aabb(const Claim& claim) {
   check_contact(claim, capsule, box);
 }
 
+void check_capsule_triangle(const Claim& claim) {
+  claim.inputs({"capsule", "triangle"});
+  const Round capsule = round_capsule(claim, "capsule"), triangle = round_triangle(claim, "triangle");
+  check_contact(claim, capsule, triangle);
+}
+
 }  // namespace
 
 Checks checks_of_closest() {
@@ -363,7 +369,8 @@ Checks checks_of_closest() {
           {"capsule_capsule", check_capsule_capsule},
           {"sphere_obb", check_sphere_obb},
           {"capsule_obb", check_capsule_obb},
-          {"capsule_aabb", check_capsule_aabb}};
+          {"capsule_aabb", check_capsule_aabb},
+          {"capsule_triangle", check_capsule_triangle}};
 }
 
 }  // namespace touchstone::certify

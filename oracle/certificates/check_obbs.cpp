@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "oracle/certificates/check_triangles.h"
+
 namespace touchstone::certify {
 namespace {
 
@@ -28,14 +30,12 @@ void check_point_in_obb(const Claim& claim) {
   expect(location == (growth < 1 ? "inside" : "boundary"), "truth: location is wrong");
 }
 
-void check_obb_obb(const Claim& claim) {
-  claim.inputs({"a", "b"});
-  const Obb a = obb(claim.input["a"], "a"), b = obb(claim.input["b"], "b");
+/// The contact of a solid and a box, `whole` naming both: gap(normal) is how far the box is beyond the other along a
+/// normal; growth() requires a common point, and is less than 1 where that is inside, 1 at most where it is in both.
+template <class Gap, class Growth>
+void check_along_normal(const Claim& claim, const std::string& whole, const Gap& gap, const Growth& growth) {
   claim.answers({"contact"});
   const std::string contact = claim.word("contact");
-  const auto gap = [&](const Triple& normal) {
-    return Rational(dot(normal, b.center - a.center) - a.reach(normal) - b.reach(normal));
-  };
   if (contact == "disjoint") {
     claim.expect_kind("separating_axis"), claim.facts({"normal"});
     expect(sgn(gap(triple(claim, "normal"))) > 0, "certificate: the axis does not separate");
@@ -46,17 +46,48 @@ void check_obb_obb(const Claim& claim) {
   expect(claim.kind() == (touching ? "supporting_axis" : "common_interior_point"), wrong_kind);
   if (touching) claim.facts({"on_a", "on_b", "normal"});
   else claim.facts({"on_a", "on_b"});
-  const std::vector<Rational> on_a = claim.list("on_a"), on_b = claim.list("on_b");
-  const Rational growth = std::max(greatest(on_a, "on_a"), greatest(on_b, "on_b"));
-  expect(a.at(on_a) == b.at(on_b), "certificate: the coefficients give two points");
+  const Rational found = growth();
   if (touching) {
-    expect(growth <= 1, "certificate: the point is not in both boxes");
+    expect(found <= 1, "certificate: the point is not in " + whole);
     const Triple normal = triple(claim, "normal");
     const bool supports = !(normal == Triple{0, 0, 0}) && sgn(gap(normal)) == 0;
     expect(supports, "certificate: the axis does not support");
   } else {
-    expect(growth < 1, "certificate: the point is not inside both boxes");
+    expect(found < 1, "certificate: the point is not inside " + whole);
   }
+}
+
+void check_obb_obb(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Obb a = obb(claim.input["a"], "a"), b = obb(claim.input["b"], "b");
+  const auto gap = [&](const Triple& normal) {
+    return Rational(dot(normal, b.center - a.center) - a.reach(normal) - b.reach(normal));
+  };
+  check_along_normal(claim, "both boxes", gap, [&] {
+    const std::vector<Rational> on_a = claim.list("on_a"), on_b = claim.list("on_b");
+    const Rational growth = std::max(greatest(on_a, "on_a"), greatest(on_b, "on_b"));
+    expect(a.at(on_a) == b.at(on_b), "certificate: the coefficients give two points");
+    return growth;
+  });
+}
+
+void check_triangle_obb(const Claim& claim) {
+  claim.inputs({"triangle", "obb"});
+  const Corners corners = points<3>(claim.input["triangle"], "triangle");
+  const Obb box = obb(claim.input["obb"], "obb");
+  const auto gap = [&](const Triple& normal) {
+    const auto height = [&normal](const Triple& p) { return Rational(dot(normal, p)); };
+    const auto& [a, b, c] = corners;
+    return Rational(height(box.center) - box.reach(normal) - std::max({height(a), height(b), height(c)}));
+  };
+  check_along_normal(claim, "the box", gap, [&] {
+    const std::vector<Rational> weights = claim.list("on_a"), coefficients = claim.list("on_b");
+    const Rational growth = greatest(coefficients, "on_b");
+    expect(weights.size() == 3, "certificate: as many weights as points");
+    const bool same = weighted(corners, weights, 0) == box.at(coefficients);
+    expect(same, "certificate: the weights and coefficients give two points");
+    return growth;
+  });
 }
 
 void check_aabb_obb(const Claim& claim) {
@@ -141,7 +172,10 @@ Obb obb(const json& value, const std::string& what) {
 }
 
 Checks checks_of_obbs() {
-  return {{"obb_obb", check_obb_obb}, {"aabb_obb", check_aabb_obb}, {"point_in_obb", check_point_in_obb}};
+  return {{"obb_obb", check_obb_obb},
+          {"aabb_obb", check_aabb_obb},
+          {"triangle_obb", check_triangle_obb},
+          {"point_in_obb", check_point_in_obb}};
 }
 
 }  // namespace touchstone::certify

@@ -45,6 +45,12 @@ Definition check_sphere_triangle (c : list A) (r : A) (points : list (list A)) (
   of_length 3 c /\ zero <= Leaf r /\ are_points 3 3 points /\ are_weights weights points /\
   gap_proves [c] (leaves c) points (mixed 3 weights points) (Leaf r) (Leaf r = zero) w facts.
 
+(** [capsule_triangle] *)
+Definition check_capsule_triangle (a : list (list A)) (r : A) (points : list (list A)) (w : contact) (facts : gap_facts)
+    (on_a on_b : list A) : C :=
+  are_points 2 3 a /\ zero <= Leaf r /\ are_points 3 3 points /\ are_weights on_a a /\ are_weights on_b points /\
+  gap_proves a (mixed 3 on_a a) points (mixed 3 on_b points) (Leaf r) (Leaf r = zero) w facts.
+
 (** [capsule_aabb] *)
 Definition check_capsule_aabb (points : list (list A)) (r : A) (low high : list A) (w : contact) (facts : gap_facts)
     (on_a y : list A) : C :=

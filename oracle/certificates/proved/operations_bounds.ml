@@ -90,4 +90,18 @@ let aabb_obb = operation "aabb_obb" [ "aabb"; "obb" ] "contact" (function
           check Overlapping (Inside_aabb (exact_list (List.hd facts)))) ]
   | _ -> assert false)
 
-let operations = [ aabb_of_points; kdop_of_points; bounding_sphere; point_in_obb; obb_obb; aabb_obb ]
+let triangle_obb = operation "triangle_obb" [ "triangle"; "obb" ] "contact" (function
+  | [ triangle; solid ] ->
+      let center, axes = obb solid in
+      let check = check_triangle_obb (List.map given_coordinates (exactly 3 triangle)) center axes in
+      [ kind "disjoint" [] "separating_axis" [ "normal" ] (fun _ facts ->
+          check Disjoint (Below_along (exact_list (List.hd facts))));
+        kind "touching" [] "supporting_axis" [ "on_a"; "on_b"; "normal" ] (fun _ facts -> match facts with
+          | [ u; v; normal ] -> check Touching (Corners_touch (exact_list u, exact_list v, exact_list normal))
+          | _ -> assert false);
+        kind "overlapping" [] "common_interior_point" [ "on_a"; "on_b" ] (fun _ facts -> match facts with
+          | [ u; v ] -> check Overlapping (Corners_inside (exact_list u, exact_list v))
+          | _ -> assert false) ]
+  | _ -> assert false)
+
+let operations = [ aabb_of_points; kdop_of_points; bounding_sphere; point_in_obb; obb_obb; aabb_obb; triangle_obb ]

@@ -69,6 +69,15 @@ let sphere_triangle = operation "sphere_triangle" [ "sphere"; "triangle" ] "cont
         check_sphere_triangle c r (hull 3 triangle) contact gap (exact_list (List.hd facts)))
   | _ -> assert false)
 
+let capsule_triangle = operation "capsule_triangle" [ "capsule"; "triangle" ] "contact" (function
+  | [ round; triangle ] ->
+      let points, r = capsule round in
+      contacts [ "on_a"; "on_b" ] (fun contact gap facts -> match facts with
+        | [ on_a; on_b ] ->
+            check_capsule_triangle points r (hull 3 triangle) contact gap (exact_list on_a) (exact_list on_b)
+        | _ -> assert false)
+  | _ -> assert false)
+
 let sphere_obb = operation "sphere_obb" [ "sphere"; "obb" ] "contact" (function
   | [ sphere; solid ] ->
       let (c, r), (center, axes) = (ball sphere, obb solid) in
@@ -113,4 +122,4 @@ let triangle_aabb = operation "triangle_aabb" [ "triangle"; "aabb" ] "contact" (
 
 let operations =
   [ closest_point_on_segment; closest_point_on_triangle; segment_segment_distance; sphere_capsule; capsule_capsule;
-    sphere_triangle; sphere_obb; capsule_obb; capsule_aabb; triangle_aabb ]
+    sphere_triangle; capsule_triangle; sphere_obb; capsule_obb; capsule_aabb; triangle_aabb ]

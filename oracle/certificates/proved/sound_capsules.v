@@ -295,7 +295,7 @@ Theorem triangle_aabb_sound : forall points low high w facts,
 Proof.
   intros points low high w facts h. apply decide_means in h. unfold check_triangle_aabb in h. cbv zeta in h.
   destruct h as (pb & ll & lh & v & h). apply points_mean in pb. rewrite of_length_means in ll, lh.
-  unfold triangle_aabb_spec, proper_box. rewrite !rl_length. split; [auto|]. split.
+  unfold triangle_aabb_spec, triangle_with, proper_box. rewrite !rl_length. split; [|split; [auto|]].
   { do 3 (split; [auto|]). intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v.
     rewrite !coordinate_means in v. auto. }
   assert (pb' := proj2 pb).

@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The formulas of capsules and boxes along the axes are enough, and their specifications leave no choice. *)
+(** The formulas of capsules and triangles, or boxes along the axes, are enough, and their specifications leave no
+    choice. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
 From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest
   formulas_capsules sound_solids sound_vectors sound_motion sound_nearest sound_capsules unique_solids.
@@ -41,6 +42,43 @@ Proof.
   split; [auto|]. exists z. split; [auto|]. rewrite sqdist_self. lra.
 Qed.
 End capsule_and_set.
+
+(** ** A triangle *)
+Theorem capsule_triangle_sound : forall a r points w facts on_a on_b,
+  decide (check_capsule_triangle a r points w facts on_a on_b) = true ->
+  capsule_triangle_spec (map rl a) (Q2R r) (map rl points) w.
+Proof.
+  intros a r points w facts on_a on_b h. apply decide_means in h. destruct h as (pa & hr & pb & wa & wb & h).
+  apply points_mean in pa, pb. apply (weights_mean 3) in wa, wb. rewrite <- mixed_means in wa, wb. simpl in hr.
+  split; [split; assumption|]. split; [assumption|]. assert (pa' := proj2 pa). assert (pb' := proj2 pb).
+  set (x := values (mixed 3 on_a a)) in *. set (y := values (mixed 3 on_b points)) in *.
+  assert (lx := hull_length _ _ _ pa' wa). assert (ly := hull_length _ _ _ pb' wb).
+  assert (fa : flat (map rl a)) by (eapply flat_points; [eauto | lia]).
+  unfold gap_proves, gap_decides in h. cbv zeta in h.
+  set (way := difference (mixed 3 on_a a) (mixed 3 on_b points)) in *.
+  assert (q : value Q2R (inner way way) = sqdist x y).
+  { unfold way. rewrite inner_means, difference_means, <- sqdist_dot; auto. fold x y. congruence. }
+  assert (nearest_x : means Q2R (none_nearer a (mixed 3 on_a a) (mixed 3 on_b points)) ->
+    forall z, hull 3 (map rl a) z -> 0 <= dot (minus x y) (minus z x)).
+  { intro n. apply (none_nearer_means 3 a); auto. apply (counted _ _ _ pa). }
+  assert (nearest_y : means Q2R (none_nearer points (mixed 3 on_b points) (mixed 3 on_a a)) ->
+    forall z, length z = 3%nat -> hull 3 (map rl points) z -> 0 <= dot (minus y x) (minus z y)).
+  { intros n z _. apply (none_nearer_means 3 points); auto. apply (counted _ _ _ pb). }
+  destruct w, facts; try (simpl in h; tauto).
+  - destruct h as ((na & nb) & far). simpl in far. rewrite q in far. intros z hz c.
+    apply (set_apart (map rl a) (hull 3 (map rl points)) x y (Q2R r)) with z; auto. apply (hull_length _ _ _ pb' hz).
+  - destruct h as ((na & nb) & e). simpl in e. rewrite q in e. split.
+    + exists y. split; [auto|]. exists x. split; [auto | lra].
+    + intros z hz i. apply (set_tangent (map rl a) (hull 3 (map rl points)) x y (Q2R r)) with z; auto.
+  - destruct h as (e & z). simpl in e, z. rewrite q in e. split.
+    + exists y. split; [auto|]. exists x. auto.
+    + intros v _ i. rewrite z in i. apply (flat_has_no_interior (map rl a) v) in i; auto.
+  - destruct h as (e & _). simpl in e. rewrite q in e. exists y. split; [auto|].
+    apply (interior_subset 3 (ball x (Q2R r))); [intros u _ hb; exists x; auto | apply inside_ball; auto; congruence].
+Qed.
+Theorem capsule_triangle_unique : forall a r points v w,
+  capsule_triangle_spec a r points v -> capsule_triangle_spec a r points w -> v = w.
+Proof. intros a r points v w (_ & _ & g) (_ & _ & h). apply (flat_contact_unique _ _ _ _ g h). Qed.
 
 Lemma nearer_within : forall p c d t, length p = length c -> length d = length c -> 0 <= t <= 1 ->
   sqdist p (plus c (times (1 - t) d)) <= (1 - t) * sqdist p (plus c d) + t * sqdist p c.

@@ -41,10 +41,10 @@ Definition flat_contact_spec (F S : list R -> Prop) (w : contact) : Prop :=
   | touching => (exists x, F x /\ S x) /\ forall x, F x -> ~ interior 3 S x
   | overlapping => exists x, F x /\ interior 3 S x
   end.
-Definition sphere_triangle_spec c (r : R) points (w : contact) : Prop :=
-  proper_ball 3 c r /\ points_of 3 3 points /\ flat_contact_spec (hull 3 points) (ball c r) w.
-Definition triangle_aabb_spec points low high (w : contact) : Prop :=
-  points_of 3 3 points /\ proper_box 3 low high /\ flat_contact_spec (hull 3 points) (box low high) w.
+Definition triangle_with p S w : Prop := points_of 3 3 p /\ flat_contact_spec (hull 3 p) S w.
+Definition sphere_triangle_spec c r points w := proper_ball 3 c r /\ triangle_with points (ball c r) w.
+Definition capsule_triangle_spec p r points w := proper_capsule p r /\ triangle_with points (capsule p r) w.
+Definition triangle_aabb_spec points low high w := proper_box 3 low high /\ triangle_with points (box low high) w.
 (** An oriented box is all center + u h + v i + w j with -1 <= u, v, w <= 1, the half axes h, i, j being independent. *)
 Definition obb (center : list R) (axes : list (list R)) (x : list R) : Prop :=
   exists u, length u = 3%nat /\ (forall a, In a u -> -1 <= a <= 1) /\ x = plus center (combined 3 u axes).
@@ -52,8 +52,8 @@ Definition right_obb (center : list R) (axes : list (list R)) : Prop :=
   length center = 3%nat /\ points_of 3 3 axes /\ forall u, length u = 3%nat -> nonzero u -> nonzero (combined 3 u axes).
 Definition point_in_obb_spec center axes p (w : location) : Prop :=
   right_obb center axes /\ location_spec 3 (obb center axes) p w.
-Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := right_obb center_a axes_a /\
-  right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
+Definition obb_obb_spec c a d b w := right_obb c a /\ right_obb d b /\ contact_spec 3 (obb c a) (obb d b) w.
+Definition triangle_obb_spec points c axes w := right_obb c axes /\ triangle_with points (obb c axes) w.
 Definition aabb_obb_spec l h c a w := proper_box 3 l h /\ right_obb c a /\ contact_spec 3 (box l h) (obb c a) w.
 Definition sphere_obb_spec c r o a w := proper_ball 3 c r /\ right_obb o a /\ contact_spec 3 (ball c r) (obb o a) w.
 Definition capsule_obb_spec p r center axes w := right_obb center axes /\ capsule_with p r (obb center axes) w.

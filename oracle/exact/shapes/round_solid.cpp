@@ -45,7 +45,7 @@ Hull corners_of(const Obb3<Rational>& box) {
 }
 
 Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b) {
-  const bool many = a.core.size() > 3 || b.core.size() > 3;
+  const bool many = a.core.size() + b.core.size() > 4;
   const NearestPair nearest = many ? any_nearest_pair(a.core, b.core) : nearest_pair(a.core, b.core);
   std::vector<Rational> radii = a.radii;
   radii.insert(radii.end(), b.radii.begin(), b.radii.end());

@@ -20,20 +20,22 @@ void shorten(const std::vector<Integer*>& numbers) {
   for (Integer* n : numbers) mpz_tdiv_q_2exp(n->get_mpz_t(), n->get_mpz_t(), shared);
 }
 
-/// One coordinate: of d, then of every edge.
+/// One coordinate: of the first point, then of every edge, then of the displacement from each further point to it.
 using Equation = std::vector<Integer>;
 
 Int128 number(const Integer& n, Int128) { return n.get_si(); }
 const Integer& number(const Integer& n, const Integer&) { return n; }
 
-/// With s_i = r_i + growth: sum s_i e_i - growth sum e_i = d, 0 <= s_i <= 2 growth.
+/// With s_i = r_i + growth: sum s_i e_i - growth sum e_i + sum w_j (p_0 - p_j) = p_0, 0 <= s_i <= 2 growth, w_j >= 0,
+/// sum w_j <= 1.
 template <class Value>
-Zonotope::Held solved(const std::array<Equation, 3>& equations) {
+Zonotope::Held solved(const std::array<Equation, 3>& equations, int count) {
   using Program = LinearProgram<Value>;
-  const int count = static_cast<int>(equations[0].size()) - 1;
+  const int all = static_cast<int>(equations[0].size());  // the edges, the growth and the further points
   std::vector<typename Program::Row> rows(3, Program::Row::equal);
   rows.insert(rows.end(), static_cast<std::size_t>(count), Program::Row::at_most);
-  Program program(count + 1, rows);
+  if (all > count + 1) rows.push_back(Program::Row::at_most);
+  Program program(all, rows);
   for (int row = 0; row < 3; ++row) {
     const Equation& equation = equations[static_cast<std::size_t>(row)];
     Value sum(0);
@@ -43,19 +45,27 @@ Zonotope::Held solved(const std::array<Equation, 3>& equations) {
       sum += coordinate;
     }
     program.set_coefficient(row, count, Value(-sum));
+    for (int j = count + 1; j < all; ++j)
+      program.set_coefficient(row, j, number(equation[static_cast<std::size_t>(j)], Value()));
     program.set_right_side(row, number(equation[0], Value()));
   }
+  for (int j = count + 1; j < all; ++j) program.set_coefficient(3 + count, j, Value(1));
+  if (all > count + 1) program.set_right_side(3 + count, Value(1));
   for (int i = 0; i < count; ++i) {
     program.set_coefficient(3 + i, i, Value(1));
     program.set_coefficient(3 + i, count, Value(-2));
   }
   program.feasible();  // for a growth that is large enough
-  std::vector<Value> cost(static_cast<std::size_t>(count + 1));
-  cost.back() = 1;
+  std::vector<Value> cost(static_cast<std::size_t>(all));
+  cost[static_cast<std::size_t>(count)] = 1;
   program.minimise(cost);
   const auto value = [&program](int variable) { return quotient(program.numerator(variable), program.denominator()); };
-  Zonotope::Held found{value(count), {}};
+  Zonotope::Held found{value(count), {}, {Rational(1)}};
   for (int i = 0; i < count; ++i) found.coefficients.push_back(Rational(value(i) - found.growth));
+  for (int j = count + 1; j < all; ++j) {
+    found.weights.push_back(value(j));
+    found.weights[0] -= found.weights.back();
+  }
   return found;
 }
 
@@ -63,21 +73,26 @@ Zonotope::Held solved(const std::array<Equation, 3>& equations) {
 
 /// Six edges of 30 bits add up to less than 2^33, and three rows of such make minors below 3! 2^99; the other rows are
 /// 1 in a column of their own and -2 in that of the growth, which makes a sum of less than 16 such minors.
-Zonotope::Held Zonotope::held(const Vector3<Integer>& d) const {
+Zonotope::Held Zonotope::held(const std::vector<Vector3<Integer>>& points) const {
   std::array<Equation, 3> equations;
   std::size_t bits = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     static constexpr std::array<Integer Vector3<Integer>::*, 3> coordinates{&Vector3<Integer>::x, &Vector3<Integer>::y,
                                                                             &Vector3<Integer>::z};
     Equation& equation = equations[axis];
-    equation.push_back(d.*coordinates[axis]);
-    for (const auto& edge : edges_) equation.push_back(edge.*coordinates[axis]);
+    const auto coordinate = [axis](const Vector3<Integer>& v) { return v.*coordinates[axis]; };
+    equation.push_back(coordinate(points[0]));
+    for (const auto& edge : edges_) equation.push_back(coordinate(edge));
+    for (std::size_t j = 1; j < points.size(); ++j)
+      equation.push_back(Integer(coordinate(points[0]) - coordinate(points[j])));
     std::vector<Integer*> all;
     for (Integer& n : equation) all.push_back(&n);
     shorten(all);
     for (const Integer& n : equation) bits = std::max(bits, mpz_sizeinbase(n.get_mpz_t(), 2));
   }
-  return bits <= 30 && edges_.size() <= 6 ? solved<Int128>(equations) : solved<Integer>(equations);
+  const int count = static_cast<int>(edges_.size());
+  return bits <= 30 && count <= 6 && points.size() == 1 ? solved<Int128>(equations, count)
+                                                        : solved<Integer>(equations, count);
 }
 
 Rational Zonotope::Support::squared_distance() const {

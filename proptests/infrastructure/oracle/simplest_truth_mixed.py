@@ -3,6 +3,7 @@
 import itertools
 from fractions import Fraction
 
+from simplest_truth_polyhedra import cross
 from simplest_truth_reading import Root, dot, minus, number, point
 from simplest_truth_volumes import contact_with_obb, gap_to_box, way_from_box
 
@@ -150,6 +151,20 @@ def truth_capsule_capsule(q):
     return contact(min(square(*pair) for pair in nearest_pairs(a, b)), [r, s])
 
 
+def truth_capsule_triangle(q):
+    """Among the nearest points are an end of the segment and its foot on the face, or a point of an edge, or the point
+    where the segment passes through the face, which is its own foot."""
+    ((p, r), radius), (a, b, c) = capsule(q["capsule"]), map(point, q["triangle"])
+    normal = cross(minus(b, a), minus(c, a))
+    from_p, from_r = dot(normal, minus(p, a)), dot(normal, minus(r, a))
+    on_segment = [p, r]
+    if from_p * from_r < 0:
+        on_segment.append(tuple(x + from_p / (from_p - from_r) * (y - x) for x, y in zip(p, r)))
+    pairs = [(x, y) for x in on_segment for y in foot_on_face(x, a, b, c)]
+    pairs += [pair for edge in ((a, b), (b, c), (c, a)) for pair in nearest_pairs((p, r), edge)]
+    return contact(min(square(*pair) for pair in pairs), [radius])
+
+
 def truth_capsule_obb(q):
     segment, radius = capsule(q["capsule"])
     middle, half = halves(*segment)
@@ -202,15 +217,30 @@ def greatest_depth(corners, heights):
     return max(min(height(p) for height in heights) for p in found)
 
 
-def truth_triangle_aabb(q):
-    """Cuts the triangle with the box, face by face; the mean of its vertices is inside if any of it is. Margin:
-    how deep a point of the triangle can be within all faces."""
-    corners, low, high = list(map(point, q["triangle"])), point(q["aabb"]["min"]), point(q["aabb"]["max"])
-    heights = [lambda p, k=k: p[k] - low[k] for k in range(3)] + [lambda p, k=k: high[k] - p[k] for k in range(3)]
+def contact_by_cuts(corners, heights):
+    """Cuts the triangle with a solid, face by face; the mean of the vertices that remain is inside if any of it is."""
     rest = corners
     for height in heights:
         rest = clipped(rest, height)
     mean = [sum(along) / len(rest) for along in zip(*rest)]
     inside = rest and all(height(mean) > 0 for height in heights)
-    contact = "overlapping" if inside else "touching" if rest else "disjoint"
-    return {"contact": contact}, abs(greatest_depth(corners, heights))
+    return {"contact": "overlapping" if inside else "touching" if rest else "disjoint"}
+
+
+def truth_triangle_aabb(q):
+    """Margin: how deep a point of the triangle can be within all faces."""
+    corners, low, high = list(map(point, q["triangle"])), point(q["aabb"]["min"]), point(q["aabb"]["max"])
+    heights = [lambda p, k=k: p[k] - low[k] for k in range(3)] + [lambda p, k=k: high[k] - p[k] for k in range(3)]
+    return contact_by_cuts(corners, heights), abs(greatest_depth(corners, heights))
+
+
+def truth_triangle_obb(q):
+    """Depths within the faces in units of that of the center, so by the coefficients of the half axes. Margin: the
+    greatest depth of a point, times the center's least, squared."""
+    corners, center = list(map(point, q["triangle"])), point(q["obb"]["center"])
+    u, v, w = map(point, q["obb"]["half_axes"])
+    normals, volume = [cross(u, v), cross(v, w), cross(w, u)], dot(u, cross(v, w))
+    heights = [lambda p, n=n, side=side: 1 - side * dot(n, minus(p, center)) / volume
+               for n in normals for side in (1, -1)]
+    least = min(volume**2 / dot(n, n) for n in normals)
+    return contact_by_cuts(corners, heights), greatest_depth(corners, heights) ** 2 * least

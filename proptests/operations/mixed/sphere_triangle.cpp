@@ -3,6 +3,7 @@
 
 #include "proptests/round_laws.h"
 #include "proptests/space_laws.h"
+#include "proptests/triangle_laws.h"
 #include "robust/mixed/sphere_capsule.h"
 #include "robust/polyhedra/segment_triangle.h"
 #include "robust/volumes/sphere_sphere.h"
@@ -71,22 +72,10 @@ TEST_CASE("sphere_triangle: rounding, huge and subnormal") {
 }
 
 CONTRACT("sphere_triangle: beyond the corner a the formula in double keeps its contract", ball, t) {
-  const Rational u = unit();
-  const std::vector<Rational> from = exact_coordinates(t.a), p = exact_coordinates(ball.center);
-  const auto beyond = [&](const Point3d& end) {
-    const std::vector<Rational> to = exact_coordinates(end);
-    Rational sum, products;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Rational product((to[k] - from[k]) * (p[k] - from[k]));
-      sum += product, products += abs(product);
-    }
-    return sum < -((5 + 11 * u) * u * products + power_of_two(-1073));
-  };
   const Vector3d displacement = t.a - ball.center;
-  if (!finite(dot(t.b - t.a, displacement), dot(t.c - t.a, displacement), dot(displacement, displacement),
-              ball.radius * ball.radius))
-    return true;
-  if (!beyond(t.b) || !beyond(t.c)) return true;
+  if (!finite(dot(displacement, displacement), ball.radius * ball.radius)) return true;
+  if (!certainly_beyond_a(ball.center, t)) return true;
+  const Rational u = unit();
   const auto [s, r] = squares(ball, Sphere3d{t.a, 0});
   return abs(s - r) <= (5 + 11 * u) * u * s + u * r + power_of_two(-1072) ||
          (answer == truth.answer && answer == (s > r ? disjoint : overlapping));

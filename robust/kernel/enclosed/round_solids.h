@@ -10,8 +10,8 @@
 #include "robust/kernel/filters/sized.h"
 #include "robust/kernel/filters/staged.h"
 
-/// The contact of round convex solids whose cores are points, segments and boxes: a guess of their nearest points, and
-/// certain signs that prove it.
+/// The contact of round convex solids whose cores are points, segments, triangles and boxes: a guess of their nearest
+/// points, and certain signs that prove it.
 ///
 /// Bounds: the model of sized.h, u = 2^-52; numbers of the input are `moderate`. With s for the sum of the magnitudes
 /// of the terms of a sum, ways and edges being terms as they are computed, each term goes through at most k operations.
@@ -32,10 +32,10 @@ inline bool independent(const Vector3d& u, const Vector3d& v, const Vector3d& w)
 }
 
 /// Two cores: the displacements from a point of one to a point of the other are way - sum t_k edge_k, with t_k in [-1,
-/// 1] for the first, symmetric edges, and in [0, 1] for the others. Each coordinate of the way and of edges is a number
-/// of the input or the difference of two of them. It is then off by u of itself at most; a sum of more numbers may
-/// cancel, and be off by more than that.
-template <std::size_t n, std::size_t symmetric = n>
+/// 1] for the first, symmetric edges, and in [0, 1] for the others; if the last two are edges of a triangle, the sum of
+/// theirs is at most 1. Each coordinate of the way and of edges is a number of the input or the difference of two of
+/// them. It is then off by u of itself at most; a sum of more numbers may cancel, and be off by more than that.
+template <std::size_t n, std::size_t symmetric = n, bool triangle = false>
 struct Differences {
   std::array<Vector3d, n> edges;
   Vector3d way;
@@ -53,6 +53,7 @@ struct Differences {
   ///
   /// A square goes through one operation in the way, n + 1 in the displacement, twice, and 4 more; a height through no
   /// more than these, and no coordinate of the direction exceeds its length, which is less than 2^-40 of itself off.
+  /// The t_k of a triangle, the sum of which may exceed 1 by u, are those of one of its points but for one operation.
   Perhaps<Contact> contact(double reach) const {
     Vector3d most = magnitudes(way);
     for (const Vector3d& edge : edges) most = most + magnitudes(edge);
@@ -64,7 +65,8 @@ struct Differences {
       const double square = dot(between, between), length = std::sqrt(square) * (1 + 0x1p-40);
       if (reach * reach - square > squares) return Contact::overlapping;
       double reached = reach * length;
-      for (std::size_t k = 0; k < n; ++k) reached = reached + farthest(k, dot(between, edges[k]));
+      for (std::size_t k = 0; k < separate; ++k) reached = reached + farthest(k, dot(between, edges[k]));
+      if constexpr (triangle) reached = reached + farthest_in_triangle(between);
       if (dot(between, way) - reached > heights * length) return Contact::disjoint;
       if (!approach(t)) break;
     }
@@ -84,7 +86,7 @@ struct Differences {
 
   std::array<double, n> first_guess() const {
     std::array<double, n> t{};
-    for (std::size_t k = 0; k < n; ++k) t[k] = moved(k, 0, way);
+    for (std::size_t k = 0; k < n; ++k) t[k] = moved(k, t, way);
     return t;
   }
 
@@ -92,15 +94,27 @@ struct Differences {
   static Vector3d magnitudes(const Vector3d& v) { return {magnitude(v.x), magnitude(v.y), magnitude(v.z)}; }
   static double moderated(double x) { return magnitude(x) < 0x1p-30 ? 0.0 : x; }
 
+  /// The edges whose t_k do not depend on another.
+  static constexpr std::size_t separate = triangle ? n - 2 : n;
+
   static constexpr double least(std::size_t k) { return k < symmetric ? -1 : 0; }
+  static double greatest(std::size_t k, const std::array<double, n>& t) {
+    return k < separate ? 1.0 : moderated(1 - t[2 * n - 3 - k]);  // less the other of the triangle
+  }
   /// The greatest of t_k times a number.
   static double farthest(std::size_t k, double along) { return along > 0 ? along : least(k) * along; }
+  /// The greatest height of a corner of the triangle over the first along a direction.
+  double farthest_in_triangle(const Vector3d& direction) const {
+    const double first = dot(direction, edges[n - 2]), second = dot(direction, edges[n - 1]);
+    const double greater = first > second ? first : second;
+    return greater > 0 ? greater : 0.0;
+  }
 
-  double moved(std::size_t k, double t, const Vector3d& rest) const {
-    const double length = dot(edges[k], edges[k]);
+  double moved(std::size_t k, const std::array<double, n>& t, const Vector3d& rest) const {
+    const double length = dot(edges[k], edges[k]), most = greatest(k, t);
     if (!(length > 0)) return 0;
-    const double foot = t + dot(rest, edges[k]) / length;
-    return foot > 1 ? 1.0 : foot < least(k) ? least(k) : moderated(foot);
+    const double foot = t[k] + dot(rest, edges[k]) / length;
+    return foot > most ? most : foot < least(k) ? least(k) : moderated(foot);
   }
 
   Vector3d displacement(const std::array<double, n>& t) const {
@@ -114,12 +128,26 @@ struct Differences {
     Vector3d rest = displacement(t);
     bool changed = false;
     for (std::size_t k = 0; k < n; ++k) {
-      const double next = moved(k, t[k], rest);
+      const double next = moved(k, t, rest);
       changed = changed || next != t[k];
       rest = rest - (next - t[k]) * edges[k];
       t[k] = next;
     }
+    if constexpr (triangle) changed = slide(t, rest) || changed;
     return changed;
+  }
+
+  /// Along the third side of the triangle.
+  bool slide(std::array<double, n>& t, const Vector3d& rest) const {
+    double &first = t[n - 2], &second = t[n - 1];
+    const Vector3d side = edges[n - 1] - edges[n - 2];
+    const double length = dot(side, side), sum = first + second, most = sum > 1 ? 1.0 : sum;
+    if (!(length > 0)) return false;
+    const double foot = second + dot(rest, side) / length, before = second;
+    second = foot > most ? most : foot < 0 ? 0.0 : moderated(foot);
+    const double left = moderated(most - second), room = greatest(n - 2, t);
+    first = left > room ? room : left;
+    return second != before;
   }
 };
 

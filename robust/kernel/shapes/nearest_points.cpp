@@ -154,6 +154,37 @@ Quotient squared_distance(const Segment& segment, const IntegerBox& box) {
   return nearest.square;
 }
 
+namespace {
+
+/// True if the segment passes through the triangle and both ends are outside of its plane.
+bool passes(const Segment& segment, const Triangle& triangle) {
+  const auto& [p, q] = segment;
+  const auto& [a, b, c] = triangle;
+  const Vector normal = cross(b - a, c - a), step = q - p;
+  if (sgn(dot(normal, p - a)) * sgn(dot(normal, q - a)) >= 0) return false;
+  const auto side = [&](const IntegerPoint& from, const IntegerPoint& to) {
+    return sgn(dot(step, cross(from - segment.a, to - segment.a)));
+  };
+  const int of_c = side(a, b), of_a = side(b, c), of_b = side(c, a);
+  return (of_c >= 0 && of_a >= 0 && of_b >= 0) || (of_c <= 0 && of_a <= 0 && of_b <= 0);
+}
+
+}  // namespace
+
+/// One of the nearest points is an end of the segment, or the other is on an edge of the triangle, as of a box.
+Quotient squared_distance(const Segment& segment, const Triangle& triangle) {
+  if (passes(segment, triangle)) return {0, 1};
+  const auto& [p, q] = segment;
+  const auto& [a, b, c] = triangle;
+  Nearest nearest(vertex(p), nearest_on_triangle(p, triangle));
+  nearest.try_next(vertex(q), nearest_on_triangle(q, triangle));
+  for (const Segment& edge : {Segment{a, b}, Segment{b, c}, Segment{c, a}}) {
+    QuotientPair pair = nearest_pair(segment, edge);
+    nearest.try_next(std::move(pair.on_a), std::move(pair.on_b));
+  }
+  return nearest.square;
+}
+
 /// The feet of the common perpendicular if both are on the segments; otherwise, and if the segments are parallel, one
 /// of the points is an end. For parallel segments the candidates are in order of the parameter on a: at 0; where b
 /// begins or ends; at 1. The nearer end of b comes first.

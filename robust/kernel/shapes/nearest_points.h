@@ -46,6 +46,7 @@ QuotientPair nearest_pair(const Segment3<mpz_class>& a, const Segment3<mpz_class
 Quotient squared_distance(const QuotientPoint& p, const QuotientPoint& q);
 /// 0 if they have a common point.
 Quotient squared_distance(const Segment3<mpz_class>& segment, const IntegerBox& box);
+Quotient squared_distance(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle);
 
 /// The contact of two shapes at that distance, one or both of them grown by a radius; `reach` is the sum of the radii.
 /// `interiors`: no radius is 0.

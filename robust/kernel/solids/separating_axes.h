@@ -8,7 +8,8 @@
 #include "robust/kernel/filters/filters.h"
 #include "robust/kernel/solids/parallelepiped.h"
 
-/// The separating axes of two parallelepipeds. `edges`: the directions of the edges of a, then of b.
+/// The separating axes of two parallelepipeds, or of one and a triangle. `edges`: the directions of the edges of a,
+/// then of b; the three sides of a triangle span one normal thrice.
 namespace touchstone::robust::kernel {
 
 /// An axis: the cross product of two of the six edges, a's before b's; and the four others. First the normals of
@@ -33,49 +34,63 @@ inline constexpr std::array<Spanned, 15> axes_of_boxes{{{1, 2, {0, 3, 4, 5}},
                                                         {2, 4, {0, 1, 3, 5}},
                                                         {2, 5, {0, 1, 3, 4}}}};
 
-/// True if v x w is certainly zero: in each of its products a factor is 0, or one vector is the other or its opposite.
-/// Compares bits: no subnormal is read as 0. (Boxes with a common orientation are frequent.)
-inline bool parallel(const Vector3d& v, const Vector3d& w) {
-  using validation::same, validation::zero;
-  if (same(v.x, w.x) && same(v.y, w.y) && same(v.z, w.z)) return true;
-  if (same(v.x, -w.x) && same(v.y, -w.y) && same(v.z, -w.z)) return true;
-  const auto no_product = [](double x, double y) { return zero(x) || zero(y); };
+/// True if in each product of v x w a factor is 0. Compares bits: no subnormal is read as 0. (Common orientations are
+/// frequent.)
+inline bool without_products(const Vector3d& v, const Vector3d& w) {
+  const auto no_product = [](double x, double y) { return validation::zero(x) || validation::zero(y); };
   return no_product(v.y, w.z) && no_product(v.z, w.y) && no_product(v.z, w.x) && no_product(v.x, w.z) &&
          no_product(v.x, w.y) && no_product(v.y, w.x);
 }
+/// True if v x w is certainly zero: so, or one vector is the other or its opposite.
+inline bool parallel(const Vector3d& v, const Vector3d& w) {
+  using validation::same;
+  if (same(v.x, w.x) && same(v.y, w.y) && same(v.z, w.z)) return true;
+  if (same(v.x, -w.x) && same(v.y, -w.y) && same(v.z, -w.z)) return true;
+  return without_products(v, w);
+}
 
-/// The contact by the signs of a filter, which on_axis(axis) gives: positive if the axis separates, negative if the
-/// boxes have a common interval of positive length along it. Empty if it is not certain.
-template <class OnAxis>
-Perhaps<Contact> contact_by_signs(const std::array<Vector3d, 6>& edges, const OnAxis& on_axis) {
+/// The contact by the signs of a filter, which on_axis(axis) gives: positive if the axis separates, negative if both
+/// have a common interval of positive length along it. Empty if it is not certain. is_zero(v, w): whether the axis of
+/// two edges is certainly zero.
+template <class OnAxis, class IsZero = decltype(&parallel)>
+Perhaps<Contact> contact_by_signs(const std::array<Vector3d, 6>& edges, const OnAxis& on_axis,
+                                  const IsZero& is_zero = &parallel) {
   bool unknown = false;
   for (const Spanned& axis : axes_of_boxes) {
     const filters::Sign apart = on_axis(axis);
     if (apart == filters::Sign::positive) return Contact::disjoint;
     if (apart == filters::Sign::unknown) [[unlikely]]
-      unknown = unknown || !parallel(edges[axis.v], edges[axis.w]);
+      unknown = unknown || !is_zero(edges[axis.v], edges[axis.w]);
   }
   if (unknown) [[unlikely]]
     return std::nullopt;
   return Contact::overlapping;
 }
 
-/// On each nonzero axis compares the displacement of the centers with the sum of the reaches of half axes, which have
-/// the directions of the edges.
-template <class Integer>
-Contact contact_by_axes(const std::array<Vector3<Integer>, 6>& edges, const std::array<Vector3<Integer>, 6>& half_axes,
-                        const Vector3<Integer>& displacement) {
+/// The contact by how far both are apart along each axis that is not zero, by gap(axis, others).
+template <class Integer, class Gap>
+Contact contact_by_gaps(const std::array<Vector3<Integer>, 6>& edges, const Gap& gap) {
   bool touching = false;
   for (const Spanned& each : axes_of_boxes) {
     const auto axis = axis_across(edges[each.v], edges[each.w]);
     if (sign_of(axis.x) == 0 && sign_of(axis.y) == 0 && sign_of(axis.z) == 0) continue;
-    Third<Integer> gap = along_axis(axis, displacement);
-    for (const std::size_t other : each.others) gap = gap + -along_axis(axis, half_axes[other]);
-    const int apart = sign_of(gap);
+    const int apart = sign_of(gap(axis, each.others));
     if (apart > 0) return Contact::disjoint;
     touching = touching || apart == 0;
   }
   return touching ? Contact::touching : Contact::overlapping;
+}
+
+/// Compares the displacement of the centers with the sum of the reaches of half axes, which have the directions of the
+/// edges.
+template <class Integer>
+Contact contact_by_axes(const std::array<Vector3<Integer>, 6>& edges, const std::array<Vector3<Integer>, 6>& half_axes,
+                        const Vector3<Integer>& displacement) {
+  return contact_by_gaps(edges, [&](const auto& axis, const auto& others) {
+    Third<Integer> gap = along_axis(axis, displacement);
+    for (const std::size_t other : others) gap = gap + -along_axis(axis, half_axes[other]);
+    return gap;
+  });
 }
 
 }  // namespace touchstone::robust::kernel

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/capsules.h"
+#include "geometry/triangles.h"
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+
+/// Truth: points of the segment and the triangle that are nearest to each other, by the conditions of Karush, Kuhn and
+/// Tucker in rationals (oracle/exact/shapes/round_solid.h); their squared distance against that of the radius.
+///
+/// Margin: |S - r^2|, S being the squared distance: 0 for a tangent capsule, and for a segment that meets the triangle.
+///
+/// Certificate: as that of sphere_triangle, with `on_a`, weights of the segment's ends, and `on_b`, of the corners.
+Truth<Contact> capsule_triangle(const Capsule3d& capsule, const Triangle3d& triangle);
+template <Exact Number>
+Truth<Contact> capsule_triangle(const Capsule3<Number>& capsule, const Triangle3<Number>& triangle);
+
+}  // namespace touchstone::oracle
