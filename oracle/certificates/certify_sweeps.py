@@ -2,7 +2,7 @@
 """The checks of certify.py for moving shapes, one function for each operation, as in check_sweeps.cpp."""
 
 from certify_reading import WRONG_KIND, expect
-from certify_space import ball, dot, plane, point_in_space, triple
+from certify_space import ball, box_holds, box_in_space, dot, plane, point_in_space, triple
 from certify_surd import exact_surd
 
 NO_PROOF = "certificate: the kind does not hold"
@@ -66,3 +66,55 @@ def check_swept_sphere_plane(claim):
     normal, offset = plane(claim.input["plane"], "plane")
     e, rise = dot(normal, center) + offset, dot(normal, velocity)
     prove_first_zero(claim, e * e - radius**2 * dot(normal, normal), 2 * e * rise, rise * rise)
+
+
+def expect_contact_on_sides(center, velocity, low, high, radius, sides, t):
+    """Why it proves that stands in check_sweeps.cpp."""
+    expect(all(side in (-1, 0, 1) for side in sides), "certificate.sides: -1, 0 or 1")
+    constant, linear, square = -radius * radius, 0, 0
+    comes_in, in_place = False, True
+    for c, v, least, greatest, side in zip(center, velocity, low, high, sides):
+        to_min, to_max = (t * v + (c - least)).sign(), (t * v + (c - greatest)).sign()
+        comes_in = comes_in or (v > 0 and to_min <= 0) or (v < 0 and to_max >= 0)
+        in_place = in_place and (to_min <= 0 if side == -1 else to_max >= 0 if side == 1 else to_min >= 0 >= to_max)
+        if side != 0:
+            gap = c - (least if side < 0 else greatest)
+            constant, linear, square = constant + gap * gap, linear + 2 * gap * v, square + v * v
+    expect(in_place, "certificate: the center is on other sides at t")
+    zero = (t.square() * square + t * linear + constant).sign() == 0
+    first = t.sign() > 0 and (t + -1).sign() <= 0 and zero and (t * (2 * square) + linear).sign() <= 0
+    expect(first and comes_in, "truth: t is wrong")
+
+
+def expect_apart(claim, center, radius, velocity, low, high):
+    n = triple(claim, "normal")
+    farthest = [greatest if along > 0 else least for along, least, greatest in zip(n, low, high)]
+    start = dot(n, minus(center, farthest))
+    end, reach = start + dot(n, velocity), radius**2 * dot(n, n)
+    apart = start > 0 and end > 0 and start**2 > reach and end**2 > reach
+    expect(apart, "certificate: the axis does not separate")
+
+
+def expect_common_point(claim, center, radius, low, high):
+    point = triple(claim, "point")
+    way = minus(center, point)
+    common = box_holds(low, high, point) and dot(way, way) <= radius**2
+    expect(common, "certificate: the point is not in both")
+
+
+def check_swept_sphere_aabb(claim):
+    claim.inputs("sphere", "velocity", "aabb")
+    center, radius = ball(claim.input["sphere"], "sphere")
+    velocity = point_in_space(claim.input["velocity"], "velocity")
+    low, high = box_in_space(claim.input["aabb"], "aabb")
+    relation, kind = claim.word("relation"), claim.kind()
+    if relation == "never":
+        claim.answers("relation"), expect(kind == "separating_axis", WRONG_KIND), claim.facts("normal")
+        return expect_apart(claim, center, radius, velocity, low, high)
+    expect(relation == "hit", "truth: relation is wrong"), claim.answers("relation", "t")
+    t = exact_surd(claim.truth["t"], "truth.t")
+    if kind == "start":
+        claim.facts("point"), expect_common_point(claim, center, radius, low, high)
+        return expect(t.sign() == 0, "truth: t is wrong")
+    expect(kind == "first_contact", WRONG_KIND), claim.facts("sides")
+    return expect_contact_on_sides(center, velocity, low, high, radius, triple(claim, "sides"), t)

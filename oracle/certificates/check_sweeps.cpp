@@ -60,10 +60,83 @@ void check_swept_sphere_plane(const Claim& claim) {
                            Rational(rise * rise)});
 }
 
+/// A moving ball and a box at rest, on one axis.
+struct CenterOnAxis {
+  Rational center, velocity, min, max;
+  /// The coordinate of the center at t, less a side of the box.
+  Surd beyond(const Rational& side, const Surd& t) const { return t * velocity + Rational(center - side); }
+};
+
+/// Requires that at t the center is on these sides of the box, as far from it as the radius, and comes in on some axis.
+/// With n the displacement from the nearest point of the box, half the slope of f at t is n . v <= 0. Before t, n . (c -
+/// x) was n . n = r^2 or more for every point x of the box, so that no x was as near as r, but x = c - n; and that was
+/// not in the box on the axis on which the center comes in.
+void expect_contact_on_sides(const std::vector<CenterOnAxis>& axes, const Rational& radius,
+                             const std::vector<Rational>& sides, const Surd& t) {
+  for (const Rational& side : sides) expect(abs(side) == 1 || sgn(side) == 0, "certificate.sides: -1, 0 or 1");
+  Quadratic f{Rational(-radius * radius), 0, 0};
+  bool comes_in = false, in_place = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const CenterOnAxis& axis = axes[k];
+    const int to_min = sign(axis.beyond(axis.min, t)), to_max = sign(axis.beyond(axis.max, t)), v = sgn(axis.velocity);
+    comes_in = comes_in || (v > 0 && to_min <= 0) || (v < 0 && to_max >= 0);
+    in_place = in_place && (sides[k] == -1 ? to_min <= 0 : sides[k] == 1 ? to_max >= 0 : to_min >= 0 && to_max <= 0);
+    if (sgn(sides[k]) == 0) continue;
+    const Rational gap(axis.center - (sgn(sides[k]) < 0 ? axis.min : axis.max));
+    f.constant += gap * gap, f.linear += 2 * gap * axis.velocity, f.square += axis.velocity * axis.velocity;
+  }
+  expect(in_place, "certificate: the center is on other sides at t");
+  const bool first = sign(t) > 0 && sign(t + Rational(-1)) <= 0 && sign(f.at(t)) == 0 && sign(f.slope_at(t)) <= 0;
+  expect(first && comes_in, "truth: t is wrong");
+}
+
+/// Requires that along the fact `normal` the ball is beyond all of the box at the start and at the end.
+void expect_apart(const Claim& claim, const Ball& ball, const Triple& velocity, const Box& box) {
+  const Triple n = triple(claim, "normal");
+  const auto side = [&box](const Rational& along, std::size_t k) { return sgn(along) > 0 ? box.max[k] : box.min[k]; };
+  const Triple farthest{side(n.x, 0), side(n.y, 1), side(n.z, 2)};
+  const Rational start = dot(n, ball.center - farthest), end(start + dot(n, velocity)),
+                 reach(square(ball.radius) * dot(n, n));
+  const bool apart = sgn(start) > 0 && sgn(end) > 0 && square(start) > reach && square(end) > reach;
+  expect(apart, "certificate: the axis does not separate");
+}
+
+/// Requires that the fact `point` is in the ball at the start and in the box.
+void expect_common_point(const Claim& claim, const Ball& ball, const Box& box) {
+  const Triple point = triple(claim, "point"), way = ball.center - point;
+  const bool common = box.holds({point.x, point.y, point.z}) && dot(way, way) <= square(ball.radius);
+  expect(common, "certificate: the point is not in both");
+}
+
+void check_swept_sphere_aabb(const Claim& claim) {
+  claim.inputs({"sphere", "velocity", "aabb"});
+  const Ball sphere = ball(claim.input["sphere"], "sphere");
+  const Triple v = point_in_space(claim.input["velocity"], "velocity"), c = sphere.center;
+  const Box box = box_in_space(claim.input["aabb"], "aabb");
+  const std::string relation = claim.word("relation"), kind = claim.kind();
+  if (relation == "never") {
+    claim.answers({"relation"}), expect(kind == "separating_axis", wrong_kind), claim.facts({"normal"});
+    return expect_apart(claim, sphere, v, box);
+  }
+  expect(relation == "hit", "truth: relation is wrong"), claim.answers({"relation", "t"});
+  const Surd t = exact_surd(claim.truth["t"], "truth.t");
+  if (kind == "start") {
+    claim.facts({"point"}), expect_common_point(claim, sphere, box);
+    return expect(sign(t) == 0, "truth: t is wrong");
+  }
+  expect(kind == "first_contact", wrong_kind), claim.facts({"sides"});
+  const Triple sides = triple(claim, "sides");
+  const auto& [min, max] = box;
+  expect_contact_on_sides({{c.x, v.x, min[0], max[0]}, {c.y, v.y, min[1], max[1]}, {c.z, v.z, min[2], max[2]}},
+                          sphere.radius, {sides.x, sides.y, sides.z}, t);
+}
+
 }  // namespace
 
 Checks checks_of_sweeps() {
-  return {{"swept_sphere_sphere", check_swept_sphere_sphere}, {"swept_sphere_plane", check_swept_sphere_plane}};
+  return {{"swept_sphere_sphere", check_swept_sphere_sphere},
+          {"swept_sphere_plane", check_swept_sphere_plane},
+          {"swept_sphere_aabb", check_swept_sphere_aabb}};
 }
 
 }  // namespace touchstone::certify

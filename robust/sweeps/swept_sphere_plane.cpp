@@ -7,6 +7,7 @@
 #include "robust/kernel/filters/height_filter.h"
 #include "robust/kernel/integers/plane_terms.h"
 #include "robust/kernel/integers/quadratic_root.h"
+#include "robust/kernel/shapes/first_contact.h"
 #include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
@@ -15,8 +16,8 @@ namespace {
 using filters::Meeting;
 using Heights = filters::Heights<double>;
 
-FirstContact<double> hit(double t) { return {HitRelation::hit, t}; }
-const FirstContact<double> no_hit{HitRelation::never, std::nullopt};
+using kernel::hit;
+using kernel::no_hit;
 
 }  // namespace
 

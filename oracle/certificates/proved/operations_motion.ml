@@ -29,6 +29,26 @@ let swept_sphere_plane = operation "swept_sphere_plane" [ "sphere"; "velocity"; 
       zero_kinds (check_swept_sphere_plane c r (given_coordinates v) normal offset)
   | _ -> assert false)
 
+let side place =
+  let q = exact place in
+  if Whole.equal q.Proved.qnum q.qden then Over
+  else if Whole.equal (Whole.neg q.qnum) q.qden then Under
+  else if Whole.sign q.qnum = 0 then Level
+  else Numbers.refuse (fst place) "-1, 0 or 1"
+
+let swept_sphere_aabb = operation "swept_sphere_aabb" [ "sphere"; "velocity"; "aabb" ] "relation" (function
+  | [ sphere; v; aabb ] ->
+      let (c, r), (low, high) = (ball sphere, box aabb) in
+      let check = check_swept_sphere_aabb c r (given_coordinates v) low high in
+      let time answers = Some (surd (List.hd answers)) in
+      [ kind "hit" [ "t" ] "start" [ "point" ] (fun answers facts ->
+          check (time answers) (Touching_at_start (exact_list (List.hd facts))));
+        kind "hit" [ "t" ] "first_contact" [ "sides" ] (fun answers facts ->
+          check (time answers) (On_sides (List.map side (exactly 3 (List.hd facts)))));
+        kind "never" [] "separating_axis" [ "normal" ] (fun _ facts ->
+          check None (Never_near (exact_list (List.hd facts)))) ]
+  | _ -> assert false)
+
 let passage read proves =
   kind "hit" [ "first"; "last" ] "passage" [] (fun answers _ -> match answers with
     | [ first; last ] -> proves (Some (read first, read last))
@@ -66,7 +86,7 @@ let swept_aabb_aabb = operation "swept_aabb_aabb" [ "a"; "b"; "velocity" ] "rela
   | _ -> assert false)
 
 let operations =
-  [ swept_sphere_sphere; swept_sphere_plane; course "ray" ray "aabb" through_box (of_box check_ray_aabb);
+  [ swept_sphere_sphere; swept_sphere_plane; swept_sphere_aabb; course "ray" ray "aabb" through_box (of_box check_ray_aabb);
     course "segment" pair "aabb" through_box (of_box check_segment_aabb);
     course "ray" ray "sphere" through_ball (of_ball check_ray_sphere);
     course "segment" pair "sphere" through_ball (of_ball check_segment_sphere); swept_aabb_aabb ]

@@ -166,7 +166,7 @@ Theorem swept_sphere_sphere_sound : forall p r v o s w answer kind facts,
 Proof.
   intros p r v o s w answer kind facts h. apply decide_means in h. unfold check_swept_sphere_sphere in h. cbv zeta in h.
   destruct h as (l1 & l2 & l3 & l4 & hr & hs & h). rewrite of_length_means in l1, l2, l3, l4. simpl in hr, hs.
-  unfold swept_sphere_sphere_spec, proper_ball. rewrite !rl_length. do 2 (split; [auto|]). do 2 (split; [auto|]).
+  unfold swept_sphere_sphere_spec, swept_ball, proper_ball. rewrite !rl_length. do 2 (split; [auto|]). do 2 (split; [auto|]).
   eapply first_zero_means; [| |exact h].
   - rewrite inner_means, difference_means, !leaves_mean. apply dot_self.
   - intro t. rewrite meet_iff; auto; try (rewrite at_time_length, rl_length; auto; rewrite !rl_length; congruence).
@@ -213,7 +213,7 @@ Theorem swept_sphere_plane_sound : forall c r v n d answer kind facts,
 Proof.
   intros c r v n d answer kind facts h. apply decide_means in h. unfold check_swept_sphere_plane in h. cbv zeta in h.
   destruct h as (l1 & hr & l2 & l3 & nz & h). rewrite of_length_means in l1, l2, l3. simpl in hr.
-  apply not_zero_means in nz. unfold swept_sphere_plane_spec, proper_ball. rewrite !rl_length.
+  apply not_zero_means in nz. unfold swept_sphere_plane_spec, swept_ball, proper_ball. rewrite !rl_length.
   split; [auto|]. do 3 (split; [auto|]). eapply first_zero_means; [| |exact h].
   - apply square.
   - intro t. rewrite ball_meets_plane; auto; [|rewrite at_time_length, rl_length; auto; rewrite !rl_length; congruence

@@ -24,18 +24,18 @@ Definition ray_sphere_spec o d c r w : Prop := proper_ball (length o) c r /\
 Definition segment_sphere_spec a b c r w : Prop := proper_ball (length a) c r /\
   length b = length a /\ passage_spec (segment_in (ball c r) a b) w.
 
-(** * The first time in [0, 1] at which shapes that move have a common point, if there is one *)
+(** * The first time in [0, 1] at which shapes that move have a common point; of two boxes the first moves *)
 Definition first_time_spec (meet : R -> Prop) (w : option R) : Prop :=
   match w with
   | Some t => 0 <= t <= 1 /\ meet t /\ forall u, 0 <= u < t -> ~ meet u
   | None => forall u, 0 <= u <= 1 -> ~ meet u
   end.
-Definition swept_sphere_sphere_spec c r v d s w t : Prop :=
-  proper_ball 3 c r /\ proper_ball 3 d s /\ length v = 3%nat /\ length w = 3%nat /\
-  first_time_spec (fun t => exists x, length x = 3%nat /\ ball (at_time c v t) r x /\ ball (at_time d w t) s x) t.
-Definition swept_sphere_plane_spec c r v normal offset t : Prop :=
-  proper_ball 3 c r /\ length v = 3%nat /\ length normal = 3%nat /\ nonzero normal /\
-  first_time_spec (fun t => exists x, length x = 3%nat /\ ball (at_time c v t) r x /\ dot normal x + offset = 0) t.
-(** The first box moves. *)
+Definition swept_ball c r v (S : R -> list R -> Prop) t : Prop := proper_ball 3 c r /\ length v = 3%nat /\
+  first_time_spec (fun t => exists x, length x = 3%nat /\ ball (at_time c v t) r x /\ S t x) t.
+Definition swept_sphere_sphere_spec c r v d s w t : Prop := proper_ball 3 d s /\ length w = 3%nat /\
+  swept_ball c r v (fun t => ball (at_time d w t) s) t.
+Definition swept_sphere_plane_spec c r v normal offset t : Prop := length normal = 3%nat /\ nonzero normal /\
+  swept_ball c r v (fun _ x => dot normal x + offset = 0) t.
+Definition swept_sphere_aabb_spec c r v l h t : Prop := proper_box 3 l h /\ swept_ball c r v (fun _ => box l h) t.
 Definition swept_aabb_aabb_spec la ha lb hb v t : Prop := proper_box (length v) la ha /\ proper_box (length v) lb hb /\
   first_time_spec (fun t => exists x, length x = length v /\ box la ha x /\ box lb hb (at_time x v t)) t.

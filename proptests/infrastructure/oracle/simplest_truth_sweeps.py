@@ -92,6 +92,35 @@ def truth_swept_sphere_plane(q):
     return {"relation": "hit", "t": FirstRoot(start**2 - radius**2 * square, 2 * start * rise, rise**2)}, abs(margin)
 
 
+def truth_swept_sphere_aabb(q):
+    """The gap, the squared distance of the center from the box less r^2, is a polynomial between the times at which the
+    center passes the plane of a face. Three values give it; it is looked at where it is least in each piece. Margin:
+    that, and where the center is in the box, how far it is from missing it."""
+    radius = number(q["sphere"]["radius"])
+    low, high = point(q["aabb"]["min"]), point(q["aabb"]["max"])
+    axes = list(zip(point(q["sphere"]["center"]), point(q["velocity"]), low, high))
+
+    def gap(t):
+        return sum(max(least - c - t * v, 0, c + t * v - most) ** 2 for c, v, least, most in axes) - radius**2
+
+    passed = {(side - c) / v for c, v, least, most in axes if v for side in (least, most)}
+    times = sorted({Fraction(0), Fraction(1)} | {t for t in passed if 0 < t < 1})
+    first, margin = "0" if gap(times[0]) <= 0 else None, gap(times[0])
+    for start, end in zip(times, times[1:]):
+        middle, half = (start + end) / 2, (end - start) / 2
+        rise, bend = (gap(end) - gap(start)) / (2 * half), (gap(end) + gap(start) - 2 * gap(middle)) / (2 * half**2)
+        nearest = min(max(middle - rise / (2 * bend), start), end) if bend else start
+        least = min(gap(start), gap(nearest), gap(end))
+        if first is None and least <= 0:
+            constant, linear = gap(middle) - rise * middle + bend * middle**2, rise - 2 * bend * middle
+            first = FirstRoot(constant, linear, bend)
+        margin = min(margin, least)
+    if margin == -(radius**2):
+        center = {"min": q["sphere"]["center"], "max": q["sphere"]["center"]}
+        margin -= truth_swept_aabb_aabb({"a": center, "b": q["aabb"], "velocity": q["velocity"]})[1] ** 2
+    return {"relation": "never"} if first is None else {"relation": "hit", "t": first}, abs(margin)
+
+
 def truth_swept_convex_polyhedra(q):
     """b less a, swept backwards, and that with a cube around it, are polytopes: normals of their facets are normals of
     faces, or cross products of edges, of the velocity and of the axes. On each, a has to be between two numbers, from
