@@ -157,7 +157,7 @@ def ask(name, triple, native, given, operations):
 
 
 def parts_engines(name, triple):
-    """Whether the example of docs/platforms.md, an engine built for two processors, prints there what it prints here."""
+    """Runs the example of docs/platforms.md, an engine built for two processors; returns whether it prints what the page says."""
     page = (ROOT / "docs/platforms.md").read_text(encoding="utf-8")
     commands = re.search(rf"```sh\n([^`]*\n{triple}-g\+\+ [^`]*)```\n\n```\n([^`]*)```", page)
     if commands is None:  # no example for this platform
