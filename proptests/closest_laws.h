@@ -50,6 +50,20 @@ std::vector<Rational> exact_coordinates(const Point& p) {
   return all;
 }
 
+/// The scalar product of two displacements, exactly, and the sum of the magnitudes of its products.
+struct ExactProducts {
+  Rational sum, sizes;
+
+  ExactProducts(const std::vector<Rational>& v, const std::vector<Rational>& w) {
+    for (std::size_t k = 0; k < v.size(); ++k) sum += v[k] * w[k], sizes += abs(v[k] * w[k]);
+  }
+};
+inline std::vector<Rational> exact_between(const Point3d& p, const Point3d& q) {
+  std::vector<Rational> from = exact_coordinates(p), to = exact_coordinates(q);
+  for (std::size_t k = 0; k < 3; ++k) to[k] -= from[k];
+  return to;
+}
+
 /// What the contract of closest_point_on_segment promises of a nearest point, axis by axis, and the sum e.
 struct SegmentBound {
   bool defined = false;

@@ -40,13 +40,8 @@ inline bool certainly_beyond_a(const Point3d& p, const Triangle3d& t) {
   const Rational u = unit();
   const auto beyond = [&](const Point3d& end) {
     if (!finite(dot(end - t.a, p - t.a))) return false;
-    const std::vector<Rational> from = exact_coordinates(t.a), to = exact_coordinates(end), q = exact_coordinates(p);
-    Rational sum, products;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Rational product((to[k] - from[k]) * (q[k] - from[k]));
-      sum += product, products += abs(product);
-    }
-    return sum < -((5 + 11 * u) * u * products + power_of_two(-1073));
+    const ExactProducts products(exact_between(t.a, end), exact_between(t.a, p));
+    return products.sum < -((5 + 11 * u) * u * products.sizes + power_of_two(-1073));
   };
   return beyond(t.b) && beyond(t.c);
 }

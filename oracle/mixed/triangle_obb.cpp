@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/mixed/triangle_obb.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -13,45 +12,27 @@
 namespace touchstone::oracle {
 namespace {
 
-using Corners = std::vector<Vector3<Integer>>;
+using PointsFromCenter = std::vector<Point3<Integer>>;
 
-/// Seen from the center of the box.
-std::vector<Point3<Integer>> as_points(const Corners& corners) {
-  std::vector<Point3<Integer>> points;
-  for (const Vector3<Integer>& v : corners) points.push_back({v.x, v.y, v.z});
-  return points;
-}
-
-Corners corners_of_half_axes(const std::array<Vector3<Integer>, 3>& half_axes) {
-  Corners corners;
+PointsFromCenter corners_of_half_axes(const std::array<Vector3<Integer>, 3>& half_axes) {
+  PointsFromCenter corners;
   for (unsigned i = 0; i < 8; ++i) {
-    Vector3<Integer> corner{0, 0, 0};
+    Point3<Integer> corner{0, 0, 0};
     for (unsigned k = 0; k < 3; ++k) corner = corner + Integer((i >> k & 1U) != 0 ? 1 : -1) * half_axes[k];
     corners.push_back(corner);
   }
   return corners;
 }
 
-/// From the center to the plane of the nearest face.
-Rational squared_distance_of_faces(const std::array<Vector3<Integer>, 3>& half_axes) {
-  const auto& [u, v, w] = half_axes;
-  const Integer volume = dot(cross(u, v), w);
-  Integer most;
-  for (const Vector3<Integer>& n : {cross(u, v), cross(v, w), cross(w, u)}) most = std::max(most, Integer(dot(n, n)));
-  return quotient(Integer(volume * volume), most);
-}
-
-Certificate certificate_triangle_obb(const Zonotope::Held& held, const Corners& triangle, const Corners& box) {
+Certificate certificate_triangle_obb(const Zonotope::Held& held, const PointsFromCenter& triangle,
+                                     const PointsFromCenter& box) {
   const auto normal = [](const WitnessPlane& plane) -> std::pair<std::string, std::vector<Rational>> {
     const auto& n = plane.normal;
     return {"normal", {Rational(n.x), Rational(n.y), Rational(n.z)}};
   };
-  if (held.growth > 1) return {"separating_axis", {normal(*plane_apart(as_points(box), as_points(triangle)))}};
+  if (held.growth > 1) return {"separating_axis", {normal(*plane_apart(box, triangle))}};
   Certificate found{"common_interior_point", {{"on_a", held.weights}, {"on_b", held.coefficients}}};
-  if (held.growth == 1) {
-    found.kind = "supporting_axis";
-    found.facts.push_back(normal(*plane_between(as_points(triangle), as_points(box))));
-  }
+  if (held.growth == 1) found.kind = "supporting_axis", found.facts.push_back(normal(*plane_between(triangle, box)));
   return found;
 }
 
@@ -68,15 +49,17 @@ Truth<Contact> truth_triangle_obb(const Triangle3<Number>& triangle, const Obb3<
     return Vector3<Integer>{scale.integer(i), scale.integer(i + 1), scale.integer(i + 2)};
   };
   const std::array half_axes{at(0), at(3), at(6)};
-  Corners corners{at(12) - at(9), at(15) - at(9), at(18) - at(9)};
-  Zonotope::Held held = Zonotope({half_axes[0], half_axes[1], half_axes[2]}).held(corners);
-  const Rational beyond(held.growth - 1);
+  const auto seen = [&at](std::size_t i) { return Point3<Integer>{0, 0, 0} + (at(i) - at(9)); };
+  PointsFromCenter corners{seen(12), seen(15), seen(18)};
+  const Zonotope box({half_axes[0], half_axes[1], half_axes[2]});
+  Zonotope::Held held = box.held(corners);
+  const Rational beyond(held.growth - 1), nearest_face = box.deciding({0, 0, 0}).squared_distance();
   return {sgn(beyond) > 0   ? Contact::disjoint
           : sgn(beyond) < 0 ? Contact::overlapping
                             : Contact::touching,
-          scale.actual(Rational(beyond * beyond * squared_distance_of_faces(half_axes)), 2),
-          [held = std::move(held), corners = std::move(corners), box = corners_of_half_axes(half_axes)] {
-            return certificate_triangle_obb(held, corners, box);
+          scale.actual(Rational(beyond * beyond * nearest_face), 2),
+          [held = std::move(held), corners = std::move(corners), of_box = corners_of_half_axes(half_axes)] {
+            return certificate_triangle_obb(held, corners, of_box);
           }};
 }
 

@@ -3,39 +3,33 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/face_filter.h"
 #include "robust/kernel/filters/ordered_bits.h"
 #include "robust/kernel/shapes/valid.h"
-#include "robust/kernel/solids/parallelepiped.h"
+#include "robust/kernel/solids/separating_axes.h"
 
 namespace touchstone::robust {
 namespace {
 
 /// Compares doubles as bits: no subnormal is read as 0.
-constexpr auto less = []<class Real>(const Real& x, const Real& y) {
-  if constexpr (std::is_same_v<Real, double>) return kernel::ordered_bits(x) < kernel::ordered_bits(y);
-  else return x < y;
-};
+constexpr auto less = [](double x, double y) { return kernel::ordered_bits(x) < kernel::ordered_bits(y); };
 
 /// The projection along one axis of space: a triangle and a rectangle of the plane.
-template <class Real>
 struct Shadow {
-  std::array<Point2<Real>, 3> corners;
-  Aabb2<Real> box;
+  std::array<Point2d, 3> corners;
+  Aabb2d box;
 
   /// The corner of the rectangle that lies farthest to the left of p -> q.
-  Point2<Real> leftmost(const Point2<Real>& p, const Point2<Real>& q) const {
+  Point2d leftmost(const Point2d& p, const Point2d& q) const {
     return {less(p.y, q.y) ? box.min.x : box.max.x, less(p.x, q.x) ? box.max.y : box.min.y};
   }
 };
 
 /// The projections along x, y and z, oriented so that the triangle turns left in one if the coordinate of its normal is
 /// positive.
-template <class Real>
-std::array<Shadow<Real>, 3> shadows(const Triangle3<Real>& t, const Aabb3<Real>& box) {
+std::array<Shadow, 3> shadows(const Triangle3d& t, const Aabb3d& box) {
   const auto& [a, b, c] = t;
   const auto& [min, max] = box;
   return {{{{{{a.y, a.z}, {b.y, b.z}, {c.y, c.z}}}, {{min.y, min.z}, {max.y, max.z}}},
@@ -44,14 +38,12 @@ std::array<Shadow<Real>, 3> shadows(const Triangle3<Real>& t, const Aabb3<Real>&
 }
 
 /// One coordinate of the triangle, and the interval of the box.
-template <class Real>
 struct Interval {
-  Real least, greatest, min, max;
+  double least, greatest, min, max;
 };
-template <class Real>
-std::array<Interval<Real>, 3> intervals(const Triangle3<Real>& t, const Aabb3<Real>& box) {
-  const auto of = [](const Real& a, const Real& b, const Real& c, const Real& min, const Real& max) {
-    return Interval<Real>{std::min({a, b, c}, less), std::max({a, b, c}, less), min, max};
+std::array<Interval, 3> intervals(const Triangle3d& t, const Aabb3d& box) {
+  const auto of = [](double a, double b, double c, double min, double max) {
+    return Interval{std::min({a, b, c}, less), std::max({a, b, c}, less), min, max};
   };
   const auto& [a, b, c] = t;
   const auto& [min, max] = box;
@@ -60,8 +52,7 @@ std::array<Interval<Real>, 3> intervals(const Triangle3<Real>& t, const Aabb3<Re
 
 /// The corner of the box at which a normal whose coordinates have these signs is highest; if one is 0 either end will
 /// do.
-template <class Real>
-Point3<Real> highest(const Aabb3<Real>& box, int x, int y, int z) {
+Point3d highest(const Aabb3d& box, int x, int y, int z) {
   return {x > 0 ? box.max.x : box.min.x, y > 0 ? box.max.y : box.min.y, z > 0 ? box.max.z : box.min.z};
 }
 
@@ -86,7 +77,7 @@ Perhaps<Contact> stages::triangle_aabb::filter(const Triangle3d& t, const Aabb3d
   if (inside(box, t.a) || inside(box, t.b) || inside(box, t.c)) return Contact::overlapping;
   std::array<int, 3> normal{};
   bool certain = true;
-  for (std::size_t k = 0; const Shadow<double>& seen : shadows(t, box)) {
+  for (std::size_t k = 0; const Shadow& seen : shadows(t, box)) {
     const auto& [a, b, c] = seen.corners;
     const Sign turn = filters::orientation(a, b, c);
     normal[k++] = static_cast<int>(turn) - static_cast<int>(Sign::unknown);
@@ -112,43 +103,19 @@ Perhaps<Contact> stages::triangle_aabb::filter(const Triangle3d& t, const Aabb3d
 
 namespace {
 
-/// In each projection an edge separates the rectangle on the side opposite to the triangle: on either side if the
-/// projection has no area, and there the edges lead in both directions.
+/// Everything is doubled, so that the center is an integer. A flat box has no interior.
 template <class Integer>
-Contact contact(const std::array<Integer, 15>& n) {
+Contact contact_of_triangle(const std::array<Integer, 15>& n) {
   const auto at = [&n](std::size_t i) { return Point3<Integer>{n[i], n[i + 1], n[i + 2]}; };
-  const Triangle3<Integer> t{at(0), at(3), at(6)};
-  const Aabb3<Integer> box{at(9), at(12)};
-  bool touching = false;
-  const auto separates = [&touching](int sign) {
-    touching = touching || sign == 0;
-    return sign < 0;
-  };
-  const auto rise = [](const Integer& from, const Integer& to) { return kernel::sign_of(Integer(to - from)); };
-  for (const auto& [least, greatest, min, max] : intervals(t, box)) {
-    touching = touching || min == max;
-    if (separates(rise(min, greatest)) || separates(rise(least, max))) return Contact::disjoint;
-  }
-  std::array<int, 3> normal{};
-  for (std::size_t k = 0; const Shadow<Integer>& seen : shadows(t, box)) {
-    const auto& [a, b, c] = seen.corners;
-    const int turn = normal[k++] = kernel::turn(a, b, c);
-    const auto keeps_apart = [&](const Point2<Integer>& p, const Point2<Integer>& q) {
-      return !(p == q) && separates(kernel::turn(p, q, seen.leftmost(p, q)));
-    };
-    if (turn >= 0 && (keeps_apart(a, b) || keeps_apart(b, c) || keeps_apart(c, a))) return Contact::disjoint;
-    if (turn < 0 && (keeps_apart(b, a) || keeps_apart(c, b) || keeps_apart(a, c))) return Contact::disjoint;
-  }
-  const auto [x, y, z] = normal;
-  if (x != 0 || y != 0 || z != 0) {
-    const auto across = kernel::axis_across(t.b - t.a, t.c - t.a);
-    const auto height = [&](const Point3<Integer>& p) {
-      return kernel::sign_of(kernel::product_with_axis(across, p - t.a));
-    };
-    if (separates(height(highest(box, x, y, z))) || separates(-height(highest(box, -x, -y, -z))))
-      return Contact::disjoint;
-  }
-  return touching ? Contact::touching : Contact::overlapping;
+  const Point3<Integer> a = at(0), b = at(3), c = at(6), min = at(9), max = at(12);
+  const Vector3<Integer> width = max - min;
+  const Integer zero(0), one(1);
+  const auto seen = [&](const Point3<Integer>& p) { return (p - min) + (p - max); };
+  const Contact contact = kernel::contact_with_triangle<Integer>(
+      {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}, b - a, c - b, a - c}},
+      {{{width.x, zero, zero}, {zero, width.y, zero}, {zero, zero, width.z}}}, {seen(a), seen(b), seen(c)});
+  const bool flat = width.x == 0 || width.y == 0 || width.z == 0;
+  return contact == Contact::overlapping && flat ? Contact::touching : contact;
 }
 
 /// `numbers` takes any count of doubles.
@@ -170,11 +137,11 @@ void validate_triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {
 Perhaps<Contact> stages::triangle_aabb::lattice(const Triangle3d& triangle, const Aabb3d& aabb) {
   const auto lattice = numbers_of(triangle, aabb, [](auto... n) { return kernel::lattice_of(n...); });
   if (!lattice) return std::nullopt;
-  return contact(lattice->at);
+  return contact_of_triangle(lattice->at);
 }
 
 Contact stages::triangle_aabb::exact(const Triangle3d& triangle, const Aabb3d& aabb) {
-  return contact(numbers_of(triangle, aabb, [](auto... n) { return kernel::integers_of(n...); }).at);
+  return contact_of_triangle(numbers_of(triangle, aabb, [](auto... n) { return kernel::integers_of(n...); }).at);
 }
 
 /// The filter decides by some of the numbers, so all are validated before it.

@@ -20,13 +20,6 @@ std::array<Vector3<Number>, 6> edges_of_triangle_obb(const Triangle3<Number>& t,
   return {{half_axes.u, half_axes.v, half_axes.w, t.b - t.a, t.c - t.b, t.a - t.c}};
 }
 
-/// How far beyond the reach of the box all corners are on one side, by their heights over its center.
-template <class Number>
-Number beyond_obb(const std::array<Number, 3>& heights, const Number& reach) {
-  const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
-  return std::max<Number>(*least, -*greatest) - reach;
-}
-
 }  // namespace
 
 /// Sides and displacements of corners are differences, so no axis is known to be zero where two are alike. The bound's
@@ -44,8 +37,9 @@ Perhaps<Contact> stages::triangle_obb::filter(const Triangle3d& t, const Obb3d& 
   const auto on_axis = [&](const kernel::Spanned& axis) {
     const Vector3d n = cross(edges[axis.v], edges[axis.w]);
     const auto along = [&n](const Vector3d& x) { return filters::FloatFormat<double>::magnitude(dot(n, x)); };
-    const double gap = beyond_obb<double>({dot(n, corners[0]), dot(n, corners[1]), dot(n, corners[2])},
-                                          along(edges[0]) + along(edges[1]) + along(edges[2])),
+    const double a = dot(n, corners[0]), b = dot(n, corners[1]), c = dot(n, corners[2]),
+                 gap = std::max(std::min({a, b, c}), std::min({-a, -b, -c})) -
+                       (along(edges[0]) + along(edges[1]) + along(edges[2])),
                  size = size_of<double>(edges[axis.v]) * size_of<double>(edges[axis.w]) * sizes,
                  error = filters::error_of_32_roundings * size;
     return gap > error ? Sign::positive : gap < -error ? Sign::negative : Sign::unknown;
@@ -63,11 +57,8 @@ Contact stages::triangle_obb::exact(const Triangle3d& t, const Obb3d& obb) {
   const IntegerBox box = box_of(at, 3);
   const auto& [x, y, z] = box.half_axes;
   const auto edges = edges_of_triangle_obb<mpz_class>(triangle, {x, y, z});
-  return contact_by_gaps(edges, [&](const Vector3<mpz_class>& n, const auto&) {
-    const auto height = [&](const IntegerPoint& p) { return product_with_axis(n, p - box.center); };
-    const mpz_class reach = along_axis(n, edges[0]) + along_axis(n, edges[1]) + along_axis(n, edges[2]);
-    return beyond_obb<mpz_class>({height(triangle.a), height(triangle.b), height(triangle.c)}, reach);
-  });
+  const IntegerPoint& o = box.center;
+  return contact_with_triangle<mpz_class>(edges, box.half_axes, {at[0] - o, at[1] - o, at[2] - o});
 }
 
 Decided<Contact> stages::triangle_obb::ask(const Triangle3d& triangle, const Obb3d& obb) {

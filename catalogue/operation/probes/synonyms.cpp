@@ -31,7 +31,7 @@ const std::vector<Synonym>& synonyms() {
       {"cross product", {"orientation"}},
       {"crossing number", {"point_in_polygon", "point_in_polyhedron"}},
       {"cube", {"aabb_aabb", "obb_obb", "sphere_aabb", "ray_aabb", "triangle_aabb", "segment_aabb", "aabb_plane"}},
-      {"cuboid", {"obb_obb", "aabb_aabb", "aabb_obb", "obb_plane", "ray_obb", "segment_obb"}},
+      {"cuboid", {"obb_obb", "aabb_aabb", "aabb_obb", "obb_plane", "triangle_obb", "ray_obb", "segment_obb"}},
       {"culling", {"aabb_plane", "sphere_plane", "obb_plane", "bounding_volume_hierarchy"}},
       {"cylinder",
        {"capsule_capsule", "sphere_capsule", "capsule_obb", "capsule_aabb", "capsule_plane", "capsule_triangle"}},

@@ -25,7 +25,7 @@ struct capsule_triangle : signatures::capsule_triangle {
                                    .fields = {"capsule", "triangle"},
                                    .answer = "contact",
                                    .margin_degree = 2,
-                                   .cost = 20,
+                                   .cost = 10,
                                    .longest_vector = 2300};
     return metadata;
   }

@@ -73,18 +73,15 @@ Zonotope::Held solved(const std::array<Equation, 3>& equations, int count) {
 
 /// Six edges of 30 bits add up to less than 2^33, and three rows of such make minors below 3! 2^99; the other rows are
 /// 1 in a column of their own and -2 in that of the growth, which makes a sum of less than 16 such minors.
-Zonotope::Held Zonotope::held(const std::vector<Vector3<Integer>>& points) const {
+Zonotope::Held Zonotope::held(const std::vector<Point3<Integer>>& points) const {
   std::array<Equation, 3> equations;
   std::size_t bits = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    static constexpr std::array<Integer Vector3<Integer>::*, 3> coordinates{&Vector3<Integer>::x, &Vector3<Integer>::y,
-                                                                            &Vector3<Integer>::z};
+    const auto coordinate = [axis](const auto& v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };
     Equation& equation = equations[axis];
-    const auto coordinate = [axis](const Vector3<Integer>& v) { return v.*coordinates[axis]; };
     equation.push_back(coordinate(points[0]));
     for (const auto& edge : edges_) equation.push_back(coordinate(edge));
-    for (std::size_t j = 1; j < points.size(); ++j)
-      equation.push_back(Integer(coordinate(points[0]) - coordinate(points[j])));
+    for (std::size_t j = 1; j < points.size(); ++j) equation.push_back(coordinate(points[0] - points[j]));
     std::vector<Integer*> all;
     for (Integer& n : equation) all.push_back(&n);
     shorten(all);

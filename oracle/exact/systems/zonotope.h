@@ -31,8 +31,8 @@ class Zonotope {
     std::vector<Rational> weights;  ///< of the points of the hull
   };
   /// By linear programming; for the convex hull of points, with the d in it that has the least growth.
-  Held held(const Vector3<Integer>& d) const { return held(std::vector<Vector3<Integer>>{d}); }
-  Held held(const std::vector<Vector3<Integer>>& points) const;
+  Held held(const Vector3<Integer>& d) const { return held(std::vector<Point3<Integer>>{{d.x, d.y, d.z}}); }
+  Held held(const std::vector<Point3<Integer>>& points) const;
 
   /// The plane of a facet, its normal towards d; height > 0 if d lies beyond it, in units of the normal.
   struct Support {

@@ -91,18 +91,14 @@ TEST_CASE("triangle_obb: numbers are refused first, then the half axes") {
 
 CONTRACT("triangle_obb: the formula answers as triangle_aabb's of coordinates as near as its contract says", t, obb) {
   const Rational u = unit();
-  const std::vector<Rational> center = exact_coordinates(obb.center);
   const auto keeps = [&](const Point3d& p, const Vector3d& axis, double coordinate) {
     const double length = dot(axis, axis);
     if (!finite(dot(p - obb.center, axis), length, coordinate) || length < 0x1p-960) return true;
-    const std::vector<Rational> from = exact_coordinates(p), h = exact_coordinates(axis);
-    Rational sum, products, square;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Rational product((from[k] - center[k]) * h[k]);
-      sum += product, products += abs(product), square += h[k] * h[k];
-    }
-    const Rational bound(((8 + 48 * u) * u * products + power_of_two(-1072)) / square + power_of_two(-1075));
-    return within(coordinate, Rational(sum / square), bound);
+    const std::vector<Rational> h = exact_coordinates(axis);
+    const ExactProducts products(exact_between(obb.center, p), h);
+    const Rational square = ExactProducts(h, h).sum;
+    const Rational bound(((8 + 48 * u) * u * products.sizes + power_of_two(-1072)) / square + power_of_two(-1075));
+    return within(coordinate, Rational(products.sum / square), bound);
   };
   const auto seen = [&](const Point3d& p) { return reference::in_frame(p, obb); };
   for (const Point3d& p : {t.a, t.b, t.c}) {

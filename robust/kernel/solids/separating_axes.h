@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "geometry/answers.h"
@@ -67,16 +68,17 @@ Perhaps<Contact> contact_by_signs(const std::array<Vector3d, 6>& edges, const On
   return Contact::overlapping;
 }
 
-/// The contact by how far both are apart along each axis that is not zero, by gap(axis, others).
-template <class Integer, class Gap>
-Contact contact_by_gaps(const std::array<Vector3<Integer>, 6>& edges, const Gap& gap) {
+/// The contact by the signs of exact numbers: of apart(axis, others), how far both are apart along an axis that is not
+/// zero.
+template <class Integer, class Apart>
+Contact contact_by_exact_signs(const std::array<Vector3<Integer>, 6>& edges, const Apart& apart) {
   bool touching = false;
   for (const Spanned& each : axes_of_boxes) {
     const auto axis = axis_across(edges[each.v], edges[each.w]);
     if (sign_of(axis.x) == 0 && sign_of(axis.y) == 0 && sign_of(axis.z) == 0) continue;
-    const int apart = sign_of(gap(axis, each.others));
-    if (apart > 0) return Contact::disjoint;
-    touching = touching || apart == 0;
+    const int sign = apart(axis, each.others);
+    if (sign > 0) return Contact::disjoint;
+    touching = touching || sign == 0;
   }
   return touching ? Contact::touching : Contact::overlapping;
 }
@@ -86,10 +88,29 @@ Contact contact_by_gaps(const std::array<Vector3<Integer>, 6>& edges, const Gap&
 template <class Integer>
 Contact contact_by_axes(const std::array<Vector3<Integer>, 6>& edges, const std::array<Vector3<Integer>, 6>& half_axes,
                         const Vector3<Integer>& displacement) {
-  return contact_by_gaps(edges, [&](const auto& axis, const auto& others) {
+  return contact_by_exact_signs(edges, [&](const auto& axis, const auto& others) {
     Third<Integer> gap = along_axis(axis, displacement);
     for (const std::size_t other : others) gap = gap + -along_axis(axis, half_axes[other]);
-    return gap;
+    return sign_of(gap);
+  });
+}
+
+/// Compares the corners of a triangle, as seen from the center of a box, with the reach of the box to either side. On a
+/// lattice corners are below 2^63, and heights below 2^190.
+template <class Integer>
+Contact contact_with_triangle(const std::array<Vector3<Integer>, 6>& edges,
+                              const std::array<Vector3<Integer>, 3>& half_axes,
+                              const std::array<Vector3<Integer>, 3>& corners) {
+  return contact_by_exact_signs(edges, [&](const auto& axis, const auto&) {
+    Third<Integer> back = -along_axis(axis, half_axes[0]);
+    for (std::size_t k = 1; k < 3; ++k) back = back + -along_axis(axis, half_axes[k]);
+    int above = 1, below = 1;
+    for (const Vector3<Integer>& corner : corners) {
+      const Third<Integer> height = product_with_axis(axis, corner);
+      above = std::min(above, sign_of(Third<Integer>(height + back)));
+      below = std::min(below, sign_of(Third<Integer>(-height + back)));
+    }
+    return std::max(above, below);
   });
 }
 
