@@ -26,7 +26,7 @@ from handwritten import handwritten
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PRESETS = {"release": "g++", "clang": "clang"}
 GOALS = {"lines": 600, "program": 600}
-LINES_AT_MOST = 665  # it only falls
+LINES_AT_MOST = 650  # it only falls
 CACHED = 0.15  # s; an object that takes less came out of ccache
 # proptests/agreement/interrogation.cpp: so many questions a family where one costs 1, and what that is in seconds.
 QUESTIONS, LEAST, BATCH, UNIT = 4096, 8, 64, 45e-6
