@@ -11,7 +11,8 @@
 #include "fuzz/driver/target.h"
 
 // Runs the fuzz program without libFuzzer, for any compiler:
-//    fuzz OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (default 500)
+//    fuzz OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (default 500), fewer where a
+//                                             question costs more than eight of the cheap ones (Metadata::cost)
 //   fuzz OP --write-seeds FOLDER             one file for every hard case of the operation
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
@@ -78,6 +79,10 @@ int main(int argc, char** argv) {
   touchstone::fuzz::choose_target(argc, argv);
   unsigned mutations = 500;
   std::size_t asked = 0;
+  const auto of_each = [&mutations] {
+    const auto cost = static_cast<unsigned>(touchstone::fuzz::target().operation().metadata().cost);
+    return cost <= 8 ? mutations : std::max(mutations * 8 / cost, std::min(mutations, 32u));
+  };
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--write-seeds" && i + 1 < argc) return write_seeds(argv[i + 1]);
@@ -85,8 +90,8 @@ int main(int argc, char** argv) {
       mutations = static_cast<unsigned>(std::strtoul(argv[++i], nullptr, 10));
       continue;
     }
-    for (const fs::path& file : files_in(word)) ask(contents(file), mutations), ++asked;
+    for (const fs::path& file : files_in(word)) ask(contents(file), of_each()), ++asked;
   }
-  std::printf("%zu files, %u mutations of each\n", asked, mutations);
+  std::printf("%zu files, %u mutations of each\n", asked, of_each());
   return asked == 0 ? 2 : 0;
 }
