@@ -26,7 +26,7 @@ struct impact_step : signatures::impact_step {
         .fields = {"bodies", "walls", "restitution", "timestep"},
         .ulps = 94,
         .margin_degree = 0,
-        .cost = 180,
+        .cost = 100,
         .time = grows(Growth::cubic),
         .longest_vector = 6000};
     return metadata;
