@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "catalogue/numbers/lexicographic.h"
 #include "catalogue/numbers/true_number.h"
 #include "catalogue/numbers/ulps.h"
 
@@ -179,7 +180,7 @@ void collect(const Shape& shape, const char* name, const Word*& at, std::vector<
 /// The number of elements of the first list, which has no duplicates, that must be removed for the others to be in the
 /// second one in this order: all but the longest increasing subsequence of their first positions there.
 std::uint64_t out_of_order(const Listed& right, const Listed& said) {
-  std::map<std::vector<Word>, std::size_t> first;
+  std::map<std::vector<Word>, std::size_t, Lexicographic> first;
   for (std::size_t i = 0; i < said.elements.size(); ++i) first.emplace(said.elements[i], i);
   std::vector<std::size_t> least_end;  // of an increasing subsequence of length 1, 2, ...
   for (const auto& element : right.elements) {

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "catalogue/numbers/lexicographic.h"
+
 namespace touchstone::catalogue {
 namespace {
 
@@ -36,7 +38,7 @@ Point3d as_doubles(const LatticePoint& p) {
 Meshd lattice_hull(const std::vector<LatticePoint>& points) {
   Meshd mesh;
   for (const LatticePoint& p : points) mesh.vertices.push_back(as_doubles(p));
-  std::set<std::vector<Index>> seen;
+  std::set<std::vector<Index>, Lexicographic> seen;
   const auto count = static_cast<Index>(points.size());
   for (Index i = 0; i < count; ++i) {
     for (Index j = i + 1; j < count; ++j) {
