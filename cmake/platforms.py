@@ -156,8 +156,8 @@ def ask(name, triple, native, given, operations):
     return same
 
 
-def parts_engines(name, triple):
-    """Runs the example of docs/platforms.md, an engine built for two processors; returns whether it prints what the page says."""
+def example_holds(name, triple):
+    """Runs the example of docs/platforms.md, an engine built for two processors; whether it prints what the page says."""
     page = (ROOT / "docs/platforms.md").read_text(encoding="utf-8")
     commands = re.search(rf"```sh\n([^`]*\n{triple}-g\+\+ [^`]*)```\n\n```\n([^`]*)```", page)
     if commands is None:  # no example for this platform
@@ -196,7 +196,7 @@ def main():
             print(f"| {name} | skipped: {skipped} |", flush=True)
         else:
             right &= ask(name, triple, native, given, operations)
-            right &= parts_engines(name, triple)
+            right &= example_holds(name, triple)
     sys.exit(0 if right else 1)
 
 

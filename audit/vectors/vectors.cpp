@@ -42,8 +42,7 @@ std::string id_of(const Operation& operation, const Json& input) {
 }
 
 /// Without what takes long, certificate and flags, if the line is longer than `most` characters before them.
-Json vector_line(const std::string& family, const Examined& examined,
-                 std::size_t most = std::string::npos) {
+Json vector_line(const std::string& family, const Examined& examined, std::size_t most = std::string::npos) {
   const auto& [operation, question, once] = examined;
   const Json input = operation.print(question), named = with_names(input);
   Json line = Json::object();

@@ -5,8 +5,8 @@
 
 namespace touchstone::catalogue {
 
-/// The order of lists, for sets and maps of them. The operator < of vectors is wrong for unsigned numbers where the most
-/// significant byte comes first, up to libstdc++ 12.3 and 13.2 (its PR 113960): it compares too few bytes.
+/// The order of lists, for sets and maps of them. In C++20 the operator < of vectors in libstdc++ 12.2 is wrong for
+/// unsigned numbers where the most significant byte comes first: {0, 1, 5} is not less than {0, 1, 7} there.
 struct Lexicographic {
   template <class List>
   bool operator()(const List& a, const List& b) const {

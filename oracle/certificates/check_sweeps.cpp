@@ -68,9 +68,9 @@ struct CenterOnAxis {
 };
 
 /// Requires that at t the center is on these sides of the box, as far from it as the radius, and comes in on some axis.
-/// With n the displacement from the nearest point of the box, half the slope of f at t is n . v <= 0. Before t, n . (c -
-/// x) was n . n = r^2 or more for every point x of the box, so that no x was as near as r, but x = c - n; and that was
-/// not in the box on the axis on which the center comes in.
+/// With n the displacement from the nearest point of the box, half the slope of f at t is n . v <= 0. Before t,
+/// n . (c - x) was n . n = r^2 or more for every point x of the box, so that no x was as near as r, but x = c - n; and
+/// that was not in the box on the axis on which the center comes in.
 void expect_contact_on_sides(const std::vector<CenterOnAxis>& axes, const Rational& radius,
                              const std::vector<Rational>& sides, const Surd& t) {
   for (const Rational& side : sides) expect(abs(side) == 1 || sgn(side) == 0, "certificate.sides: -1, 0 or 1");

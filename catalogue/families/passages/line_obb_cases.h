@@ -141,7 +141,7 @@ void line_obb_cases(HardCases<typename Row::Question>& add) {
     return Row::of({scaled(from, down), scaled(displacement, down)}, box);
   });
   add("moderate_ends", [](DrawStream& c) -> Question {
-    // The greatest and the least numbers that enclosures take, and the next beyond them; along a face, or far from that.
+    // The greatest and the least numbers that enclosures take, and the next beyond them; along a face, or far from it.
     const double large = power_of_two(c, 29, 31), least = power_of_two(c, -32, -29), side = small_integer(c, 1);
     const double far = c.coin() ? 0 : large / 2, y = c.coin() ? least : 0;
     return Row::of({{-large - far, side * large, 0}, {c.coin() ? large : least, -y, 0}},

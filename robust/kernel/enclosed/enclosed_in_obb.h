@@ -11,8 +11,8 @@ namespace touchstone::robust::kernel {
 /// empty if numbers are not `moderate`, or if anything is not certain.
 ///
 /// The guess: each coefficient of a half axis is -1, 1 or free, by the feet of perpendiculars, one half axis after the
-/// other. The free ones span a face, an edge or all of space, of which the foot is the nearest point, unless there is no
-/// free one. The proof is that of Karush, Kuhn and Tucker: the free coefficients of the foot are between -1 and 1, and
+/// other. One or two free ones span an edge or a face, of which the foot is the nearest point; with none it is a
+/// corner. The proof is that of Karush, Kuhn and Tucker: the free coefficients of the foot are between -1 and 1, and
 /// along each other half axis the way from it to the point leads outwards. Then no other point of the box is as near.
 Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d& obb);
 
