@@ -38,15 +38,39 @@ target_link_libraries(touchstone_alone PRIVATE -Wl,--start-group ${archives} -Wl
                                                -static-libstdc++ -static-libgcc)
 set_target_properties(touchstone_alone PROPERTIES OUTPUT_NAME touchstone RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/alone)
 
-# The notices of what is linked, as the Debian packages that it came from have them.
+# The notices of what is linked, as the Debian packages that it came from have them: installed, or unpacked for another processor.
 set(notices "")
-foreach(package libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libexpat1-dev libfmt-dev nlohmann-json3-dev libcli11-dev
-        gcc-12-base gcc-13-base gcc-14-base)
-  if(EXISTS /usr/share/doc/${package}/copyright)
-    list(APPEND notices ${package})
+set(packages "")
+set(runtimes gcc-12-base gcc-13-base gcc-14-base)
+if(CMAKE_CROSSCOMPILING)
+  set(runtimes gcc-12-cross-base gcc-13-cross-base gcc-14-cross-base)
+endif()
+foreach(package libgmp-dev libmpfr-dev libpng-dev zlib1g-dev libexpat1-dev libfmt-dev nlohmann-json3-dev libcli11-dev ${runtimes})
+  set(unpacked "")
+  if(CMAKE_CROSSCOMPILING)
+    file(GLOB unpacked ${TOUCHSTONE_LIBRARIES}/${package}_*.deb)
+  endif()
+  set(notice /usr/share/doc/${package}/copyright)
+  if(unpacked)
+    set(notice ${TOUCHSTONE_LIBRARIES}${notice})
+  endif()
+  if(EXISTS ${notice})
+    list(APPEND notices ${notice})
+    list(APPEND packages ${unpacked})
+    if(NOT unpacked)
+      list(APPEND packages ${package})
+    endif()
   endif()
 endforeach()
-execute_process(COMMAND dpkg-query -W -f "  \${source:Package} \${source:Version}\n" ${notices} OUTPUT_VARIABLE sources ERROR_QUIET)
+set(bill "")
+set(sources "")
+if(notices)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/CITATION.cff released REGEX "^date-released: ")
+  string(REPLACE "date-released: " "" released "${released}")
+  set(bill ${PROJECT_BINARY_DIR}/touchstone.spdx.json)
+  execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/bill_of_materials.py ${PROJECT_VERSION} ${released} ${bill}
+                          ${packages} OUTPUT_VARIABLE sources COMMAND_ERROR_IS_FATAL ANY)
+endif()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/copyright @ONLY CONTENT [[
 touchstone @PROJECT_VERSION@ is under the Apache License 2.0: LICENSE, in this folder.
 
@@ -56,18 +80,6 @@ https://snapshot.debian.org:
 GMP and MPFR are under the GNU Lesser General Public License, version 3 (linked/LGPL-3, linked/GPL-3). You may change them and link
 the program anew: ./dev package in the sources of touchstone links whatever libgmp.a and libmpfr.a it finds.
 ]])
-
-set(bill "")
-if(notices)
-  file(STRINGS ${PROJECT_SOURCE_DIR}/CITATION.cff released REGEX "^date-released: ")
-  string(REPLACE "date-released: " "" released "${released}")
-  set(bill ${PROJECT_BINARY_DIR}/touchstone.spdx.json)
-  execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/bill_of_materials.py ${PROJECT_VERSION} ${released} ${bill}
-                          ${notices} RESULT_VARIABLE failed)
-  if(failed)
-    message(FATAL_ERROR "cmake/bill_of_materials.py failed")
-  endif()
-endif()
 
 # Of the package, and of no other installation.
 set(carried COMPONENT carried EXCLUDE_FROM_ALL)
@@ -79,8 +91,9 @@ install(DIRECTORY vectors DESTINATION ${data_dir} ${carried})
 install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried})
 install(FILES ${PROJECT_BINARY_DIR}/copyright ${bill} DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} ${carried} PATTERN __pycache__ EXCLUDE PATTERN node_modules EXCLUDE)
-foreach(package ${notices})
-  install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR}/linked RENAME ${package} ${carried})
+foreach(notice ${notices})
+  string(REGEX REPLACE ".*/([^/]+)/copyright$" "\\1" package ${notice})
+  install(FILES ${notice} DESTINATION ${CMAKE_INSTALL_DOCDIR}/linked RENAME ${package} ${carried})
 endforeach()
 install(FILES /usr/share/common-licenses/GPL-3 /usr/share/common-licenses/LGPL-3 DESTINATION ${CMAKE_INSTALL_DOCDIR}/linked ${carried}
         OPTIONAL)
@@ -91,10 +104,23 @@ if(NOT CPACK_PACKAGE_CONTACT)  # who publishes a package gives his own
   set(CPACK_PACKAGE_CONTACT "The touchstone authors <root@localhost>")
 endif()
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGE_FILE_NAME touchstone-${PROJECT_VERSION}-Linux-${CMAKE_SYSTEM_PROCESSOR})
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES TRUE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS TRUE)
+if(CMAKE_CROSSCOMPILING)
+  get_filename_component(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${TOUCHSTONE_LIBRARIES} NAME)
+endif()
+# The C library has to be as new as the newest symbol that is taken from it.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/depends.cmake @ONLY CONTENT [[
+execute_process(COMMAND "@CMAKE_OBJDUMP@" -T "@PROJECT_BINARY_DIR@/alone/touchstone" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "GLIBC_[0-9.]+" versions "${symbols}")
+list(SORT versions COMPARE NATURAL ORDER DESCENDING)
+list(GET versions 0 newest)
+string(REPLACE "GLIBC_" "" newest ${newest})
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libc6 (>= ${newest})")
+]])
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_BINARY_DIR}/depends.cmake)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
 include(CPack)

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes what the carried program is linked with as an SPDX 2.3 bill of materials, in JSON.
 
-  bill_of_materials.py VERSION DATE FILE PACKAGE...   PACKAGE: a Debian package of which the program holds parts
+  bill_of_materials.py VERSION DATE FILE PACKAGE...   PACKAGE: a Debian package of which the program holds parts, by its name if it
+                                                      is installed, otherwise its file; prints source packages and versions
   bill_of_materials.py --self-check                   checks the bill of made-up packages
 
 The same packages give the same bytes: DATE is that of the release, not of the build."""
@@ -30,9 +31,13 @@ NONE = "NOASSERTION"
 
 def sources(packages):
     """{source package: its version}, as dpkg knows them."""
-    asked = subprocess.run(["dpkg-query", "-W", "-f", "${source:Package} ${source:Version}\\n", *packages],
-                           capture_output=True, text=True, check=True)
-    return dict(line.split() for line in asked.stdout.splitlines())
+    form, asked = "--showformat=${source:Package} ${source:Version}\\n", ""
+    installed = [one for one in packages if not one.endswith(".deb")]
+    commands = [["dpkg-query", "-W", form, *installed]] if installed else []
+    commands += [["dpkg-deb", "-W", form, one] for one in packages if one.endswith(".deb")]  # it takes one file
+    for command in commands:
+        asked += subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    return dict(line.split() for line in asked.splitlines())
 
 
 def package(name, version, license_of, place):
@@ -43,8 +48,8 @@ def package(name, version, license_of, place):
 
 def bill(version, date, linked):
     ours = package("touchstone", version, "Apache-2.0", NONE)
-    # Debian names the compiler's runtime by its version: gcc-12.
-    of = lambda name: LICENSES.get(re.sub(r"^gcc-\d+$", "gcc", name), NONE)
+    # Debian names the compiler's runtime by its version: gcc-12, gcc-12-cross.
+    of = lambda name: LICENSES.get(re.sub(r"^gcc-\d+(-cross)?$", "gcc", name), NONE)
     place = lambda name: f"https://snapshot.debian.org/package/{name}/{urllib.parse.quote(linked[name])}/"
     theirs = [package(name, linked[name], of(name), place(name)) for name in sorted(linked)]
     relations = [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": ours["SPDXID"]}]
@@ -80,8 +85,11 @@ def main():
         print("\n".join(found), end="\n" if found else "")
         return 1 if found else 0
     version, date, file, *packages = sys.argv[1:]
+    linked = sources(packages)
     with open(file, "w", encoding="utf-8") as out:
-        out.write(json.dumps(bill(version, date, sources(packages)), indent=1) + "\n")
+        out.write(json.dumps(bill(version, date, linked), indent=1) + "\n")
+    for name in sorted(linked):
+        print(f"  {name} {linked[name]}")
     return 0
 
 

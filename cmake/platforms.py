@@ -7,7 +7,7 @@ below build/libraries; nothing is installed. Each check runs under the emulator 
 the same, byte for byte. Tests of robust and of agreement with the oracle run under the emulator. A platform is skipped where
 its compiler, emulator or libraries are missing.
 
-  --ask NAME    the checks of one platform that is already built, as a test: 77 if it is not
+  --build TARGETS NAME  builds these and asks nothing
 """
 import argparse
 import hashlib
@@ -47,7 +47,8 @@ def platforms():
 def emulator_of(triple):
     """The command; its C library is that of the compiler."""
     processor = triple.split("-")[0]
-    return ["qemu-" + {"i686": "i386"}.get(processor, processor), "-L", f"/usr/{triple}"]
+    cpu = {"aarch64": ["-cpu", "max,sve-default-vector-length=32"]}  # so that each instruction set of arrays is chosen
+    return ["qemu-" + {"i686": "i386"}.get(processor, processor), *cpu.get(processor, []), "-L", f"/usr/{triple}"]
 
 
 def unpack_libraries(folder):
@@ -81,16 +82,17 @@ def unpack_libraries(folder):
     return ""
 
 
-def build(name, triple, libraries, jobs):
-    """Why it is skipped; empty if it is built."""
+def build(name, triple, libraries, jobs, targets):
+    """Why it is skipped; empty if the targets are built, or the program and its tests."""
     for program in (f"{triple}-g++", emulator_of(triple)[0]):
         if shutil.which(program) is None:
             return f"no {program}"
     if missing := unpack_libraries(libraries):
         return missing
     subprocess.run(["cmake", "--preset", name], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    tests = TESTS if any(libraries.glob("usr/lib/*/librapidcheck.*")) else ()
-    subprocess.run(["cmake", "--build", BUILD / name, "-j", str(jobs), "--target", "touchstone", *tests], check=True)
+    if not targets:
+        targets = ["touchstone", *(TESTS if any(libraries.glob("usr/lib/*/librapidcheck.*")) else ())]
+    subprocess.run(["cmake", "--build", BUILD / name, "-j", str(jobs), "--target", *targets], check=True)
     return ""
 
 
@@ -120,17 +122,20 @@ def shown(text):
 
 def tested(name, triple):
     """The number of tests that passed, or the programs that did not; whether none failed."""
+    if not all((BUILD / name / "tests" / program).exists() for program in TESTS):
+        return "not built", True
+    runs = []
+    for program, cases in TESTS.items():  # side by side
+        with (BUILD / name / f"{program}.txt").open("w", encoding="utf-8") as log:
+            runs.append(subprocess.Popen([*emulator_of(triple), BUILD / name / "tests" / program], cwd=ROOT, stdout=log,
+                                         stderr=subprocess.STDOUT, env=os.environ | {"TOUCHSTONE_CASES": str(cases)}))
     passed, failed = 0, []
-    for program, cases in TESTS.items():
-        if not (BUILD / name / "tests" / program).exists():
-            return "not built", True
-        run = subprocess.run([*emulator_of(triple), BUILD / name / "tests" / program], cwd=ROOT, text=True,
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                             env=os.environ | {"TOUCHSTONE_CASES": str(cases)})
-        (BUILD / name / f"{program}.txt").write_text(run.stdout, encoding="utf-8")
-        all_of = re.search(r"All tests passed \(\d+ assertions? in (\d+) test cases?\)", run.stdout)
-        if run.returncode or not all_of:
-            failed.append(f"build/{name}/{program}.txt")
+    for program, run in zip(TESTS, runs):
+        log = BUILD / name / f"{program}.txt"
+        failure = run.wait()
+        all_of = re.search(r"All tests passed \(\d+ assertions? in (\d+) test cases?\)", log.read_text(encoding="utf-8"))
+        if failure or not all_of:
+            failed.append(str(log.relative_to(ROOT)))
         else:
             passed += int(all_of[1])
     return (f"failed: {', '.join(failed)}", False) if failed else (f"{passed} passed", True)
@@ -173,7 +178,7 @@ def example_holds(name, triple):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("names", nargs="*", metavar="NAME")
-    options.add_argument("--ask", action="store_true")
+    options.add_argument("--build", metavar="TARGETS", default="", help="names with commas between them")
     options.add_argument("--jobs", type=int, default=os.cpu_count())
     options.add_argument("--cases", type=int, default=200, help="questions of each operation in the soak")
     options.add_argument("--share", type=int, default=16, help="every SHARE-th vector is checked")
@@ -183,15 +188,17 @@ def main():
         if name not in known:
             sys.exit(f"platforms: {name} is none of {', '.join(known)}")
     names = given.names or list(known)
-    if given.ask and not all((BUILD / name / "touchstone").exists() for name in names):
-        print(f"skipped: ./dev platforms {' '.join(names)} builds it")
-        sys.exit(77)
+    if given.build:
+        for name in names:
+            if skipped := build(name, *known[name], given.jobs, given.build.split(",")):
+                sys.exit(f"platforms: {name}: {skipped}")
+        return
     operations = share_of_vectors(given.share)
     columns = ["platform", "compiler", "emulator", *CHECKS, "tests", "time"]
     print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
     for name in names:
         triple, libraries = known[name]
-        skipped = "" if given.ask else build(name, triple, libraries, given.jobs)
+        skipped = build(name, triple, libraries, given.jobs, [])
         if skipped:
             print(f"| {name} | skipped: {skipped} |", flush=True)
         else:

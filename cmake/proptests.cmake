@@ -171,8 +171,6 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   touchstone_script_test(report/opened_pages_self_check proptests/opened_pages.py --self-check)
   touchstone_script_test(report/answering_page proptests/answering_page.py ${program}
                          --package ${PROJECT_SOURCE_DIR}/build/wasm/package)
-  # Another processor, where ./dev platforms has built the program for it.
-  touchstone_script_test(platforms/aarch64 cmake/platforms.py --ask aarch64)
   # A share of the theorems about filters; ./dev proofs proves all.
   touchstone_script_test(proofs robust/proofs/prove.py --share --jobs 1 --work ${PROJECT_BINARY_DIR}/proofs)
   touchstone_script_test(proofs/self_check robust/proofs/prove.py --self-check)
@@ -184,7 +182,7 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
                          --work ${PROJECT_BINARY_DIR}/weakened)
   touchstone_script_test(certificates/one_file proptests/infrastructure/oracle/certify_file.py)
   touchstone_script_test(certificates/proofs_self_check oracle/certificates/proved/kinds.py --self-check)
-  set_tests_properties(platforms/aarch64 proofs certificates/proved certificates/weakened report/opened_pages
+  set_tests_properties(proofs certificates/proved certificates/weakened report/opened_pages
                        report/opened_pages_self_check report/answering_page PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 

@@ -7,6 +7,12 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$cmake" --build "$build" --target touchstone_alone manual >"$folder/log" 2>&1 || { cat "$folder/log" && exit 1; }
 "$cpack" --config "$build/CPackConfig.cmake" -G TGZ -B "$folder" >"$folder/log" 2>&1 || { cat "$folder/log" && exit 1; }
+if command -v dpkg-deb >/dev/null; then  # the newest symbol that it takes from the C library, read in another way
+  "$cpack" --config "$build/CPackConfig.cmake" -G DEB -B "$folder" >"$folder/log" 2>&1 || { cat "$folder/log" && exit 1; }
+  newest=$(readelf --version-info "$build/alone/touchstone" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n 1)
+  [ "$(dpkg-deb -f "$folder"/touchstone_*.deb Depends)" = "libc6 (>= ${newest#GLIBC_})" ] ||
+    { echo "the package depends on something else than $newest: $(dpkg-deb -f "$folder"/touchstone_*.deb Depends)" && exit 1; }
+fi
 mkdir "$folder/root"
 tar -xzf "$folder"/touchstone-*.tar.gz -C "$folder/root" --strip-components 1
 prefix=$folder/root

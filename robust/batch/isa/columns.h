@@ -81,7 +81,7 @@ struct Triangles3 {
 };
 
 /// The instructions that a call may use. It uses the widest of these that the processor has; the answers are the same.
-/// On 64-bit Arm NEON takes the place of AVX2.
-enum class Instructions { portable, avx2, avx512, neon = avx2 };
+/// On 64-bit Arm NEON takes the place of AVX2, and SVE with registers of 256 bits that of AVX-512.
+enum class Instructions { portable, avx2, avx512, neon = avx2, sve = avx512 };
 
 }  // namespace touchstone::robust::batch

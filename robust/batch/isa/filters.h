@@ -48,7 +48,7 @@ struct Filters {
   SecondStage *close_point_in_ring, *close_point_in_convex_solid, *close_point_in_solid, *none = nullptr;
 };
 
-extern const Filters portable_filters, avx2_filters, avx512_filters, neon_filters;
+extern const Filters portable_filters, avx2_filters, avx512_filters, neon_filters, sve_filters;
 
 /// Returns the widest of these instruction sets that the processor has; nullptr if the control word asks for anything
 /// but rounding to nearest and gradual underflow.

@@ -16,7 +16,10 @@
 //   chosen(mask, x, y)                  x in the lanes of the mask, y in the others
 //   where_above(x, y, then, otherwise)  `then` in the lanes in which x > y, `otherwise` in the others
 //   put_answers(to, where, one, two)    the byte 1, 2 or 0 for each row of `where`, and nothing else
-#if TOUCHSTONE_LANES == 8
+#if defined(__ARM_FEATURE_SVE_BITS) && TOUCHSTONE_LANES == 4
+#define TOUCHSTONE_SECOND_STAGE
+#include "robust/batch/isa/lanes/sve.h"
+#elif TOUCHSTONE_LANES == 8
 #define TOUCHSTONE_SECOND_STAGE
 #include "robust/batch/isa/lanes/avx512.h"
 #elif TOUCHSTONE_LANES == 4
