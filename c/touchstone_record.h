@@ -148,7 +148,7 @@ static inline int touchstone_record_wants(touchstone_record_site* site) {
     thread->random ^= thread->random << 13;
     thread->random ^= thread->random >> 7;
     thread->random ^= thread->random << 17;
-    count->left_out_next = (unsigned long)((thread->random >> 11) % (2 * state->one_in - 1));
+    count->left_out_next = (thread->random >> 11) % (2 * (uint64_t)state->one_in - 1);
   }
   if (!TOUCHSTONE_RECORD_READ_(state->full)) return 1;
   TOUCHSTONE_RECORD_SET_(thread->lost, thread->lost + 1);

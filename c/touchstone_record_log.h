@@ -8,7 +8,7 @@ enum { touchstone_record_block_ = 1 << 17, touchstone_record_head_ = 16, touchst
 
 /* The counters of one site in one thread. */
 typedef struct touchstone_record_count_ {
-  unsigned long seen, left_out_next;
+  uint64_t seen, left_out_next;
 } touchstone_record_count_;
 
 /* What a thread has recorded. `filled` and the totals are read by whoever closes the log; the rest is its own. */
@@ -41,8 +41,13 @@ typedef struct touchstone_record_state_ {
   int prepared;
 } touchstone_record_state_;
 
-/* One in the program, however many of its files and shared libraries include this. */
+/* One in the program, however many of its files and shared libraries include this; on Windows one in the program and one
+ * in each DLL that does. */
+#ifdef _WIN32
+#define TOUCHSTONE_RECORD_SHARED_ __attribute__((selectany))
+#else
 #define TOUCHSTONE_RECORD_SHARED_ __attribute__((weak, visibility("default")))
+#endif
 TOUCHSTONE_RECORD_SHARED_ touchstone_record_state_ touchstone_record_state = {
     PTHREAD_MUTEX_INITIALIZER, 0, NULL, 0, 0, 0, 0, 0, 0, 0, 0, 0, NULL, 0, 0, 0, 0, 0, 0};
 TOUCHSTONE_RECORD_SHARED_ __thread touchstone_record_thread_* touchstone_record_thread = NULL;
@@ -168,6 +173,9 @@ static inline void touchstone_record_end_thread_(void* ended) {
   free(thread);
 }
 
+#ifdef _WIN32
+static inline int touchstone_record_before_forks_(void) { return 0; } /* Windows has none */
+#else
 static inline void touchstone_record_before_fork_(void) { pthread_mutex_lock(&touchstone_record_state.lock); }
 static inline void touchstone_record_in_parent_(void) { pthread_mutex_unlock(&touchstone_record_state.lock); }
 /* The log stays the parent's: the child records nothing. */
@@ -175,6 +183,10 @@ static inline void touchstone_record_in_child_(void) {
   TOUCHSTONE_RECORD_SET_(touchstone_record_state.log, 0);
   pthread_mutex_unlock(&touchstone_record_state.lock);
 }
+static inline int touchstone_record_before_forks_(void) {
+  return pthread_atfork(touchstone_record_before_fork_, touchstone_record_in_parent_, touchstone_record_in_child_);
+}
+#endif
 static inline void touchstone_record_at_exit_(void) { touchstone_record_close(); }
 
 static inline int touchstone_record_close(void) {
@@ -235,8 +247,7 @@ static inline int touchstone_record_open(const char* file, const touchstone_reco
   pthread_mutex_lock(&state->lock);
   if (!state->prepared) {
     error = pthread_key_create(&state->key, touchstone_record_end_thread_);
-    if (error == 0)
-      error = pthread_atfork(touchstone_record_before_fork_, touchstone_record_in_parent_, touchstone_record_in_child_);
+    if (error == 0) error = touchstone_record_before_forks_();
     if (error == 0) atexit(touchstone_record_at_exit_);
     state->prepared = error == 0;
   }
