@@ -5,12 +5,12 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <iostream>
 #include <vector>
 
 #include "audit/engines/process.h"
 #include "audit/engines/serve.h"
+#include "audit/platform.h"
 #include "audit/shell_quoted.h"
 #include "program/commands/commands.h"
 #include "program/program.h"
@@ -92,12 +92,12 @@ std::string operations_found(const Served& engine, bool named) {
 }
 
 std::string own_engine_command() {
-  std::error_code error;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? "" : shell_quoted(self.string()) + " --serve";
+  const std::string self = own_path();
+  return self.empty() ? "" : command_word(self) + " --serve";
 }
 
 int engine_program(const EngineMembers& members, int argc, const char* const* argv) {
+  prepare_program();
   const Served engine = served(members);
   if (argc == 2 && std::strcmp(argv[1], "--serve") == 0) return serve(engine);
   if (std::getenv(started_as_engine) != nullptr) {

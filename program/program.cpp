@@ -8,6 +8,7 @@
 
 #include "audit/engines/engine.h"
 #include "audit/limb_memory.h"
+#include "audit/platform.h"
 #include "audit/text/regression_test.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/command_tree.h"
@@ -317,6 +318,7 @@ int complained(const std::exception& wrong, int code) {
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+  audit::prepare_program();
   audit::use_limb_memory();
   CLI::App program{"touchstone: collision tests held against the exact truth"};
   program.require_subcommand(0, 1);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -14,11 +13,12 @@ namespace touchstone::audit {
 /// Set in the environment of a Process's command, so that an engine program knows that its table is not read.
 inline constexpr const char* started_as_engine = "TOUCHSTONE_STARTED_AS_ENGINE";
 
-/// A command run by the shell in a process group of its own. Its three streams are piped, and nothing here blocks
-/// except `wait_for`; the entire group is killed with this object.
+/// A command run by the shell in a process group of its own, on Windows a program with its arguments in a job of its
+/// own. Its three streams are piped, and nothing here blocks except `wait_for`; the entire group is killed with this
+/// object. In process_posix.cpp and process_windows.cpp.
 class Process {
  public:
-  /// Throws std::system_error if the shell itself cannot be started.
+  /// Throws std::system_error if the shell itself, on Windows a program that exists, cannot be started.
   explicit Process(const std::string& command);
   ~Process();
   Process(const Process&) = delete;
@@ -39,12 +39,8 @@ class Process {
   std::string end();
 
  private:
-  void read_errors();
-  void kill_and_reap();
-
-  pid_t pid_ = -1;
-  int input_ = -1, output_ = -1, errors_ = -1;
-  std::string last_errors_;
+  struct Running;
+  std::unique_ptr<Running> running_;
 };
 
 }  // namespace touchstone::audit

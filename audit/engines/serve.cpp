@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -37,9 +38,11 @@ class InputLines {
 };
 
 void write_all(int descriptor, std::string& outbox) {
+  constexpr std::size_t most_at_once = std::size_t{1} << 30;  // Windows counts in 32 bits
   std::size_t written = 0;
   while (written < outbox.size()) {
-    const ssize_t count = ::write(descriptor, outbox.data() + written, outbox.size() - written);
+    const auto size = static_cast<unsigned>(std::min(outbox.size() - written, most_at_once));
+    const ssize_t count = ::write(descriptor, outbox.data() + written, size);
     if (count > 0) written += static_cast<std::size_t>(count);
     if (count < 0 && errno != EINTR) break;
   }

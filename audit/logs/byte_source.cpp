@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/logs/byte_source.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 
 #include "audit/logs/recorded_call.h"
+#include "audit/platform.h"
 #include "catalogue/codec/expected.h"
 
 namespace touchstone::audit {
@@ -18,7 +18,7 @@ constexpr std::string_view gzip_magic = "\x1f\x8b", zstd_magic = "\x28\xb5\x2f\x
 }  // namespace
 
 ByteSource::ByteSource(const std::string& file) : file_(file == "-" ? "standard input" : file) {
-  descriptor_ = file == "-" ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  descriptor_ = file == "-" ? STDIN_FILENO : open_to_read(file);
   if (descriptor_ < 0) throw LogError(file_, why_of(errno));
   while (buffer_.size() < zstd_magic.size() && read_file(buffer_)) continue;
   const std::string_view first = buffer_;
@@ -28,7 +28,7 @@ ByteSource::ByteSource(const std::string& file) : file_(file == "-" ? "standard 
   compressed_ = std::move(buffer_);
   outbox_ = compressed_;
   buffer_.clear();
-  process_ = std::make_unique<Process>("exec " + program_ + " -dc");
+  process_ = std::make_unique<Process>(program_ + " -dc");
   fill();
 }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 
+#include "audit/platform.h"
 #include "audit/vectors/schemas.h"
 #include "audit/vectors/sha256.h"
 #include "audit/version.h"
@@ -43,12 +44,13 @@ Json entry_of(const fs::path& path) {
 std::map<std::string, fs::path> listed_files(const std::string& folder) {
   std::map<std::string, fs::path> files;
   for (const char* part : {"", "schemas", "meshes"}) {
-    const fs::path place = fs::path(folder) / part;
+    const fs::path place = path_of(folder) / part;
     if (!fs::is_directory(place)) continue;
     for (const auto& entry : fs::directory_iterator(place)) {
       const fs::path name = fs::path(part) / entry.path().filename();
       const auto kind = entry.path().extension();
-      if (name != manifest_name && (kind == ".jsonl" || kind == ".json")) files.emplace(name.string(), entry.path());
+      if (name != manifest_name && (kind == ".jsonl" || kind == ".json"))
+        files.emplace(name.generic_string(), entry.path());
     }
   }
   return files;
@@ -73,7 +75,7 @@ Json manifest_of(const std::string& folder, std::uint64_t seed) {
 }
 
 std::vector<std::string> manifest_complaints(const std::string& folder) {
-  const fs::path path = fs::path(folder) / manifest_name;
+  const fs::path path = path_of(folder) / manifest_name;
   if (!fs::exists(path)) return {};
   const Json manifest = Json::parse(text_of(path), nullptr, false);
   if (!manifest.is_object() || !manifest.contains("files") || !manifest["files"].is_object())

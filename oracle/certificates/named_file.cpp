@@ -35,7 +35,8 @@ std::optional<std::string> text_of_named_file(const std::string& folder, const s
   expect(whole && is_name(std::string_view(text).substr(before.size(), text.size() - before.size() - behind.size())),
          field + ": a file meshes/NAME.json, NAME of small letters, digits and _");
   // A folder without a name, the current one, has no canonical path.
-  const std::filesystem::path place = folder.empty() ? "." : folder, path = place / text;
+  const std::filesystem::path place = folder.empty() ? u8"." : std::u8string(folder.begin(), folder.end()),
+                              path = place / text;
   std::error_code none;
   std::ifstream file;
   if (std::filesystem::is_regular_file(path, none)) file.open(path, std::ios::binary);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include "audit/counting/tally_json.h"
 #include "audit/engines/notes.h"
 #include "audit/parallel.h"
+#include "audit/platform.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/nearest_double.h"
 #include "program/commands/commands.h"
@@ -58,8 +57,8 @@ void require_directory(const std::string& directory, double seconds) {
     throw UsageError("--report-seconds: expected --report too, whose maps it limits");
   if (directory.empty()) return;
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error || !std::filesystem::is_directory(directory, error) || ::access(directory.c_str(), W_OK) != 0) {
+  std::filesystem::create_directories(path_of(directory), error);
+  if (error || !std::filesystem::is_directory(path_of(directory), error) || !can_write_into(directory)) {
     throw UsageError("--report " + directory + ": a directory that can be written");
   }
 }
@@ -129,7 +128,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   require_writable("--json", command.json_file);
   require_directory(command.report_directory, command.report_seconds);
   EngineNotes notes;
-  Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
+  Progress progress(err, is_terminal(Stream::error), options.operations, options.cases);
   if (options.by_cost) progress.ask_by_cost();
   const Gate gate = gate_of(command.gate);
   const Shard shard = shard_of(command.shard);
@@ -179,7 +178,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   notes.tell(err, command.verbose);
   complete(tally);
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
-  const bool on_terminal = &readable == &std::cout && isatty(STDOUT_FILENO) != 0;
+  const bool on_terminal = &readable == &std::cout && is_terminal(Stream::output);
   if (on_terminal && !command.summary && !command.verbose)
     readable << screen(tally, how_to_see_more, command.width) << std::flush;
   else readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <filesystem>
 
+#include "audit/platform.h"
 #include "oracle/certificates/check.h"
 #include "program/commands/commands.h"
 #include "program/commands/file_meshes.h"
@@ -28,7 +29,7 @@ std::optional<std::string> refuse_about(const FileMeshes& meshes, const std::str
 int certify_command(const CertifyCommand& command, std::ostream& out, std::ostream& err) {
   std::uint64_t refused = 0, without = 0;
   const std::string& file = command.file;
-  const std::string folder = std::filesystem::path(file).parent_path().string();
+  const std::string folder = path_of(file).parent_path().string();
   const FileMeshes meshes(command.meshes, command.preparation);
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
     const auto reason = command.meshes.empty() ? certify::refuse_text(text, folder) : refuse_about(meshes, text);

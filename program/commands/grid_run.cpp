@@ -2,10 +2,10 @@
 #include "program/commands/grid_run.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "audit/parallel.h"
 #include "audit/place.h"
+#include "audit/platform.h"
 #include "audit/time_limit.h"
 #include "program/runs/rounds.h"
 #include "program/terminal/exit_codes.h"
@@ -44,7 +44,7 @@ GridRun::GridRun(const Operation& operation, const ExhaustCommand& command, cons
       jobs_(jobs_of(command)),
       err_(err),
       checkpoint_(shard.named() ? command.json_file : "", named(command, shard), err),
-      progress_(err, isatty(STDERR_FILENO) != 0, {}, 0) {
+      progress_(err, is_terminal(Stream::error), {}, 0) {
   if (checkpoint_.found().is_null()) return;
   next_ = began_at_ = Place{checkpoint_.found(), "state"}.at("next").count();
   if (next_ < share_.first || next_ > share_.last)

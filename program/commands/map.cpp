@@ -6,6 +6,7 @@
 
 #include "audit/engines/notes.h"
 #include "audit/parallel.h"
+#include "audit/platform.h"
 #include "program/commands/commands.h"
 #include "program/terminal/exit_codes.h"
 #include "report/pages/html.h"
@@ -39,12 +40,12 @@ int run_map(const MapCommand& command) {
   const std::vector<const Operation*> operations = all_named(command.operations);
   const std::string directory = command.directory.empty() ? "." : command.directory;
   const int jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
-  const std::filesystem::path asked(directory);
+  const std::filesystem::path asked = path_of(directory);
   if (asked.extension() == ".png" || asked.extension() == ".html") {
     throw UsageError("--out " + directory + ": expected a directory; the files in it are named like the operations");
   }
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
+  std::filesystem::create_directories(path_of(directory), error);
   if (error) throw UsageError("--out " + directory + ": cannot be made: " + error.message());
   bool found = false;
   EngineNotes notes;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 
 #include "audit/meshes/in_words.h"
 #include "audit/meshes/repair.h"
+#include "audit/platform.h"
 #include "catalogue/codec/excerpt.h"
 #include "geometry/invalid_input.h"
 #include "program/commands/commands.h"
@@ -20,7 +20,7 @@ namespace {
 
 void require_other_file(const std::string& option, const std::string& written, const std::string& read) {
   std::error_code unknown;
-  if (written == read || std::filesystem::equivalent(written, read, unknown))
+  if (written == read || std::filesystem::equivalent(path_of(written), path_of(read), unknown))
     throw UsageError(option + ": " + written + ": is the mesh that is read");
 }
 
@@ -113,7 +113,7 @@ void require_usage(const MeshCommand& command) {
 int mesh_command(const MeshCommand& command, std::ostream& out, std::ostream& err) {
   require_usage(command);
   const Preparation& how = command.preparation;
-  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  Progress progress(err, is_terminal(Stream::error), {}, 0);
   const bool alone = command.files.size() == 1;
   std::ostream& words = is_standard_output(command.page) ? err : out;
   std::vector<Row> rows;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "audit/meshes/repair.h"
+#include "audit/platform.h"
 #include "audit/text/regression_test.h"
 #include "audit/version.h"
 #include "catalogue/operation/probes/explained.h"
@@ -104,7 +105,7 @@ std::string bug_report(const Smallest& smallest) {
 
 void write_reduced_files(const Smallest& smallest, const std::string& directory) {
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
+  std::filesystem::create_directories(path_of(directory), error);
   if (error) throw UsageError("--out " + directory + ": cannot be made: " + error.message());
   const auto write = [&](const std::string& name, const std::string& text) {
     write_file("--out", directory + "/" + name, text);

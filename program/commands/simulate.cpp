@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "audit/platform.h"
 #include "catalogue/codec/document.h"
 #include "program/commands/commands.h"
 #include "program/terminal/engine_lines.h"
@@ -66,10 +67,12 @@ std::vector<std::string> runs_named(const std::string& names) {
 void require_apart(const SimulateCommand& command) {
   const auto same = [](const std::string& one, const std::string& other) {
     std::error_code error;
-    if (one.empty() || !(std::filesystem::is_regular_file(one, error) || !std::filesystem::exists(one, error)))
+    if (one.empty() ||
+        !(std::filesystem::is_regular_file(path_of(one), error) || !std::filesystem::exists(path_of(one), error)))
       return false;
-    return std::filesystem::weakly_canonical(one, error) == std::filesystem::weakly_canonical(other, error) ||
-           std::filesystem::equivalent(one, other, error);
+    return std::filesystem::weakly_canonical(path_of(one), error) ==
+               std::filesystem::weakly_canonical(path_of(other), error) ||
+           std::filesystem::equivalent(path_of(one), path_of(other), error);
   };
   if (same(command.file, command.trajectory)) throw UsageError("--trajectory: " + command.trajectory + " is the scene");
   if (same(command.file, command.page)) throw UsageError("--page: " + command.page + " is the scene");
@@ -85,8 +88,9 @@ class Trajectory {
   void resume(Simulation& simulation, const std::function<void(const Frame&)>& visit) {
     if (csv_ || file_.empty() || is_standard_output(file_))
       throw UsageError("--resume: needs --trajectory with a file of JSON lines");
-    if (!std::filesystem::exists(file_)) return;
-    if (!std::filesystem::is_regular_file(file_)) throw UsageError("--resume: " + file_ + " is no regular file");
+    if (!std::filesystem::exists(path_of(file_))) return;
+    if (!std::filesystem::is_regular_file(path_of(file_)))
+      throw UsageError("--resume: " + file_ + " is no regular file");
     std::uint64_t length = 0;
     try {
       std::ifstream in = opened_to_read(file_, "--trajectory");
@@ -94,7 +98,7 @@ class Trajectory {
     } catch (const InvalidInput& refused) {
       throw UsageError(file_ + ": " + refused.what());
     }
-    std::filesystem::resize_file(file_, length);
+    std::filesystem::resize_file(path_of(file_), length);
     started_ = length > 0;
   }
   bool resumed() const { return resumed_ > 0; }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "audit/counted.h"
 #include "audit/counting/judged.h"
 #include "audit/parallel.h"
 #include "audit/place.h"
+#include "audit/platform.h"
 #include "audit/time_limit.h"
 #include "catalogue/judge/environment.h"
 #include "program/commands/commands.h"
@@ -172,7 +172,7 @@ int soak_command(const SoakCommand& asked, std::ostream& out, std::ostream& err)
                          {"shard", shard.text()}},
                         err);
   if (!checkpoint.found().is_null()) soak.go_on_from(checkpoint.found());
-  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  Progress progress(err, is_terminal(Stream::error), {}, 0);
   const Interruptible until_counted;
   const bool finished = soak.run(checkpoint, progress);
   progress.end();

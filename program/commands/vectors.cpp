@@ -7,6 +7,7 @@
 
 #include "audit/counted.h"
 #include "audit/parallel.h"
+#include "audit/platform.h"
 #include "audit/vectors/from_logs.h"
 #include "audit/vectors/manifest.h"
 #include "audit/vectors/named_files.h"
@@ -21,7 +22,7 @@ namespace {
 void write_text(const std::filesystem::path& path, const std::string& text) {
   errno = 0;
   std::ofstream file(path);
-  if (!(file << text << std::flush)) throw UsageError(path.string() + ": cannot be written: " + why_of(errno));
+  if (!(file << text << std::flush)) throw UsageError(path.generic_string() + ": cannot be written: " + why_of(errno));
 }
 
 }  // namespace
@@ -29,7 +30,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
                           std::ostream& out, std::ostream&) {
   const std::vector<const Operation*> chosen = operations_named(operations);
-  const std::filesystem::path folder = directory;
+  const std::filesystem::path folder = path_of(directory);
   for (const char* part : {"meshes", "schemas"}) std::filesystem::create_directories(folder / part);
   write_text(folder / "schema.json", vector_schema().dump(1) + "\n");
   for (const NamedFile& file : named_files()) write_text(folder / file.name, file.text);
@@ -41,7 +42,7 @@ int vectors_write_command(const std::string& directory, const std::string& opera
     const auto path = folder / (operation->name() + ".jsonl");
     write_text(path, text);
     write_text(folder / "schemas" / (operation->name() + ".json"), vector_schema(*operation).dump(1) + "\n");
-    out << path.string() << ": " << vectors.lines.size() << " vectors";
+    out << path.generic_string() << ": " << vectors.lines.size() << " vectors";
     if (vectors.left_out > 0) {
       out << ", " << vectors.left_out << " longer than " << operation->metadata().longest_vector
           << " characters left out";
@@ -57,7 +58,7 @@ int vectors_from_command(const std::string& directory, const std::vector<std::st
                          const std::string& operations, int jobs, std::ostream& out) {
   const auto hardest = hardest_of_logs(logs, operations_named(operations), jobs > 0 ? jobs : audit::jobs_of_machine());
   if (hardest.empty()) throw UsageError("the logs hold no call that is answered wrongly or is hard to answer");
-  const std::filesystem::path folder = directory;
+  const std::filesystem::path folder = path_of(directory);
   std::filesystem::create_directories(folder / "schemas");
   write_text(folder / "schema.json", vector_schema().dump(1) + "\n");
   for (const auto& [operation, questions] : hardest) {
@@ -67,7 +68,7 @@ int vectors_from_command(const std::string& directory, const std::vector<std::st
     const bool replaced = std::filesystem::exists(path);
     write_text(path, text);
     write_text(folder / "schemas" / (operation->name() + ".json"), vector_schema(*operation, true).dump(1) + "\n");
-    out << path.string() << ": " << audit::counted(questions.size(), "vector")
+    out << path.generic_string() << ": " << audit::counted(questions.size(), "vector")
         << (replaced ? ", in the place of those that were there\n" : "\n");
   }
   write_text(folder / manifest_name, manifest_of(directory, 0).dump(1) + "\n");

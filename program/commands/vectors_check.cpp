@@ -10,6 +10,7 @@
 #include "audit/engines/notes.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/shown.h"
+#include "audit/platform.h"
 #include "audit/vectors/asked.h"
 #include "audit/vectors/manifest.h"
 #include "audit/vectors/vectors.h"
@@ -105,14 +106,15 @@ class EngineResult {
 /// The requested files of vectors, sorted by name.
 std::vector<std::string> files_of(const VectorsCheckCommand& command) {
   const std::string& directory = command.directory;
-  if (!std::filesystem::is_directory(directory)) throw UsageError(directory + ": expected a directory of vectors");
+  if (!std::filesystem::is_directory(path_of(directory)))
+    throw UsageError(directory + ": expected a directory of vectors");
   const bool all = command.operations == "all";
   const std::vector<const Operation*> operations = operations_named(command.operations);
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+  for (const auto& entry : std::filesystem::directory_iterator(path_of(directory))) {
     const auto named = [&](const Operation* operation) { return entry.path().stem() == operation->name(); };
     const bool chosen = all || std::any_of(operations.begin(), operations.end(), named);
-    if (entry.path().extension() == ".jsonl" && chosen) files.push_back(entry.path().string());
+    if (entry.path().extension() == ".jsonl" && chosen) files.push_back(entry.path().generic_string());
   }
   std::sort(files.begin(), files.end());
   if (files.empty()) throw UsageError(directory + ": expected at least one file .jsonl");
@@ -136,10 +138,10 @@ int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out,
   const std::vector<std::string> differences =
       command.operations == "all" ? manifest_complaints(directory) : std::vector<std::string>();
   for (const std::string& complaint : differences)
-    err << "touchstone: " << excerpt((std::filesystem::path(directory) / complaint).string(), 1000) << '\n';
+    err << "touchstone: " << excerpt((path_of(directory) / path_of(complaint)).generic_string(), 1000) << '\n';
   for (const std::string& file : files) {
     // A file of an operation that the engine does not have is skipped.
-    const Operation* const operation = find_operation(std::filesystem::path(file).stem().string());
+    const Operation* const operation = find_operation(path_of(file).stem().string());
     if (engine && operation != nullptr && !engine->supports(operation->name())) {
       result->not_declared(operation->name());
       continue;

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "audit/place.h"
+#include "audit/platform.h"
 #include "audit/version.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/terminal/names.h"
@@ -20,12 +21,13 @@ constexpr std::chrono::milliseconds least{500}, most{30'000};
 Checkpoint::Checkpoint(const std::string& file, Json run, std::ostream& err) {
   if (file.empty() || is_standard_output(file)) return;
   std::error_code error;
-  const bool is_special = std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error);
+  const bool is_special =
+      std::filesystem::exists(path_of(file), error) && !std::filesystem::is_regular_file(path_of(file), error);
   if (is_special) return;
   part_ = file + ".part";
   run["version"] = version_number;
   run_ = one_line(run);
-  if (!std::filesystem::exists(part_, error)) return;
+  if (!std::filesystem::exists(path_of(part_), error)) return;
   std::string of;
   try {
     const Json stopped = parse_line(text_of_file(part_));
@@ -54,7 +56,7 @@ void Checkpoint::keep_now(const Json& state) const {
 
 void Checkpoint::remove() const {
   std::error_code ignored;
-  if (!part_.empty()) std::filesystem::remove(part_, ignored);
+  if (!part_.empty()) std::filesystem::remove(path_of(part_), ignored);
 }
 
 }  // namespace touchstone::program

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/terminal/names.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -12,6 +10,7 @@
 
 #include "audit/engines/notes.h"
 #include "audit/engines/protocol.h"
+#include "audit/platform.h"
 #include "audit/shell_quoted.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
@@ -61,7 +60,8 @@ std::ifstream opened_to_read(const std::string& file, const std::string& option)
   std::ifstream opened(file, std::ios::binary);
   int error = opened ? 0 : errno;
   std::error_code unknown;
-  if (opened && std::filesystem::is_directory(file, unknown)) error = EISDIR;  // a directory opens, and holds no text
+  if (opened && std::filesystem::is_directory(path_of(file), unknown))
+    error = EISDIR;  // a directory opens, and holds no text
   if (!opened || error != 0)
     throw UsageError((option.empty() ? "" : option + " ") + file + ": cannot be read: " + why_of(error));
   return opened;
@@ -70,7 +70,8 @@ std::ifstream opened_to_read(const std::string& file, const std::string& option)
 std::string text_of_file(const std::string& file, const std::string& option) {
   std::ifstream opened = opened_to_read(file, option);
   std::error_code unknown;
-  if (std::filesystem::is_character_file(file, unknown) || std::filesystem::is_block_file(file, unknown))
+  if (std::filesystem::is_character_file(path_of(file), unknown) ||
+      std::filesystem::is_block_file(path_of(file), unknown))
     throw UsageError((option.empty() ? "" : option + " ") + file + ": cannot be read: is a device");
   return std::string(std::istreambuf_iterator<char>(opened), {});
 }
@@ -95,7 +96,7 @@ std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string
 Repeat repeat_of(const std::string& program, const std::string& engine, double timeout) {
   Repeat repeat;
   if (engine.empty()) return repeat;
-  if (program.find('/') != std::string::npos) repeat.program = shell_quoted(program);
+  if (path_of(program).has_parent_path()) repeat.program = shell_quoted(program);
   if (engine != own_engine_command()) repeat.options = "--engine " + shell_quoted(engine);
   if (timeout != usual_timeout)
     repeat.options += (repeat.options.empty() ? "" : " ") + ("--timeout " + decimal(timeout));
@@ -105,11 +106,11 @@ Repeat repeat_of(const std::string& program, const std::string& engine, double t
 void require_writable(const std::string& option, const std::string& file) {
   if (file.empty() || is_standard_output(file)) return;
   std::error_code error;
-  const bool was_there = std::filesystem::exists(file, error);
+  const bool was_there = std::filesystem::exists(path_of(file), error);
   errno = 0;
   if (!std::ofstream(file, std::ios::app))
     throw UsageError(option + " " + file + ": cannot be written: " + why_of(errno));
-  if (!was_there) std::filesystem::remove(file, error);
+  if (!was_there) std::filesystem::remove(path_of(file), error);
 }
 
 void write_file(const std::string& option, const std::string& file, const std::string& text) {
@@ -120,14 +121,15 @@ void write_file(const std::string& option, const std::string& file, const std::s
   }
   errno = 0;
   std::error_code error;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
-  const bool is_special = std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error);
-  const std::string made = is_special ? file : target.string() + "." + std::to_string(::getpid());
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path_of(file), error);
+  const bool is_special =
+      std::filesystem::exists(path_of(file), error) && !std::filesystem::is_regular_file(path_of(file), error);
+  const std::string made = is_special ? file : target.string() + "." + process_number();
   std::ofstream opened(made);
   if (!(opened << text << std::flush)) throw UsageError(option + " " + file + ": cannot be written: " + why_of(errno));
   opened.close();
   if (made == file) return;
-  std::filesystem::rename(made, target, error);
+  std::filesystem::rename(path_of(made), target, error);
   if (error) throw UsageError(option + " " + file + ": cannot be written: " + error.message());
 }
 

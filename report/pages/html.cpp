@@ -10,6 +10,7 @@
 
 #include "audit/counting/cases_of.h"
 #include "audit/parallel.h"
+#include "audit/platform.h"
 #include "report/words/ways.h"
 
 namespace touchstone::report {
@@ -25,7 +26,7 @@ namespace {
 
 void make_directory(const std::string& directory) {
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
+  std::filesystem::create_directories(path_of(directory), error);
   if (error) throw std::runtime_error(directory + ": " + error.message());
 }
 

@@ -16,7 +16,8 @@
 /// Sort and sweep: pairs of valid solids, from the order of their lower ends on one axis.
 namespace touchstone::robust::structures {
 
-inline constexpr std::array coordinates{&Point3d::x, &Point3d::y, &Point3d::z};
+/// Its type is written out: g++ for Windows puts a variable whose type it deduces into sections of different names.
+inline constexpr std::array<double Point3d::*, 3> coordinates{&Point3d::x, &Point3d::y, &Point3d::z};
 
 /// The interval of a solid on an axis: its middle and half its length, and its ends as integers.
 struct Interval {

@@ -10,6 +10,7 @@
 
 #include "audit/counted.h"
 #include "audit/meshes/formats/reading.h"
+#include "audit/platform.h"
 #include "catalogue/codec/expected.h"
 #include "geometry/invalid_input.h"
 
@@ -51,7 +52,7 @@ constexpr std::array<Format, 7> formats{{{".glb", meshes::is_gltf, meshes::read_
 /// Devices and pipes need not end, and the length that a file system reports is no promise.
 std::string content(const std::string& path) {
   std::error_code unknown;
-  const auto type = std::filesystem::status(path, unknown).type();
+  const auto type = std::filesystem::status(path_of(path), unknown).type();
   if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found)
     throw InvalidInput(printable(path), "cannot be read: it is no file");
   errno = 0;
@@ -84,9 +85,8 @@ MeshFile read(const std::string& name, std::string_view bytes, const meshes::Rea
 }  // namespace
 
 MeshFile read_mesh_file(const std::string& path) {
-  return read(path, content(path), [&](const std::string& name) {
-    return content((std::filesystem::path(path).parent_path() / name).string());
-  });
+  return read(path, content(path),
+              [&](const std::string& name) { return content((path_of(path).parent_path() / path_of(name)).string()); });
 }
 
 MeshFile parse_mesh_file(const std::string& name, std::string_view bytes) {

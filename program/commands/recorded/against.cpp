@@ -2,12 +2,12 @@
 #include "program/commands/recorded/against.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 
 #include "audit/against/engines_apart.h"
 #include "audit/parallel.h"
+#include "audit/platform.h"
 #include "catalogue/codec/plain.h"
 #include "program/terminal/exit_codes.h"
 #include "program/terminal/interruptible.h"
@@ -133,7 +133,7 @@ int audit_against_command(const AuditCommand& command, std::ostream& out, std::o
     first = pair.first->declaration().engine, second = pair.second->declaration().engine;
     return pair;
   };
-  Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
+  Progress progress(err, is_terminal(Stream::error), options.operations, options.cases);
   if (options.by_cost) progress.ask_by_cost();
   options.progress = [&](const std::string& name, std::uint64_t done) { progress(name, done); };
   Partings partings;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands/recorded/judge.h"
 
-#include <unistd.h>
-
 #include "audit/counting/tally_json.h"
 #include "audit/judging/judge_logs.h"
 #include "audit/parallel.h"
 #include "audit/place.h"
+#include "audit/platform.h"
 #include "program/commands/commands.h"
 #include "program/commands/recorded/judge_files.h"
 #include "program/commands/recorded/log.h"
@@ -72,7 +71,7 @@ int judge_command(const JudgeCommand& command, std::ostream& out, std::ostream& 
   if (shard.of > 1 && asks_engine) throw UsageError("--shard: expected recorded calls, not --pairs or --columns");
   tell(shard, err);
   JudgeOptions options = judge_options(command, shard);
-  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  Progress progress(err, is_terminal(Stream::error), {}, 0);
   options.progress = [&](std::uint64_t read) { progress.tell(audit::counted(read, "call") + " read"); };
   const std::atomic<bool>& stopped = Interruptible::stopped();
   JudgedLogs judged;

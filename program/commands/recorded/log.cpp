@@ -10,6 +10,7 @@
 
 #include "audit/counted.h"
 #include "audit/logs/log_reader.h"
+#include "audit/platform.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
 
@@ -102,7 +103,7 @@ int log_show_command(const std::vector<std::string>& files, std::ostream& out) {
 
 int log_convert_command(const LogConvertCommand& command, std::ostream& out, std::ostream& err) {
   std::error_code unknown;
-  if (std::filesystem::equivalent(command.in, command.out, unknown))
+  if (std::filesystem::equivalent(path_of(command.in), path_of(command.out), unknown))
     throw UsageError(command.out + ": is the log that is read");
   LogReader log(command.in);
   std::ofstream opened;

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands/recorded/reduce.h"
 
-#include <unistd.h>
-
 #include "audit/counting/repeat.h"
 #include "audit/engines/pipe.h"
 #include "audit/parallel.h"
+#include "audit/platform.h"
 #include "audit/reducing/reduced.h"
 #include "audit/reducing/same_finding.h"
 #include "audit/reducing/until.h"
+#include "audit/text/geometries.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/probes/explained.h"
 #include "program/commands/file_meshes.h"
-#include "audit/text/geometries.h"
 #include "program/commands/reduced_files.h"
 #include "program/terminal/each_line.h"
 #include "program/terminal/exit_codes.h"
@@ -155,7 +154,7 @@ int reduce_command(const ReduceCommand& command, std::ostream& out, std::ostream
   const Interruptible interruptible;
   EngineNotes notes;
   const Deciding decide = deciding(command, operation, jobs, notes, question);
-  Progress progress(err, isatty(STDERR_FILENO) != 0, {}, 0);
+  Progress progress(err, is_terminal(Stream::error), {}, 0);
   const Reduced found =
       reduced(operation, question, *decide.interest,
               {jobs, TimeLimit(command.seconds), &Interruptible::stopped(),

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/engines/process.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -15,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/codec/excerpt.h"
+#include "audit/engines/last_errors.h"
+#include "audit/engines/process.h"
 
 extern char** environ;
 
@@ -24,7 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kept_errors = 4096;
 constexpr std::chrono::milliseconds time_to_exit{2000};
 
 struct Pipe {
@@ -84,17 +82,24 @@ std::string ending(const siginfo_t& info) {
   return "exit code " + std::to_string(info.si_status);
 }
 
-std::string last_line(std::string_view text) {
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
-  if (last == std::string_view::npos) return "";
-  text = text.substr(0, last + 1);
-  const std::size_t line = text.rfind('\n');
-  return excerpt(line == std::string_view::npos ? text : text.substr(line + 1), 200);
-}
-
 }  // namespace
 
-Process::Process(const std::string& command) {
+struct Process::Running {
+  pid_t pid = -1;
+  int input = -1, output = -1, errors = -1;
+  LastErrors last_errors;
+
+  ~Running() {
+    kill_and_reap();
+    for (const int descriptor : {input, output, errors}) {
+      if (descriptor >= 0) close(descriptor);
+    }
+  }
+  void read_errors();
+  void kill_and_reap();
+};
+
+Process::Process(const std::string& command) : running_(std::make_unique<Running>()) {
   Pipe input, output, errors;
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -114,44 +119,41 @@ Process::Process(const std::string& command) {
   std::vector<char*> environment{const_cast<char*>(mark.c_str())};
   for (char** variable = environ; *variable != nullptr; ++variable) environment.push_back(*variable);
   environment.push_back(nullptr);
-  const int error =
-      posix_spawn(&pid_, "/bin/sh", &actions, &attributes, const_cast<char* const*>(arguments), environment.data());
+  const int error = posix_spawn(&running_->pid, "/bin/sh", &actions, &attributes, const_cast<char* const*>(arguments),
+                                environment.data());
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0) throw std::system_error(error, std::generic_category(), "/bin/sh");
-  input_ = taken(input.to_write), output_ = taken(output.to_read), errors_ = taken(errors.to_read);
+  running_->input = taken(input.to_write), running_->output = taken(output.to_read);
+  running_->errors = taken(errors.to_read);
 }
 
-Process::~Process() {
-  kill_and_reap();
-  for (const int descriptor : {input_, output_, errors_}) {
-    if (descriptor >= 0) close(descriptor);
-  }
-}
+Process::~Process() = default;
 
 void Process::wait_for(bool to_write, Clock::time_point deadline) {
-  pollfd streams[] = {{output_, POLLIN, 0}, {errors_, POLLIN, 0}, {to_write ? input_ : -1, POLLOUT, 0}};
+  pollfd streams[] = {
+      {running_->output, POLLIN, 0}, {running_->errors, POLLIN, 0}, {to_write ? running_->input : -1, POLLOUT, 0}};
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
   poll(streams, 3, left.count() > 0 ? static_cast<int>(left.count()) : 0);
-  if (streams[1].revents != 0) read_errors();
+  if (streams[1].revents != 0) running_->read_errors();
 }
 
 void Process::write(std::string_view& outbox) {
   const NoBrokenPipeSignal quietly;
-  while (!outbox.empty() && input_ >= 0) {
-    const ssize_t count = ::write(input_, outbox.data(), outbox.size());
+  while (!outbox.empty() && running_->input >= 0) {
+    const ssize_t count = ::write(running_->input, outbox.data(), outbox.size());
     if (count > 0) {
       outbox.remove_prefix(static_cast<std::size_t>(count));
     } else if (errno != EINTR) {
       // The pipe has no reader: the state of its output decides.
-      if (errno != EAGAIN) close(std::exchange(input_, -1));
+      if (errno != EAGAIN) close(std::exchange(running_->input, -1));
       return;
     }
   }
 }
 
 void Process::close_input() {
-  if (input_ >= 0) close(std::exchange(input_, -1));
+  if (running_->input >= 0) close(std::exchange(running_->input, -1));
 }
 
 bool Process::read(std::string& inbox) {
@@ -159,23 +161,22 @@ bool Process::read(std::string& inbox) {
   const std::size_t before = inbox.size();
   inbox.resize(before + piece);
   ssize_t count = 0;
-  do count = ::read(output_, inbox.data() + before, piece);
+  do count = ::read(running_->output, inbox.data() + before, piece);
   while (count < 0 && errno == EINTR);
   const bool open = count > 0 || (count < 0 && errno == EAGAIN);
   inbox.resize(before + static_cast<std::size_t>(count > 0 ? count : 0));
   return open;
 }
 
-void Process::read_errors() {
-  char piece[kept_errors];
+void Process::Running::read_errors() {
+  char piece[LastErrors::kept];
   // A flood of error output must not keep us from the answers.
-  for (int pieces = 0; errors_ >= 0 && pieces < 64; ++pieces) {
-    const ssize_t count = ::read(errors_, piece, sizeof piece);
+  for (int pieces = 0; errors >= 0 && pieces < 64; ++pieces) {
+    const ssize_t count = ::read(errors, piece, sizeof piece);
     if (count > 0) {
-      last_errors_.append(piece, static_cast<std::size_t>(count));
-      if (last_errors_.size() > kept_errors) last_errors_.erase(0, last_errors_.size() - kept_errors);
+      last_errors.append({piece, static_cast<std::size_t>(count)});
     } else if (count == 0) {
-      close(std::exchange(errors_, -1));
+      close(std::exchange(errors, -1));
     } else if (errno != EINTR) {
       return;
     }
@@ -186,22 +187,21 @@ std::string Process::end() {
   siginfo_t info{};
   const auto deadline = Clock::now() + time_to_exit;
   // WNOWAIT: the process must stay known until its group is killed, or its id may be reused by then.
-  while (waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0 &&
+  while (waitid(P_PID, static_cast<id_t>(running_->pid), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0 &&
          Clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  std::string how = info.si_pid != 0 ? ending(info) : "its output ended";
-  kill_and_reap();
-  read_errors();
-  const std::string complaint = last_line(last_errors_);
-  return how.find(complaint) != std::string::npos ? how : how + ": " + complaint;
+  const std::string how = info.si_pid != 0 ? ending(info) : "its output ended";
+  running_->kill_and_reap();
+  running_->read_errors();
+  return running_->last_errors.after(how);
 }
 
-void Process::kill_and_reap() {
-  if (pid_ < 0) return;
-  kill(-pid_, SIGKILL);
-  while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) continue;
-  pid_ = -1;
+void Process::Running::kill_and_reap() {
+  if (pid < 0) return;
+  kill(-pid, SIGKILL);
+  while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) continue;
+  pid = -1;
 }
 
 }  // namespace touchstone::audit
