@@ -10,6 +10,7 @@ versions; their copyright notices are in FOLDER/usr/share/doc. Needs dpkg-dev, c
 import argparse
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -35,13 +36,13 @@ def apt_with_sources(lists):
     """The command apt-get with lists of its own: those of this machine, and the sources of the same releases."""
     (lists / "partial").mkdir(parents=True, exist_ok=True)
     (lists / "cache/archives/partial").mkdir(parents=True, exist_ok=True)
-    known = subprocess.run(["apt-get", "indextargets", "--format", "$(SITE) $(RELEASE) $(COMPONENT)", "Created-By: Packages"],
-                           stdout=subprocess.PIPE, text=True, check=True).stdout
-    of_release = sorted({line for line in known.splitlines() if "debian" in line.split()[0] or "ubuntu" in line.split()[0]})
+    targets = ["apt-get", "indextargets", "--format", "$(SITE) $(RELEASE) $(COMPONENT)", "Created-By: Packages"]
+    known = subprocess.run(targets, stdout=subprocess.PIPE, text=True, check=True).stdout.splitlines()
+    of_release = sorted({line for line in known if "debian" in line.split()[0] or "ubuntu" in line.split()[0]})
     sources = lists / "cache/sources.list"  # an update removes what it does not know from the lists themselves
     sources.write_text("".join(f"deb {line}\ndeb-src {line}\n" for line in of_release), encoding="utf-8")
-    apt = ["apt-get", "-qq", "-o", f"Dir::State::Lists={lists}", "-o", f"Dir::Cache={lists}/cache", "-o", "Acquire::Retries=3",
-           "-o", f"Dir::Etc::SourceList={sources}", "-o", "Dir::Etc::SourceParts=/dev/null"]
+    apt = ["apt-get", "-qq", "-o", f"Dir::State::Lists={lists}", "-o", f"Dir::Cache={lists}/cache",
+           "-o", "Acquire::Retries=3", "-o", f"Dir::Etc::SourceList={sources}", "-o", "Dir::Etc::SourceParts=/dev/null"]
     return apt + (["-o", "APT::Sandbox::User=root"] if os.geteuid() == 0 else [])
 
 
@@ -65,7 +66,7 @@ endforeach()
 
 
 def fetch(package, to, apt):
-    """Unpacks the newest sources that can be had, and says so if they are not those of the newest version; what apt said."""
+    """Unpacks the newest sources that can be had, and says so if there are newer ones; why there are none, or empty."""
     versions = quietly(["apt-cache", *apt[2:], "showsrc", package])[1].splitlines()
     for choice in [package, *(f"{package}={line.split()[1]}" for line in versions if line.startswith("Version:"))]:
         shutil.rmtree(to, ignore_errors=True)
@@ -73,13 +74,13 @@ def fetch(package, to, apt):
         fetched, output = quietly([*apt, "source", choice], cwd=to)
         if fetched:
             if choice != package:
-                print(f"libraries_from_source: of {package} the newest is not to be had; taken: {choice}", file=sys.stderr)
+                print(f"libraries_from_source: the newest {package} cannot be had; taken: {choice}", file=sys.stderr)
             return ""
     return f"no sources of {package}: {output.strip()}"
 
 
 def mend(tree, name):
-    """Debian builds zlib and Expat by their other build systems: what it left out of the one, and changed for the other."""
+    """Debian does not build these two by CMake: it left a file out of the one, and broke a definition of the other."""
     if name == "zlib":
         (tree / "win32").mkdir(exist_ok=True)
         (tree / "win32/zlib1.rc").touch()
@@ -99,8 +100,9 @@ def build(name, triple, folder, apt):
     mend(tree, name)
     built = sources / "build"
     targets = ["--target", "zlibstatic"] if name == "zlib" else []  # its shared library needs a file that is not there
-    commands = [["cmake", "-S", tree / inner, "-B", built, "-G", "Ninja", f"-DCMAKE_TOOLCHAIN_FILE={folder}/toolchain.cmake",
-                 "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_SHARED_LIBS=OFF", "-DCMAKE_POSITION_INDEPENDENT_CODE=ON",
+    commands = [["cmake", "-S", tree / inner, "-B", built, "-G", "Ninja",
+                 f"-DCMAKE_TOOLCHAIN_FILE={folder}/toolchain.cmake", "-DCMAKE_BUILD_TYPE=Release",
+                 "-DBUILD_SHARED_LIBS=OFF", "-DCMAKE_POSITION_INDEPENDENT_CODE=ON",
                  f"-DCMAKE_INSTALL_PREFIX={folder}/usr", "-DCMAKE_INSTALL_LIBDIR=lib", *options],
                 ["cmake", "--build", built, "-j", "1", *targets]]
     if name != "zlib":
@@ -113,15 +115,16 @@ def build(name, triple, folder, apt):
     notices = folder / "usr/share/doc" / package
     notices.mkdir(parents=True, exist_ok=True)
     shutil.copy(tree / "debian/copyright", notices / "copyright")
-    (version,) = sources.glob("*.dsc")
     if name == "zlib":
         (folder / "usr/lib").mkdir(parents=True, exist_ok=True)
         (archive,) = built.glob("lib*.a")
         shutil.copy(archive, folder / "usr/lib/libz.a")
         for header in (tree / "zlib.h", built / "zconf.h"):
             shutil.copy(header, folder / "usr/include")
+    (description,) = sources.glob("*.dsc")
+    version = re.search(r"^Version: (.*)$", description.read_text(encoding="utf-8"), re.MULTILINE)[1]
     with (folder / "sources.txt").open("a", encoding="utf-8") as written:
-        written.write(f"{name} {version.stem}\n")
+        written.write(f"{package} {version}\n")
     return ""
 
 
