@@ -26,7 +26,7 @@ LICENSES = {
     "cli11": "BSD-3-Clause",
     "gcc": "GPL-3.0-or-later WITH GCC-exception-3.1",
     "gcc-mingw-w64": "GPL-3.0-or-later WITH GCC-exception-3.1",
-    "mingw-w64": "ZPL-2.1",
+    "mingw-w64": "ZPL-2.1 AND MIT AND BSD-3-Clause",  # crt and winpthreads
 }
 NONE = "NOASSERTION"
 

@@ -27,7 +27,7 @@ HEADERS = ["nlohmann-json3-dev", "libcli11-dev"]
 
 
 def quietly(command, **options):
-    """Whether it succeeded; what it printed."""
+    """Runs a command. Returns if it succeeded, and its output."""
     run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
     return run.returncode == 0, run.stdout
 
@@ -129,7 +129,7 @@ def build(name, triple, folder, apt):
 
 
 def libraries_from_source(triple, folder, names=tuple(LIBRARIES)):
-    """Why something is missing; empty if all is there. What is there already is not built again."""
+    """Why something is missing; empty if all is there. A folder that is complete is left as it is."""
     folder = pathlib.Path(folder).resolve()
     if (folder / "complete").exists():
         return ""

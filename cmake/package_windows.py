@@ -22,6 +22,7 @@ PROGRAM, STRIP = BUILD / "touchstone.exe", "x86_64-w64-mingw32-strip"
 FOLDERS, FILES = ["vectors", "docs", "examples"], ["LICENSE", "README.md", "CHANGELOG.md", "CITATION.cff"]
 # Debian's packages of the runtime of g++ and of Windows' C library as MinGW-w64 has it.
 RUNTIME = ["gcc-mingw-w64-base", "mingw-w64-common"]
+LICENCE_OF_RUNTIME = pathlib.Path("/usr/share/common-licenses/GPL-3")
 COPYRIGHT = """touchstone {version} is under the Apache License 2.0: LICENSE, in this folder.
 
 touchstone.exe holds parts of these source packages of Debian; their notices are in the folder linked, and their sources
@@ -42,6 +43,8 @@ def linked_packages():
     for package in RUNTIME:
         packages |= sources([package])
         notices[package] = pathlib.Path("/usr/share/doc") / package / "copyright"
+    if LICENCE_OF_RUNTIME.exists():
+        notices["GPL-3"] = LICENCE_OF_RUNTIME
     return packages, notices
 
 
@@ -57,9 +60,9 @@ def contents(version, date):
         stripped = pathlib.Path(folder) / PROGRAM.name
         subprocess.run([STRIP, "-o", stripped, PROGRAM], check=True)
         held = {PROGRAM.name: stripped.read_bytes()}
-    tracked = subprocess.run(["git", "ls-files", "-z", *FOLDERS, *FILES], cwd=ROOT, stdout=subprocess.PIPE, check=True)
-    for name in tracked.stdout.decode().split("\0")[:-1]:
-        held[name] = (ROOT / name).read_bytes()
+    for path in [ROOT / name for name in FILES] + [path for folder in FOLDERS for path in (ROOT / folder).rglob("*")]:
+        if path.is_file() and not {"__pycache__", "node_modules"} & set(path.parts):
+            held[path.relative_to(ROOT).as_posix()] = path.read_bytes()
     for name, notice in notices.items():
         held[f"linked/{name}.txt"] = notice.read_bytes()
     listed = "\n".join(f"  {name} {packages[name]}" for name in sorted(packages))

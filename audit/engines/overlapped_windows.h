@@ -73,7 +73,7 @@ class Overlapped {
     return State::failed;
   }
   bool begun() const { return begun_; }
-  /// Closes the pipe. The event stays set: whoever waits for it learns of the end.
+  /// Closes the pipe. The event stays set, so that the caller who waits for it learns of the end.
   void shut() {
     DWORD ignored = 0;
     if (begun_ && CancelIoEx(pipe_.get(), &overlapped_) != 0)
@@ -89,7 +89,7 @@ class Overlapped {
   bool begun_ = false;
 };
 
-/// What the process writes.
+/// The pipe that the process writes.
 class Output : public Overlapped {
  public:
   ~Output() { shut(); }
@@ -118,7 +118,7 @@ class Output : public Overlapped {
   char bytes_[piece];
 };
 
-/// What the process reads.
+/// The pipe that the process reads.
 class Input : public Overlapped {
  public:
   ~Input() { shut(); }

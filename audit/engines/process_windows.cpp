@@ -42,7 +42,7 @@ struct Pipe {
   }
 };
 
-/// What a process inherits: these handles and no others, for another thread may be starting another engine.
+/// A process inherits these handles and no others, for another thread may be starting another engine.
 class Inherited {
  public:
   explicit Inherited(std::array<HANDLE, 3> handles) : handles_(handles) {
