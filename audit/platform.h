@@ -6,8 +6,8 @@
 
 #include "audit/uses.h"
 
-/// Functions that differ between systems, apart from processes (engines/process.h). Of platform_posix.cpp and
-/// platform_windows.cpp one is compiled. Text for the system is UTF-8.
+/// Functions that differ between systems, apart from processes (engines/process.h). One of the files
+/// platform_posix.cpp and platform_windows.cpp is compiled. Text for the system is UTF-8.
 namespace touchstone::audit {
 
 /// A main program calls this first. Then files and standard streams hold the bytes that are written, where Windows

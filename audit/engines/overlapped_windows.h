@@ -73,7 +73,7 @@ class Overlapped {
     return State::failed;
   }
   bool begun() const { return begun_; }
-  /// Closes the pipe. The event stays set, so that the caller who waits for it learns of the end.
+  /// Closes the pipe. The event stays set: waiting for it ends at once.
   void shut() {
     DWORD ignored = 0;
     if (begun_ && CancelIoEx(pipe_.get(), &overlapped_) != 0)
