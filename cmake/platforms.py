@@ -242,6 +242,26 @@ def pipes_hold(name, triple):
     return same
 
 
+def log_holds(name, triple):
+    """Records the calls of examples/record/game.c on Windows and here; whether both logs have the same calls."""
+    if not is_windows(triple):
+        return True
+    folder, logs = BUILD / name / "recorded", []
+    folder.mkdir(exist_ok=True)
+    for compiler, emulator in ((["gcc"], []), ([f"{triple}-gcc-posix", "-static"], emulator_of(triple))):
+        game = folder / f"{compiler[0]}.exe"
+        source = ["-std=c99", "-I", ROOT / "c", ROOT / "examples/record/game.c", "-lm", "-o", game]
+        subprocess.run([*compiler, *source], check=True)
+        log, lines = folder / f"{compiler[0]}.log", folder / f"{compiler[0]}.jsonl"
+        if run([*emulator, game, log.name], folder)[0] != 0:
+            return False
+        subprocess.run([BUILD / "release/touchstone", "log", "convert", log, lines], check=True, stdout=subprocess.DEVNULL)
+        logs.append(sorted(lines.read_text(encoding="utf-8").splitlines()))  # its two threads run in any order
+    same = logs[0] == logs[1] and len(logs[0]) > 20_000
+    print(f"{name}: a program that records its calls {'writes the same' if same else 'does not write the same'}")
+    return same
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("names", nargs="*", metavar="NAME")
@@ -272,6 +292,7 @@ def main():
             right &= ask(name, triple, native, given, operations)
             right &= example_holds(name, triple)
             right &= pipes_hold(name, triple)
+            right &= log_holds(name, triple)
     sys.exit(0 if right else 1)
 
 
