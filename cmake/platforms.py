@@ -242,6 +242,18 @@ def pipes_hold(name, triple):
     return same
 
 
+def scene_holds(name, triple):
+    """Simulates a scene on Windows and here; whether float, double and robust move alike."""
+    if not is_windows(triple):
+        return True
+    scene = ["simulate", "simulate/scenes/ball_on_stairs.json", "--trajectory", "-"]
+    here = printed([BUILD / "release/touchstone", *scene])
+    there = printed([*emulator_of(triple), program_of(name, triple), *scene])
+    same = here == there and here.startswith("exit 0\n")
+    print(f"{name}: a simulation {'takes the same steps' if same else 'takes other steps'} ({shown(there)})", flush=True)
+    return same
+
+
 def log_holds(name, triple):
     """Records the calls of examples/record/game.c on Windows and here; whether both logs have the same calls."""
     if not is_windows(triple):
@@ -292,6 +304,7 @@ def main():
             right &= ask(name, triple, native, given, operations)
             right &= example_holds(name, triple)
             right &= pipes_hold(name, triple)
+            right &= scene_holds(name, triple)
             right &= log_holds(name, triple)
     sys.exit(0 if right else 1)
 

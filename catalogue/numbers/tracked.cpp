@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "catalogue/numbers/fused.h"
+
 namespace touchstone::catalogue {
 namespace {
 
@@ -70,11 +72,11 @@ bool quotient_underflowed(double a, double b, double quotient) {
   if (quotient == 0) return true;
   int exponent = 0;  // scaled so that the remainder of the division is a double: quotient * b - a
   const double divisor = std::frexp(b, &exponent);
-  return std::fma(std::ldexp(quotient, 500), divisor, -std::ldexp(a, 500 - exponent)) != 0;
+  return fused(std::ldexp(quotient, 500), divisor, -std::ldexp(a, 500 - exponent)) != 0;
 }
 double product_rounding(double a, double b, double product) {
   if (a == 0 || b == 0) return 0;
-  if (std::fabs(product) > format().safe_product && std::fma(a, b, -product) == 0) return 0;
+  if (std::fabs(product) > format().safe_product && fused(a, b, -product) == 0) return 0;
   return half_ulp(product);
 }
 
@@ -164,7 +166,7 @@ Tracked operator/(const Tracked& a, const Tracked& b) {
       least > 0 ? (a.spread_ + std::fabs(quotient) * b.spread_) / least + step(quotient) : Tracked::infinite;
   if (!(least_divisor > 0) || !std::isfinite(quotient)) return {quotient, Tracked::infinite, spread};
   const double propagated = over(plus(a.error_, times(std::fabs(quotient), b.error_)), least_divisor);
-  const bool exact = std::fma(quotient, b.value_, -a.value_) == 0 && size(a) > format().safe_product;
+  const bool exact = fused(quotient, b.value_, -a.value_) == 0 && size(a) > format().safe_product;
   const double rounding = exact || a.value_ == 0 ? 0 : half_ulp(quotient);
   // The propagated term is relative to the computed quotient; its own rounding enters once more through the divisor.
   return {quotient, plus(propagated, times(rounding, over(size(b), least_divisor))), spread};
@@ -173,7 +175,7 @@ Tracked operator/(const Tracked& a, const Tracked& b) {
 Tracked sqrt(const Tracked& a) {
   const double root = Tracked::rounded(std::sqrt(a.value_));
   if (a.undefined_) return Tracked::undefined(root);
-  const bool exact = std::fma(root, root, -a.value_) == 0 && (size(a) > format().safe_product || a.value_ == 0);
+  const bool exact = fused(root, root, -a.value_) == 0 && (size(a) > format().safe_product || a.value_ == 0);
   if (!(a.value_ >= 0)) return {root, Tracked::infinite, Tracked::infinite};
   const double nearer = size(a) - a.spread_;
   const double spread =

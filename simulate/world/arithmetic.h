@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "catalogue/numbers/exact.h"
+#include "catalogue/numbers/fused.h"
 #include "catalogue/numbers/ulps.h"
 #include "geometry/answers.h"
 #include "geometry/bodies.h"
@@ -83,7 +84,7 @@ struct Formulas {
 struct Robust {
   using Number = double;
   static double number(double x) { return x; }
-  static double plus(double a, double t, double b) { return std::fma(t, b, a); }
+  static double plus(double a, double t, double b) { return catalogue::fused(t, b, a); }
   static double moment(double t) { return t; }
   TOUCHSTONE_OPERATIONS_OF(robust)
 };

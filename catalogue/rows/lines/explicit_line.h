@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/figures.h"
+#include "catalogue/numbers/fused.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/lines/explicit_line.h"
 #include "oracle/lines/explicit_line.h"
@@ -50,7 +51,7 @@ struct explicit_line : signatures::explicit_line {
     });
     add("cancelling", [](DrawStream& c) -> Question {
       const double slope = ordinary(c), x = ordinary(c);
-      return {slope, -(slope * x), {x, c.coin() ? std::fma(slope, x, -(slope * x)) : 0.0}};
+      return {slope, -(slope * x), {x, c.coin() ? fused(slope, x, -(slope * x)) : 0.0}};
     });
   }
 
