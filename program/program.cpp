@@ -321,6 +321,7 @@ int run_program(int argc, const char* const* argv) {
   audit::prepare_program();
   audit::use_limb_memory();
   CLI::App program{"touchstone: collision tests held against the exact truth"};
+  program.allow_windows_style_options(false);  // a path may begin with a slash there, too
   program.require_subcommand(0, 1);
   program.option_defaults()->always_capture_default();
   program.set_version_flag("--version", version, "Version, compiler and libraries");
