@@ -41,7 +41,7 @@ WITHOUT_ON_WINDOWS = {"parametric_circle"}
 
 # Programs of tests, the share of their cases (TOUCHSTONE_CASES), and which tests: not those that take minutes with any share.
 TESTS = {
-    "test_robust": (0.02, ["~ring_defect: the defect of a very long ring is named"]),
+    "test_robust": (0.02, ["~ring_defect: the defect of a very long ring is named", "~*polyhedr*: every rounding mode*"]),
     "test_agreement": (0.005, ["--filenames-as-tags", "[#arrays]~point_in_convex_polyhedron: over arrays of any length*,"
                                                       "[#arrays_by_hand],[#interrogation]"]),
 }
