@@ -9,6 +9,7 @@
 #include "audit/parallel.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/probes/fitted.h"
+#include "geometry/int128.h"
 
 namespace touchstone::audit {
 namespace {
@@ -126,7 +127,7 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
 /// The index of the first case that belongs to the shard after `shard`.
 std::uint64_t bound(const AuditOptions& options, const Operation& operation, std::uint64_t shard) {
   const std::uint64_t cases = cases_of(operation, options.cases, options.by_cost);
-  return static_cast<std::uint64_t>(static_cast<unsigned __int128>(cases) * shard / options.shards);
+  return static_cast<std::uint64_t>(static_cast<UInt128>(cases) * shard / options.shards);
 }
 
 bool has_counted(const Tally& tally, const Operation& operation) {

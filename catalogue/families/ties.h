@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/draw_stream.h"
+#include "geometry/int128.h"
 
 /// Numbers so near to the middle between two doubles that only their last digits tell on which side they lie.
 namespace touchstone::catalogue {
@@ -13,7 +14,7 @@ struct NearTie {
 };
 
 inline NearTie near_tie(DrawStream& draws) {
-  __extension__ using Wide = __int128;
+  using Wide = Int128;
   const std::uint64_t half = std::uint64_t{1} << 52;
   const auto t = static_cast<std::int64_t>(half + draws.below(half));
   const Wide tie = (static_cast<Wide>(2 * (half + draws.below(half)) + 1)) << 51;
@@ -29,7 +30,7 @@ struct WayBesideTie {
 };
 
 inline WayBesideTie way_beside_tie(DrawStream& draws) {
-  __extension__ using Wide = __int128;
+  using Wide = Int128;
   const std::uint64_t half = std::uint64_t{1} << 52, least = std::uint64_t{1} << 30;
   const auto odd = static_cast<Wide>(2 * (half + draws.below(half)) + 1);
   const auto speed = static_cast<std::int64_t>(least + draws.below(least));

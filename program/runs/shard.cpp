@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "catalogue/codec/excerpt.h"
+#include "geometry/int128.h"
 #include "program/terminal/exit_codes.h"
 
 namespace touchstone::program {
@@ -103,7 +104,7 @@ void tell(const Shard& shard, std::ostream& err) {
 
 Share share_of(std::uint64_t total, const Shard& shard) {
   const auto bound = [&](std::uint64_t i) {
-    return static_cast<std::uint64_t>(static_cast<unsigned __int128>(total) * i / shard.of);
+    return static_cast<std::uint64_t>(static_cast<UInt128>(total) * i / shard.of);
   };
   return {bound(shard.index - 1), bound(shard.index)};
 }

@@ -7,13 +7,15 @@
 #include <stdexcept>
 #include <vector>
 
+#include "geometry/int128.h"
+
 /// An exact gas: equal cubes in a cubic room, which fly without forces and bounce elastically (deck p. 45-47, 65-69).
 /// All numbers are integers, and nothing is rounded: energy and momentum are identical after any number of collisions,
 /// and if run backwards the gas returns to its initial bits.
 namespace touchstone::simulate::gas {
 
 using Int64 = std::int64_t;
-__extension__ using Wide = __int128;
+using Wide = Int128;
 
 /// On each axis the low corner of the cube is at line + velocity t.
 struct Cube {

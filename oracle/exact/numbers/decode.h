@@ -4,12 +4,12 @@
 #include <bit>
 #include <cstdint>
 
+#include "geometry/int128.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 using Integer = mpz_class;
-__extension__ typedef __int128 Int128;
 
 /// mantissa * 2^exponent, |mantissa| < 2^53.
 struct Dyadic {

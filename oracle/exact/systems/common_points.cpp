@@ -22,15 +22,15 @@ bool operator<(const SquaredLength<Int128>& p, const SquaredLength<Int128>& q) {
   if (p.denominator == q.denominator) return p.numerator < q.numerator;
   const auto times = [](const Wide& a, Int128 b, std::uint64_t(&result)[6]) {
     const auto b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
-    const auto high = static_cast<UnsignedInt128>(a.high);
+    const auto high = static_cast<UInt128>(a.high);
     const std::uint64_t limbs[4] = {static_cast<std::uint64_t>(a.low), static_cast<std::uint64_t>(a.low >> 64),
                                     static_cast<std::uint64_t>(high), static_cast<std::uint64_t>(high >> 64)};
-    UnsignedInt128 carry = 0;
+    UInt128 carry = 0;
     for (int i = 0; i < 4; ++i)
-      carry += UnsignedInt128{limbs[i]} * b0, result[i] = static_cast<std::uint64_t>(carry), carry >>= 64;
+      carry += UInt128{limbs[i]} * b0, result[i] = static_cast<std::uint64_t>(carry), carry >>= 64;
     result[4] = static_cast<std::uint64_t>(carry), result[5] = 0, carry = 0;
     for (int i = 0; i < 4; ++i) {
-      carry += UnsignedInt128{limbs[i]} * b1 + result[i + 1];
+      carry += UInt128{limbs[i]} * b1 + result[i + 1];
       result[i + 1] = static_cast<std::uint64_t>(carry), carry >>= 64;
     }
     result[5] = static_cast<std::uint64_t>(carry);

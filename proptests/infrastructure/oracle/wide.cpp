@@ -16,10 +16,10 @@ using catalogue::DrawStream;
 /// At most so many bits, often at one end of them or next to a power of two.
 Int128 drawn(DrawStream& draws, int bits) {
   const auto size = static_cast<int>(draws.below(static_cast<std::uint64_t>(bits) + 1));
-  const UnsignedInt128 mask = (UnsignedInt128{1} << size) - 1;
-  const UnsignedInt128 high = draws.any_bits(), any = high << 64 | draws.any_bits();
+  const UInt128 mask = (UInt128{1} << size) - 1;
+  const UInt128 high = draws.any_bits(), any = high << 64 | draws.any_bits();
   const auto form = draws.below(3);
-  const UnsignedInt128 value = form == 0 ? any & mask : form == 1 ? mask : (mask >> 1) + 1;
+  const UInt128 value = form == 0 ? any & mask : form == 1 ? mask : (mask >> 1) + 1;
   return draws.below(2) == 0 ? static_cast<Int128>(value) : -static_cast<Int128>(value);
 }
 

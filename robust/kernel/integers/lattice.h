@@ -7,12 +7,13 @@
 #include <cstdint>
 #include <optional>
 
+#include "geometry/int128.h"
 #include "robust/kernel/filters/decode.h"
 
 namespace touchstone::robust::kernel {
 
-__extension__ using Int128 = __int128;
-__extension__ using UInt128 = unsigned __int128;
+using touchstone::Int128;
+using touchstone::UInt128;
 
 /// Several doubles as integers over one power of two: number i is at[i] * 2^exponent exactly, |at[i]| < 2^61. So a
 /// difference is below 2^62, a product of differences below 2^124, and four such products fit a signed 128-bit integer.

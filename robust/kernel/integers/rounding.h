@@ -19,6 +19,7 @@ double round_leading(bool negative, std::uint64_t leading, bool tail, std::int64
 
 /// n * 2^exponent
 double round_scaled(Int128 n, std::int64_t exponent);
+inline double round_scaled(std::int64_t n, std::int64_t exponent) { return round_scaled(Int128{n}, exponent); }
 double round_scaled(const mpz_class& n, std::int64_t exponent);
 
 /// (n / d) * 2^exponent, d != 0
