@@ -30,6 +30,7 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL i686)
   string(APPEND CMAKE_CXX_FLAGS_INIT " -msse2 -mfpmath=sse")  # x87 rounds twice
   set(emulated i386)
 endif()
-set(CMAKE_CROSSCOMPILING_EMULATOR qemu-${emulated} -L /usr/${TOUCHSTONE_TRIPLE})
+string(REPLACE powerpc64le ppc64le emulator ${emulated})
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-${emulator} -L /usr/${TOUCHSTONE_TRIPLE})
 set(CMAKE_LIBRARY_ARCHITECTURE ${emulated}-linux-gnu)
 string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem ${TOUCHSTONE_LIBRARIES}/usr/include/${CMAKE_LIBRARY_ARCHITECTURE}")

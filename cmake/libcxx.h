@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tree uses of C++20 and libc++ does not have yet: it is included before every file that emscripten compiles.
+// What the tree uses of C++20 and libc++ does not have yet: it is included before every file.
 #pragma once
 #ifdef __cplusplus
 #include <bit>

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the program for other platforms and compares what it prints under an emulator: platforms.py [NAME...]
+"""Builds the program for other platforms and compares what it prints: platforms.py [NAME...]
 
-A NAME is a preset that inherits `platform`; without one, all are built. The libraries of a processor are Debian's,
-unpacked below build/libraries; those for Windows are built there from Debian's sources. Nothing is installed. Each check
-runs under the emulator and on this machine; the outputs have to be the same, byte for byte. Tests of robust and of
-agreement with the oracle run under the emulator. A platform is skipped where its compiler, emulator or libraries are
-missing.
+A NAME is a preset that inherits `platform`, or `native` for this processor; without one, all are built. The libraries of a
+platform are Debian's, unpacked below build/libraries, or built from its sources there; nothing is installed. Each check runs
+there, under an emulator where one is needed, and with the program of build/release; the outputs have to be the same, byte for
+byte. Tests of robust and of agreement with the oracle run, too, where they can be built. A platform is skipped where its
+compiler, emulator or libraries are missing.
 
   --build TARGETS NAME  builds these and asks nothing
 """
@@ -48,11 +48,17 @@ TESTS = {
 
 
 def platforms():
-    """Name, triple and folder of libraries of each."""
+    """Name, triple and folder of libraries of each; for this processor the compiler instead of the triple, and no folder."""
     presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["configurePresets"]
-    return {p["name"]: (p["cacheVariables"]["TOUCHSTONE_TRIPLE"],
-                        pathlib.Path(p["cacheVariables"]["TOUCHSTONE_LIBRARIES"].replace("${sourceDir}", str(ROOT))))
-            for p in presets if p.get("inherits") == "platform"}
+    known = {}
+    for p in presets:
+        variables = p.get("cacheVariables", {})
+        if p.get("inherits") == "platform":
+            libraries = variables["TOUCHSTONE_LIBRARIES"].replace("${sourceDir}", str(ROOT))
+            known[p["name"]] = (variables["TOUCHSTONE_TRIPLE"], pathlib.Path(libraries))
+        elif p.get("inherits") == "native":
+            known[p["name"]] = (variables["CMAKE_CXX_COMPILER"], None)
+    return known
 
 
 def is_windows(triple):
@@ -60,7 +66,7 @@ def is_windows(triple):
 
 
 def compiler_of(triple):
-    return f"{triple}-g++" + ("-posix" if is_windows(triple) else "")
+    return f"{triple}-g++{'-posix' if is_windows(triple) else ''}" if "-" in triple else triple
 
 
 def program_of(name, triple, program="touchstone"):
@@ -68,18 +74,27 @@ def program_of(name, triple, program="touchstone"):
 
 
 def emulator_of(triple):
-    """The command; for a processor, with the C library of the compiler."""
+    """The command; for a processor, with the C library of the compiler. Empty for this processor."""
+    if "-" not in triple:
+        return []
     if is_windows(triple):
         return ["wine"]
     processor = triple.split("-")[0]
+    loader = f"/usr/{triple}/lib/ld-linux.so.2"
+    if processor == "i686" and shutil.which(loader) and subprocess.run([loader, "--version"], stdout=subprocess.DEVNULL,
+                                                                       check=False).returncode == 0:
+        return [loader, "--library-path", f"/usr/{triple}/lib"]  # this processor runs it
     cpu = {"aarch64": ["-cpu", "max,sve-default-vector-length=32"]}  # so that each instruction set of arrays is chosen
-    return ["qemu-" + {"i686": "i386"}.get(processor, processor), *cpu.get(processor, []), "-L", f"/usr/{triple}"]
+    return ["qemu-" + {"i686": "i386", "powerpc64le": "ppc64le"}.get(processor, processor), *cpu.get(processor, []), "-L",
+            f"/usr/{triple}"]
 
 
-def unpack_libraries(folder):
+def unpack_libraries(triple, folder):
     """Why they are missing; empty if they are there."""
     if (folder / "complete").exists():
         return ""
+    if is_windows(triple):
+        return libraries_from_source(triple, folder)
     lists = folder.parent / f"{folder.name}_lists"
     for each in (folder, lists / "partial", lists / "cache/archives/partial"):
         each.mkdir(parents=True, exist_ok=True)
@@ -94,7 +109,7 @@ def unpack_libraries(folder):
 
     subprocess.run([*apt, "update"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     if not download([f"{name}:{folder.name}" for name in LIBRARIES] + HEADERS):
-        return f"no libraries of {folder.name} in this release"
+        return libraries_from_source(triple, folder)
     for name in OF_TESTS:
         download([f"{name}:{folder.name}"])
     # The configuration of {fmt} wants the shared library to be there too.
@@ -109,14 +124,15 @@ def unpack_libraries(folder):
 
 def build(name, triple, libraries, jobs, targets):
     """Why it is skipped; empty if the targets are built, or the program and its tests."""
-    for program in (compiler_of(triple), emulator_of(triple)[0]):
+    for program in (compiler_of(triple), *emulator_of(triple)[:1]):
         if shutil.which(program) is None:
             return f"no {program}"
-    if missing := libraries_from_source(triple, libraries) if is_windows(triple) else unpack_libraries(libraries):
+    if libraries and (missing := unpack_libraries(triple, libraries)):
         return missing
     subprocess.run(["cmake", "--preset", name], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     if not targets:
-        targets = ["touchstone", *(TESTS if any(libraries.glob("usr/lib/*/librapidcheck.*")) else ())]
+        known = subprocess.run(["ninja", "-C", BUILD / name, "-t", "targets", "all"], stdout=subprocess.PIPE, text=True, check=True)
+        targets = ["touchstone", *(test for test in TESTS if f"\n{test}: phony" in known.stdout)]
     subprocess.run(["cmake", "--build", BUILD / name, "-j", str(jobs), "--target", *targets], check=True)
     return ""
 
@@ -176,7 +192,7 @@ def tested(name, triple):
 
 def ask(name, triple, native, given, operations):
     """Prints a row of the table; whether all is the same as here."""
-    row, same, began = [name, compiler_of(triple), emulator_of(triple)[0]], True, time.time()
+    row, same, began = [name, compiler_of(triple), *(emulator_of(triple)[:1] or ["none"])], True, time.time()
     operations = [each for each in operations if not (is_windows(triple) and each in WITHOUT_ON_WINDOWS)]
     for check, arguments in CHECKS.items():
         arguments = [part.format(cases=given.cases, operations=",".join(operations)) for part in arguments]
@@ -199,7 +215,7 @@ def ask(name, triple, native, given, operations):
 def example_holds(name, triple):
     """Runs the example of docs/platforms.md, an engine built for two processors; whether it prints what the page says."""
     page = (ROOT / "docs/platforms.md").read_text(encoding="utf-8")
-    commands = re.search(rf"```sh\n([^`]*\n{triple}-g\+\+ [^`]*)```\n\n```\n([^`]*)```", page)
+    commands = re.search(rf"```sh\n([^`]*\n{re.escape(triple)}-g\+\+ [^`]*)```\n\n```\n([^`]*)```", page)
     if commands is None:  # no example for this platform
         return True
     script = re.sub(r"(?<= )(?:\./)?engine_|(?<=\")\./engine_", f"build/{name}/engine_", commands[1])
