@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-/// What is no decimal number in the range of double is left to strtold.
+/// Leaves to strtold a text that is no decimal number in the range of double.
 extern "C" double __mingw_strtod(const char* text, char** end) {
   const char* const digits = text + (*text == '-' ? 1 : 0);
   double value = 0;
