@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/validation.h"
+#include "oracle/exact/shapes/extreme_ring.h"
 #include "oracle/exact/shapes/whole_cloud.h"
 
 namespace touchstone::oracle {
@@ -105,17 +106,16 @@ std::string outside(Index p) { return "outside is point " + std::to_string(p); }
 std::string polygon_defect(const IntegerCloud& cloud, const std::vector<Index>& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return "fewer than three vertices";
-  const Vector3<Integer> normal = cloud.normal(ring[0], ring[1], ring[2]);
-  if (zero(normal)) return "no turn at a corner";
-  for (std::size_t k = 0; k < n; ++k) {
-    const Index a = ring[k], b = ring[(k + 1) % n];
-    if (sgn(dot(normal, cloud.normal(a, b, ring[(k + 2) % n]))) <= 0) return "no turn to the left";
-    for (Index p = 0; p < cloud.size(); ++p) {
-      if (sgn(cloud.height(cloud.plane(normal, a), p)) != 0 || sgn(dot(normal, cloud.normal(a, b, p))) < 0)
-        return outside(p);
-    }
-  }
-  return "";
+  const SupportingPlane plane = cloud.plane(cloud.normal(ring[0], ring[1], ring[2]), ring[0]);
+  if (zero(plane.normal)) return "no turn at a corner";
+  const auto turn = [&](Index a, Index b, Index c) { return turn_in(cloud, plane, a, b, c); };
+  for (std::size_t k = 0; k < n; ++k)
+    if (turn(ring[k], ring[(k + 1) % n], ring[(k + 2) % n]) <= 0) return "no turn to the left";
+  for (Index p = 0; p < cloud.size(); ++p)
+    if (sgn(cloud.height(plane, p)) != 0) return outside(p);
+  const auto beyond = point_outside(
+      ring, cloud.size(), [&](Index p, Index q) { return before(cloud[p], cloud[q]); }, turn);
+  return beyond ? outside(*beyond) : "";
 }
 
 /// True if the normals of the faces at a corner span space: then it is the one point that all their planes have in

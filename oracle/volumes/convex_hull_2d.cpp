@@ -2,57 +2,44 @@
 #include "oracle/volumes/convex_hull_2d.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "geometry/validation.h"
 #include "oracle/exact/numbers/wide.h"
+#include "oracle/exact/shapes/extreme_ring.h"
 #include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
 namespace {
 
-bool before(const Point2<Integer>& p, const Point2<Integer>& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
-/// True if q is farther from p than r, which lies in the same direction.
-bool farther(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
-  return abs(q.x - p.x) + abs(q.y - p.y) > abs(r.x - p.x) + abs(r.y - p.y);
-}
-
-/// As seen from an extreme point all others lie within less than half a turn: turns from one to another order them.
-std::vector<Index> wrapped(const IntegerRing& points) {
-  Index least = 0;
-  for (Index i = 1; i < points.size(); ++i) {
-    if (before(points[i], points[least])) least = i;
-  }
-  std::vector<Index> ring{least};
-  while (true) {
-    const Index at = ring.back();
-    Index next = at;
-    for (Index i = 0; i < points.size(); ++i) {
-      if (points[i] == points[at]) continue;
-      const int turn = next == at ? -1 : points.turn(at, next, i);
-      if (turn < 0 || (turn == 0 && farther(points[at], points[i], points[next]))) next = i;
-    }
-    if (next == at || next == least) return ring;
-    ring.push_back(next);
-  }
+auto in_order(const IntegerRing& points) {
+  return [&points](Index i, Index k) {
+    const Point2<Integer>&p = points[i], &q = points[k];
+    return p.x < q.x || (p.x == q.x && p.y < q.y);
+  };
 }
 
 /// The least value over an edge of the ring and a point that is not its end, over all of them. No point lies on the
-/// right of an edge.
+/// right of an edge, and of the ring's corners one next to the edge is nearest.
 template <class Value, class Point>
 Value least_area(const std::vector<Point>& points, const std::vector<Index>& ring) {
+  std::vector<bool> corner(points.size());
+  for (const Index i : ring) corner[i] = true;
+  std::vector<Index> others;
+  for (Index i = 0; i < points.size(); ++i)
+    if (!corner[i]) others.push_back(i);
   std::optional<Value> least;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Index from = ring[k], to = ring[(k + 1) % ring.size()];
-    const Point &p = points[from], &q = points[to];
+  const std::size_t n = ring.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point &p = points[ring[k]], &q = points[ring[(k + 1) % n]];
     const Value x(q.x - p.x), y(q.y - p.y);
-    for (Index i = 0; i < points.size(); ++i) {
-      if (i == from || i == to) continue;
-      const Point& r = points[i];
+    const auto note = [&](const Point& r) {
       Value area = x * Value(r.y - p.y) - y * Value(r.x - p.x);
       if (!least || area < *least) least = std::move(area);
-    }
+    };
+    note(points[ring[(k + 2) % n]]), note(points[ring[(k + n - 1) % n]]);
+    for (const Index i : others) note(points[i]);
   }
   return *least;
 }
@@ -85,7 +72,10 @@ template <class Number>
 Truth<ConvexHull2> truth_convex_hull_2d(const std::vector<Point2<Number>>& points) {
   validate_convex_hull_2d(points);
   const IntegerRing integers(Polygon2<Number>{points});
-  std::vector<Index> ring = wrapped(integers);
+  std::vector<Index> all(integers.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  std::vector<Index> ring =
+      extreme_ring(all, in_order(integers), [&](Index p, Index q, Index r) { return integers.area(p, q, r); });
   return {hull_of_convex_hull_2d(ring), margin_of_convex_hull_2d(integers, ring), [ring = std::move(ring)] {
             const char* kind = ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon";
             return Certificate{kind, {{"extreme", {ring.begin(), ring.end()}}}};
@@ -137,14 +127,16 @@ std::string convex_hull_2d_defect(const std::vector<Point2d>& points, const Conv
   for (std::size_t k = 0; k < n && n > 2; ++k) {
     if (integers.turn(ring[k], ring[(k + 1) % n], ring[(k + 2) % n]) <= 0) return "no turn to the left";
   }
+  const auto outside = [](Index i) { return "outside is point " + std::to_string(i); };
+  const auto turn = [&](Index p, Index q, Index r) { return integers.turn(p, q, r); };
+  if (n > 2) {
+    const auto beyond = point_outside(ring, integers.size(), in_order(integers), turn);
+    return beyond ? outside(*beyond) : "";
+  }
   for (Index i = 0; i < integers.size(); ++i) {
     const auto &p = integers[i], &a = integers[ring[0]], &b = integers[ring.back()];
-    const std::string outside = "outside is point " + std::to_string(i);
-    if (n < 3 && !(between(a.x, p.x, b.x) && between(a.y, p.y, b.y))) return outside;
-    if (n == 2 && integers.turn(ring[0], ring[1], i) != 0) return outside;
-    for (std::size_t k = 0; k < n && n > 2; ++k) {
-      if (integers.turn(ring[k], ring[(k + 1) % n], i) < 0) return outside;
-    }
+    if (!(between(a.x, p.x, b.x) && between(a.y, p.y, b.y))) return outside(i);
+    if (n == 2 && integers.turn(ring[0], ring[1], i) != 0) return outside(i);
   }
   return "";
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "oracle/exact/shapes/extreme_ring.h"
 #include "oracle/exact/shapes/whole_list.h"
 
 namespace touchstone::oracle {
@@ -15,11 +16,6 @@ std::vector<Number> numbers_of(const std::vector<Point3<Number>>& points) {
   std::vector<Number> numbers;
   for (const auto& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
   return numbers;
-}
-
-bool before(const Point3<Integer>& p, const Point3<Integer>& q) {
-  if (p.x != q.x) return p.x < q.x;
-  return p.y != q.y ? p.y < q.y : p.z < q.z;
 }
 
 /// Compares vectors in one direction.
@@ -38,17 +34,17 @@ SupportingPlane folded(const IntegerCloud& cloud, const SupportingPlane& known, 
   return plane;
 }
 
-/// 1 if three points in a plane turn left about its normal, -1 to the right: the same turn as seen along an axis that
-/// the plane does not contain.
-int turn_about(const Vector3<Integer>& normal, const Point3<Integer>& a, const Point3<Integer>& b,
-               const Point3<Integer>& c) {
+/// Twice the area of three points in a plane as seen along an axis that the plane does not contain, positive if they
+/// turn left about its normal.
+Integer area_about(const Vector3<Integer>& normal, const Point3<Integer>& a, const Point3<Integer>& b,
+                   const Point3<Integer>& c) {
   using Point = Point3<Integer>;
-  const auto projected = [&](Integer Point::*u, Integer Point::*v) {
-    return sgn(Integer((b.*u - a.*u) * (c.*v - a.*v) - (b.*v - a.*v) * (c.*u - a.*u)));
+  const auto projected = [&](int side, Integer Point::*u, Integer Point::*v) {
+    return Integer(side * ((b.*u - a.*u) * (c.*v - a.*v) - (b.*v - a.*v) * (c.*u - a.*u)));
   };
-  if (sgn(normal.z) != 0) return sgn(normal.z) * projected(&Point::x, &Point::y);
-  if (sgn(normal.x) != 0) return sgn(normal.x) * projected(&Point::y, &Point::z);
-  return sgn(normal.y) * projected(&Point::z, &Point::x);
+  if (sgn(normal.z) != 0) return projected(sgn(normal.z), &Point::x, &Point::y);
+  if (sgn(normal.x) != 0) return projected(sgn(normal.x), &Point::y, &Point::z);
+  return projected(sgn(normal.y), &Point::z, &Point::x);
 }
 
 /// The least point is extreme, and as seen along the last axis all points lie on one side of a line through it and
@@ -71,6 +67,15 @@ SupportingPlane first_face(const IntegerCloud& cloud) {
 }
 
 }  // namespace
+
+bool before(const Point3<Integer>& p, const Point3<Integer>& q) {
+  if (p.x != q.x) return p.x < q.x;
+  return p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+
+int turn_in(const IntegerCloud& cloud, const SupportingPlane& plane, Index a, Index b, Index c) {
+  return sgn(area_about(plane.normal, cloud[a], cloud[b], cloud[c]));
+}
 
 IntegerCloud::IntegerCloud(const std::vector<Point3<Rational>>& exactly) {
   IntegerList list = integer_list(numbers_of(exactly));
@@ -111,20 +116,9 @@ std::vector<Index> ring_in(const IntegerCloud& cloud, const SupportingPlane& pla
   for (Index p = 0; p < cloud.size(); ++p) {
     if (sgn(cloud.height(plane, p)) == 0) members.push_back(p);
   }
-  const auto least =
-      std::min_element(members.begin(), members.end(), [&](Index p, Index q) { return before(cloud[p], cloud[q]); });
-  std::vector<Index> ring{*least};
-  while (true) {
-    const Index at = ring.back();
-    Index next = at;
-    for (const Index p : members) {
-      if (cloud[p] == cloud[at]) continue;
-      const int turn = next == at ? -1 : turn_about(plane.normal, cloud[at], cloud[next], cloud[p]);
-      if (turn < 0 || (turn == 0 && longer(cloud.between(at, p), cloud.between(at, next)))) next = p;
-    }
-    if (next == ring[0]) break;
-    ring.push_back(next);
-  }
+  std::vector<Index> ring = extreme_ring(
+      members, [&](Index p, Index q) { return before(cloud[p], cloud[q]); },
+      [&](Index p, Index q, Index r) { return area_about(plane.normal, cloud[p], cloud[q], cloud[r]); });
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   return ring;
 }

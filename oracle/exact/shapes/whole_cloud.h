@@ -40,6 +40,12 @@ class IntegerCloud {
   Rational unit;
 };
 
+/// The lexicographic order.
+bool before(const Point3<Integer>& p, const Point3<Integer>& q);
+
+/// 1 if three points in a plane turn left about its normal, -1 to the right.
+int turn_in(const IntegerCloud& cloud, const SupportingPlane& plane, Index a, Index b, Index c);
+
 /// The extreme points of the points in a plane that has at least three not collinear, counter-clockwise about its
 /// normal from the least index. Equal points are represented by the first.
 std::vector<Index> ring_in(const IntegerCloud& cloud, const SupportingPlane& plane);

@@ -252,6 +252,13 @@ TEST_CASE("convex_hull: thousands of points, by the definition") {
   }
 }
 
+TEST_CASE("convex_hull: a polygon that turns left at every corner and goes round twice is no hull") {
+  const Points pentagon{{0, 3, 1}, {-3, 1, 1}, {-2, -3, 1}, {2, -3, 1}, {3, 1, 1}};
+  CHECK(Row::defect({pentagon}, {2, {}, {}, std::vector<Index>{0, 1, 2, 3, 4}, {}}) == "");
+  CHECK(Row::defect({pentagon}, {2, {}, {}, std::vector<Index>{0, 2, 4, 1, 3}, {}}).starts_with("outside is point"));
+  CHECK(Row::defect({pentagon}, {2, {}, {}, std::vector<Index>{0, 1, 2, 3}, {}}) == "outside is point 4");
+}
+
 TEST_CASE("convex_hull: clouds that other programs stumbled over") {
   const auto clouds = clouds_from_elsewhere();
   if (clouds.empty()) WARN("skipped: no clouds below TOUCHSTONE_DATA or ../shared/data");

@@ -157,6 +157,13 @@ TEST_CASE("convex_hull_2d: the formula in double is right beyond the margins of 
   CHECK(beyond > 100);
 }
 
+TEST_CASE("convex_hull_2d: a ring that turns left at every corner and goes round twice is no hull") {
+  const std::vector<Point2d> pentagon{{0, 3}, {-3, 1}, {-2, -3}, {2, -3}, {3, 1}};
+  CHECK(Row::defect({pentagon}, {2, {}, {}, std::vector<Index>{0, 1, 2, 3, 4}}) == "");
+  CHECK(Row::defect({pentagon}, {2, {}, {}, std::vector<Index>{0, 2, 4, 1, 3}}).starts_with("outside is point"));
+  CHECK(Row::defect({pentagon}, {2, {}, {}, std::vector<Index>{0, 1, 2, 3}}) == "outside is point 4");
+}
+
 TEST_CASE("convex_hull_2d: rings drawn by others") {
   const std::vector<Polygon2d> rings = polygons_from_elsewhere();
   if (rings.empty()) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
