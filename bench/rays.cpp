@@ -72,8 +72,8 @@ int side_of_edge(const std::array<Integer, 12>& n) {
 /// The side of the ray on which the edge a, b lies.
 int side_of_edge(const Ray3d& ray, const Point3d& a, const Point3d& b) {
   const auto& [o, d] = ray;
-  const auto sign = robust::filters::rise(o, a, b, d);
-  if (sign != robust::filters::Sign::unknown) return sign == robust::filters::Sign::positive ? 1 : -1;
+  const auto sign = robust::filters::RayAndTriangle<double>(o, d, a, b, b).beside_ab();
+  if (sign != robust::filters::Sign::unknown) return sign == robust::filters::Sign::negative ? 1 : -1;
   const auto lattice = robust::kernel::lattice_of(o.x, o.y, o.z, d.x, d.y, d.z, a.x, a.y, a.z, b.x, b.y, b.z);
   if (lattice) return side_of_edge(lattice->at);
   return side_of_edge(robust::kernel::integers_of(o.x, o.y, o.z, d.x, d.y, d.z, a.x, a.y, a.z, b.x, b.y, b.z).at);

@@ -29,21 +29,20 @@ struct ray_triangle : Signatures<decltype(robust::ray_triangle)> {
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::ray_triangle_relation)> {
-    /// Decides if the origin is certainly not on the triangle's plane and the ray not parallel to it. If the ray leads
-    /// away, there is no intersection. Otherwise its line crosses the plane once, ahead of the origin: inside the
-    /// triangle if it has all three edges on one side, outside if it has two of them on different sides.
+    /// Decides if the ray is certainly not parallel to the triangle's plane. Its line crosses the plane once; if that
+    /// is certainly behind the origin, or beyond an edge, there is no intersection. One branch: the answer is
+    /// unpredictable.
     static Perhaps<SegmentTriangleRelation> filter(const Ray3d& ray, const Triangle3d& triangle) {
       using filters::Sign;
-      const auto& [p, v] = ray;
-      const auto& [a, b, c] = triangle;
-      const Sign at_origin = filters::FacePlane<double>(a, b, c).side(p), rise = filters::rise(a, b, c, v);
-      if (at_origin == Sign::unknown || rise == Sign::unknown) return std::nullopt;
-      if (at_origin == rise) return SegmentTriangleRelation::none;
-      const Sign ab = filters::rise(p, a, b, v), bc = filters::rise(p, b, c, v), ca = filters::rise(p, c, a, v);
-      const auto any = [&](Sign sign) { return ab == sign || bc == sign || ca == sign; };
-      if (any(Sign::positive) && any(Sign::negative)) return SegmentTriangleRelation::none;
-      if (any(Sign::unknown)) return std::nullopt;
-      return SegmentTriangleRelation::point;
+      const filters::RayAndTriangle<double> both(ray.origin, ray.direction, triangle.a, triangle.b, triangle.c);
+      const Sign rise = both.rise(), other = rise == Sign::positive ? Sign::negative : Sign::positive;
+      const Sign t = both.height(), ab = both.beside_ab(), bc = both.beside_bc(), ca = both.beside_ca();
+      const int certain = rise != Sign::unknown;
+      const int misses = (t == other) | (ab == other) | (bc == other) | (ca == other);
+      const int meets = (t == rise) & (ab == rise) & (bc == rise) & (ca == rise);
+      if ((certain & (misses | meets)) == 0) [[unlikely]]
+        return std::nullopt;
+      return misses != 0 ? SegmentTriangleRelation::none : SegmentTriangleRelation::point;
     }
     static Partial lattice;
     static Total exact;

@@ -5,7 +5,7 @@ import re
 HEADERS = ["geometry/points.h", "geometry/space.h"] + [
     f"robust/kernel/filters/{name}.h"
     for name in "filters plane_filter slab_filter sphere_filter sphere_box_filter sweep_filter face_filter obb_filter "
-    "contact_filter extreme_filter height_filter".split()
+    "contact_filter extreme_filter height_filter ray_filter".split()
 ]
 
 

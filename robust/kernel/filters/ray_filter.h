@@ -2,28 +2,118 @@
 #pragma once
 
 #include "geometry/rays.h"
+#include "geometry/volumes.h"
 #include "robust/kernel/filters/face_filter.h"
 
-/// The first stage for rays and triangles in space.
+/// The first stage for rays against triangles and balls in space: the model, the guards and the rules of filters.h.
 namespace touchstone::robust::filters {
 
-/// The sign of ((b - a) x (c - a)) . d for a displacement d: positive if d leads to the side from which a, b, c are
-/// seen counter-clockwise.
+/// With e = b - a, f = c - a and s from a to the origin, the line crosses the triangle's plane where a + x e + y f =
+/// origin + t v, and x, y, t are quotients of the values of `beside_ca`, `beside_ab` and `height` by that of `rise`
+/// (Moeller and Trumbore, Fast, minimum storage ray/triangle intersection, 1997).
 ///
-/// This is E of FacePlane with d instead of p - a, which is rounded there and exact here. So each product has one
-/// rounding less and one absolute term less, that of a flushed difference, and the same factors and guards. Bound and
-/// guard of FacePlane hold with room to spare. Not proved by machine.
+/// One bound for the four values that contain v. X, Y and Z are the sums of |e|, |f| and |s| on each axis; the products
+/// of all four values together are among those of |v.x| Y Z + |v.y| Z X + |v.z| X Y, each once, and those of `height`
+/// among those of X Y Z. A product of beside_bc goes through two differences, two products, the difference in the cross
+/// product, two sums and two differences: nine roundings, the last of which is shared (4); the other values have fewer.
+/// At least (1 - u)^10 of the terms is computed, (1 - u)^11 of X Y Z, and the bound has two operations more: C (1 -
+/// u)^13 >= (1 + u) ((1 + u)^8 - 1) = 8 u + .... C = 8 u + 288 u^2: at u = 1/16, 2.879 < 3.25 in units of 8 u. (Looser
+/// by more than two than it could be: a product of one of the values is a ninth of the terms, and the roundings are
+/// taken for independent.)
+///
+/// Guard and absolute terms: as for FacePlane, of which rise and height have the products; beside_bc has three such
+/// values, less than 550 n H^2, and two more differences, so twice the absolute term pays for it. Proved: ray_rise and
+/// so on.
 template <class Float, class Format = FloatFormat<Float>>
-Sign rise(const Point3<Float>& a, const Point3<Float>& b, const Point3<Float>& c, const Vector3<Float>& d) {
+class RayAndTriangle {
   using B = CubicBounds<Float, Format>;
-  const auto sizes = [](const Vector3<Float>& v) {
-    return Vector3<Float>{Format::magnitude(v.x), Format::magnitude(v.y), Format::magnitude(v.z)};
-  };
-  const Vector3<Float> v = b - a, w = c - a, x = sizes(v), y = sizes(w), z = sizes(d);
-  const Float terms = (x.y * y.z + x.z * y.y) * z.x + (x.z * y.x + x.x * y.z) * z.y + (x.x * y.y + x.y * y.x) * z.z;
-  const Float extent = (x.x + x.y + x.z) + (y.x + y.y + y.z) + (z.x + z.y + z.z);
-  const Float error = Bounds<Float, Format>::template relative<14, 176>() * terms + B::absolute();
-  return certain<Float, Format>(dot(cross(v, w), d), error, extent, B::high());
-}
+
+ public:
+  RayAndTriangle(const Point3<Float>& origin, const Vector3<Float>& v, const Point3<Float>& a, const Point3<Float>& b,
+                 const Point3<Float>& c)
+      : v_(v), e_(b - a), f_(c - a), s_(origin - a), p_(cross(v_, f_)), q_(cross(s_, e_)) {
+    const Float x = extent<Float, Format>(e_.x, f_.x, s_.x), y = extent<Float, Format>(e_.y, f_.y, s_.y),
+                z = extent<Float, Format>(e_.z, f_.z, s_.z), yz = y * z;
+    const Float vx = Format::magnitude(v.x), vy = Format::magnitude(v.y), vz = Format::magnitude(v.z);
+    terms_ = vx * yz + vy * (z * x) + vz * (x * y);
+    volume_ = x * yz;
+    size_ = x + y + z + vx + vy + vz;
+  }
+
+  /// e . (v x f): positive if the triangle is seen clockwise along the ray.
+  Sign rise() const { return sign(dot(e_, p_)); }
+  /// These have the sign of rise if the line passes the edge on the inner side.
+  Sign beside_ca() const { return sign(dot(s_, p_)); }
+  Sign beside_ab() const { return sign(dot(v_, q_)); }
+  Sign beside_bc() const { return sign(dot(e_, p_) - dot(s_, p_) - dot(v_, q_)); }
+  /// This has the sign of rise if the crossing is ahead of the origin.
+  Sign height() const { return certain<Float, Format>(dot(f_, q_), error(volume_), size_, B::high()); }
+
+ private:
+  static Float error(const Float& terms) {
+    const int h = Format::max_exponent / 4;
+    const Float absolute = Format::above(power_of_two(10 + Format::min_exponent + 2 * h));
+    return Bounds<Float, Format>::template relative<16, 288>() * terms + absolute;
+  }
+  Sign sign(const Float& value) const { return certain<Float, Format>(value, error(terms_), size_, B::high()); }
+
+  Vector3<Float> v_, e_, f_, s_, p_, q_;
+  Float terms_, volume_, size_;
+};
+
+/// With c from the ball's center to the origin, |c + t v|^2 - r^2 is start + 2 slope t + v . v t^2. ec and ev are the
+/// sums of the magnitudes of the coordinates of c and v.
+///
+/// start: a product goes through two differences, the product and two sums, and one shared subtraction (4): (1 + u)^5 -
+/// 1 in units of ec^2 + r^2, of which (1 - u)^8 is computed; two operations more. C = 5 u + 128 u^2: at u = 1/16, 2.296
+/// < 2.6 in units of 5 u. slope: as for Sweep, whose C is that of a rounded velocity.
+///
+/// enters: a product of v . v start goes through three roundings for v . v, six for start and one, and those of slope^2
+/// through nine; the last subtraction is shared. Both have their products among those of ev^2 (ec^2 + r^2), so twice
+/// these are the units, of which (1 - u)^15 is computed; two operations more. C = 10 u + 640 u^2: at u = 1/16, 4.245 <
+/// 5 in units of 10 u. (Looser than two: by Cauchy's inequality the units are at least v . v (c . c + r^2) twice.)
+///
+/// Guard and absolute terms: as for Sweep::passage; start and slope are off by less than 512 n G. Proved:
+/// ray_and_ball_start and so on.
+template <class Float, class Format = FloatFormat<Float>>
+class RayAndBall {
+  using B = Bounds<Float, Format>;
+
+ public:
+  RayAndBall(const Point3<Float>& origin, const Vector3<Float>& v, const Sphere3<Float>& ball)
+      : c_(origin - ball.center),
+        v_(v),
+        square_(ball.radius * ball.radius),
+        ec_(extent<Float, Format>(c_.x, c_.y, c_.z)),
+        ev_(extent<Float, Format>(v_.x, v_.y, v_.z)),
+        size_(ec_ + ev_ + ball.radius) {}
+
+  /// Positive: the origin is outside; negative: inside.
+  Sign start() const {
+    return sign(dot(c_, c_) - square_, B::template relative<10, 128>() * (ec_ * ec_ + square_) + least());
+  }
+  /// Positive: the ray parts from the center at its origin; negative: it approaches it.
+  Sign slope() const { return sign(dot(c_, v_), B::template relative<10, 96>() * ec_ * ev_ + least()); }
+  /// Positive: the ray's line enters the ball; negative: it passes by.
+  Sign enters() const {
+    const Float slope = dot(c_, v_), start = dot(c_, c_) - square_, terms = (ev_ + ev_) * ev_ * (ec_ * ec_ + square_);
+    const int g = Format::max_exponent / 6;
+    const Float absolute = Format::above(power_of_two(12 + Format::min_exponent + 3 * g));
+    return sign(slope * slope - dot(v_, v_) * start, B::template relative<20, 640>() * terms + absolute);
+  }
+
+ private:
+  Sign sign(const Float& value, const Float& error) const {
+    const int g = Format::max_exponent / 6;
+    return certain<Float, Format>(value, error, size_, Format::above(power_of_two(g)));
+  }
+  static Float least() {
+    const int g = Format::max_exponent / 6;
+    return Format::above(power_of_two(9 + Format::min_exponent + g));
+  }
+
+  Vector3<Float> c_, v_;
+  Float square_, ec_, ev_, size_;
+};
 
 }  // namespace touchstone::robust::filters
