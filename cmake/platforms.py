@@ -89,6 +89,11 @@ def emulator_of(triple):
             f"/usr/{triple}"]
 
 
+def run_by(triple):
+    emulator = emulator_of(triple)
+    return emulator[0] if emulator and "/" not in emulator[0] else "this processor"
+
+
 def unpack_libraries(triple, folder):
     """Why they are missing; empty if they are there."""
     if (folder / "complete").exists():
@@ -192,7 +197,7 @@ def tested(name, triple):
 
 def ask(name, triple, native, given, operations):
     """Prints a row of the table; whether all is the same as here."""
-    row, same, began = [name, compiler_of(triple), *(emulator_of(triple)[:1] or ["none"])], True, time.time()
+    row, same, began = [name, compiler_of(triple), run_by(triple)], True, time.time()
     operations = [each for each in operations if not (is_windows(triple) and each in WITHOUT_ON_WINDOWS)]
     for check, arguments in CHECKS.items():
         arguments = [part.format(cases=given.cases, operations=",".join(operations)) for part in arguments]
@@ -309,7 +314,7 @@ def main():
                 sys.exit(f"platforms: {name}: {skipped}")
         return
     operations = share_of_vectors(given.share)
-    columns = ["platform", "compiler", "emulator", *CHECKS, "tests", "time"]
+    columns = ["platform", "compiler", "run by", *CHECKS, "tests", "time"]
     print("| " + " | ".join(columns) + " |\n|" + "---|" * len(columns))
     for name in names:
         triple, libraries = known[name]
