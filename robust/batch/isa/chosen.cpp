@@ -26,7 +26,7 @@ bool registers_of_256_bits() {
 }  // namespace
 #endif
 
-const Filters* filters_here(int at_most) {
+const Filters* filters_here([[maybe_unused]] int at_most) {
   if (!kernel::processor::plain_arithmetic()) return nullptr;
 #if defined(__x86_64__)
   const bool of_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi");
