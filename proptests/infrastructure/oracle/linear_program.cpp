@@ -9,6 +9,7 @@
 namespace {
 
 using namespace touchstone::oracle;
+using touchstone::Int128;
 
 /// SplitMix64: the same small programs on every machine.
 struct Stream {
