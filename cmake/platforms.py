@@ -185,9 +185,9 @@ def tested(name, triple):
             runs.append(subprocess.Popen([*emulator_of(triple), BUILD / name / "tests" / program, *which], cwd=ROOT, stdout=log,
                                          stderr=subprocess.STDOUT, env=os.environ | {"TOUCHSTONE_CASES": str(cases)}))
     passed, failed = 0, []
-    for program, run in zip(TESTS, runs):
+    for program, process in zip(TESTS, runs):
         log = BUILD / name / f"{program}.txt"
-        failure = run.wait()
+        failure = process.wait()
         all_of = re.search(r"All tests passed \(\d+ assertions? in (\d+) test cases?\)", log.read_text(encoding="utf-8"))
         if failure or not all_of:
             failed.append(str(log.relative_to(ROOT)))
