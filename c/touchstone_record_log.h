@@ -41,8 +41,8 @@ typedef struct touchstone_record_state_ {
   int prepared;
 } touchstone_record_state_;
 
-/* One in the program, however many of its files and shared libraries include this; on Windows one in the program and one
- * in each DLL that does. */
+/* One in the program, however many of its files and shared libraries include this; on Windows one in the program and
+ * one in each DLL that does. */
 #ifdef _WIN32
 #define TOUCHSTONE_RECORD_SHARED_ __attribute__((selectany))
 #else

@@ -7,7 +7,7 @@ if(NOT benchmark_FOUND)
   message(STATUS "bench/ is left out: it needs Google Benchmark")
   return()
 endif()
-file(GLOB benches CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/*.cpp)
+file(GLOB benches CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/*.cpp ${PROJECT_SOURCE_DIR}/bench/instructions/*.cpp)
 include(${PROJECT_SOURCE_DIR}/engines/libraries.cmake)
 if(NOT TARGET foreign_fcl)
   list(FILTER benches EXCLUDE REGEX "/distances[.]cpp$")  # which times FCL

@@ -129,9 +129,9 @@ list(FILTER command_line EXCLUDE REGEX "/program/main\\.cpp")
 list(REMOVE_ITEM program_sources ${command_line})
 list(PREPEND program_sources ${command_line})
 set(certify_sources ${oracle_sources})
-list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
+list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file|windows/[^/]*)\\.cpp$")
 list(FILTER certify_sources EXCLUDE REGEX "${of_other_systems}")
-list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
+list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file|windows/[^/]*)\\.cpp$")
 
 # One unit for each instruction set, chosen at run time (robust/batch/isa). Nothing in such a unit may be shared with others.
 set(quietly "")

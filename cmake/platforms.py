@@ -300,6 +300,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("names", nargs="*", metavar="NAME")
     options.add_argument("--build", metavar="TARGETS", default="", help="names with commas between them")
+    options.add_argument("--only-names", action="store_true", help="only tell a name that is wrong")
     options.add_argument("--jobs", type=int, default=os.cpu_count())
     options.add_argument("--cases", type=int, default=200, help="questions of each operation in the soak")
     options.add_argument("--share", type=int, default=16, help="every SHARE-th vector is checked")
@@ -308,6 +309,8 @@ def main():
     for name in given.names:
         if name not in known:
             sys.exit(f"platforms: {name} is none of {', '.join(known)}")
+    if given.only_names:
+        return
     names = given.names or list(known)
     if given.build:
         for name in names:

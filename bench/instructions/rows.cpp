@@ -3,8 +3,9 @@
 //
 //   rows OPERATION SET CASES COUNT plain|marked     SET: portable, avx2 or neon, avx512 or sve; CASES: random or grid
 //
-// asks twice, the second time between two signals SIGUSR1 if marked, and prints the hash of the answers. Random numbers are uniform in [-1, 1), those on the grid integers in 0 .. 7, of which
-// many questions are degenerate. The same rows on every machine.
+// asks twice, the second time between two signals SIGUSR1 if marked, and prints the hash of the answers. Random
+// numbers are uniform in [-1, 1), those on the grid integers in 0 .. 7, of which many questions are degenerate. The
+// same rows on every machine.
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -31,7 +32,7 @@ namespace {
 using namespace touchstone::robust::batch;
 
 class Rows {
-public:
+ public:
   Rows(bool on_grid, std::size_t count) : on_grid(on_grid), count(count) {}
 
   template <class Operand>
@@ -40,7 +41,8 @@ public:
     if constexpr (std::is_same_v<Operand, Points3>) return {numbers(), numbers(), numbers()};
     if constexpr (std::is_same_v<Operand, Segments2>) return {operand<Points2>(), operand<Points2>()};
     if constexpr (std::is_same_v<Operand, Segments3>) return {operand<Points3>(), operand<Points3>()};
-    if constexpr (std::is_same_v<Operand, Triangles3>) return {operand<Points3>(), operand<Points3>(), operand<Points3>()};
+    if constexpr (std::is_same_v<Operand, Triangles3>)
+      return {operand<Points3>(), operand<Points3>(), operand<Points3>()};
     if constexpr (std::is_same_v<Operand, Rays3>) return {operand<Points3>(), directions()};
     if constexpr (std::is_same_v<Operand, Planes>) return {directions(), numbers()};
     if constexpr (std::is_same_v<Operand, Spheres3>) return {operand<Points3>(), sizes()};
@@ -50,7 +52,7 @@ public:
     }
   }
 
-private:
+ private:
   double number() {
     state += 0x9E3779B97F4A7C15;
     std::uint64_t bits = state;

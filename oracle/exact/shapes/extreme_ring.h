@@ -52,12 +52,12 @@ std::vector<Index> extreme_ring(const std::vector<Index>& points, const Before& 
   return ring;
 }
 
-/// A point to the right of an edge of a ring that turns left at each of its corners, which are different points; nullopt
-/// if there is none among the points 0 to count - 1. turn(p, q, r): the sign of that area.
+/// A point to the right of an edge of a ring that turns left at each of its corners, which are different points;
+/// nullopt if there is none among the points 0 to count - 1. turn(p, q, r): the sign of that area.
 ///
-/// A ring that ascends from its least corner to its greatest and then descends goes round once, so it is convex: a point
-/// between these corners is inside if it is inside of both edges between whose ends it is in the order. Another ring
-/// has a corner to the right of an edge, as no convex ring turns so.
+/// A ring that ascends from its least corner to its greatest and then descends goes round once, so it is convex: a
+/// point between these corners is inside if it is inside of both edges between whose ends it is in the order. Another
+/// ring has a corner to the right of an edge, as no convex ring turns so.
 template <class Before, class Turn>
 std::optional<Index> point_outside(std::vector<Index> ring, Index count, const Before& before, const Turn& turn) {
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), before), ring.end());
