@@ -269,6 +269,10 @@ Judgement judgement_of_robust(const Examination& question, std::size_t environme
         judgement.remark = std::string("the decision alone is ") + row.decision->words[word];
       }
     }
+    if (row.prepared != nullptr && row.prepared(question.question(), environment) != answer) {
+      judgement.verdict = Verdict::algorithm;
+      judgement.remark = "it answers otherwise of prepared shapes";
+    }
     return judgement;
   } catch (const std::bad_alloc&) {
     throw;  // not an answer of robust

@@ -19,6 +19,7 @@
 ///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where a question's alternatives have
 ///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op)
 ///   TOUCHSTONE_ARRAYS(op)                    where robust::batch has a function of that name: decisions over arrays
+///   TOUCHSTONE_PREPARED(op, Shape)           where robust takes shapes that are validated once (robust/prepared)
 ///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
 ///   static void standard(const auto& add) {  other formulas of textbooks (reference/standard/), if there are any:
 ///     add("whose it is", [](const auto&... q) { return ...; });
@@ -33,6 +34,12 @@
 #define TOUCHSTONE_ARRAYS(op)                                                                          \
   static auto batch(const auto&... operands)->decltype(::touchstone::robust::batch::op(operands...)) { \
     return ::touchstone::robust::batch::op(operands...);                                               \
+  }
+#define TOUCHSTONE_PREPARED(op, Shape)                                               \
+  static constexpr bool takes_prepared = true;                                       \
+  static auto prepared(const auto&... q) {                                           \
+    using ::touchstone::catalogue::prepared_as;                                      \
+    return ::touchstone::robust::op(prepared_as<::touchstone::robust::Shape>(q)...); \
   }
 #define TOUCHSTONE_MODULES(op)                                                          \
   static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); } \
@@ -82,6 +89,18 @@ auto ask_robust(const Question& q) {
 template <class Row, class Question>
 auto ask_oracle(const Question& q) {
   return applied([](const auto&... value) { return Row::oracle(value...); }, q);
+}
+
+/// What Shape can be made of is made one; the rest stays.
+template <class Shape, class Part>
+auto prepared_as(const Part& part) {
+  if constexpr (std::is_constructible_v<Shape, const Part&>) return Shape(part);
+  else
+    return part;
+}
+template <class Row, class Question>
+auto ask_prepared(const Question& q) {
+  return applied([]<class... Part>(const Part&... part) { return Row::prepared(OwnCut<Part>(part)()...); }, q);
 }
 
 /// True if the oracle also accepts exact rationals, for numbers as they were typed.

@@ -92,6 +92,8 @@ struct RowFunctions {
 
   /// In that floating-point environment (catalogue/judge/environment.h).
   EncodedValue<double> (*robust)(const Question&, std::size_t environment);
+  /// The same by shapes that are validated once (robust/prepared); nullptr: robust takes none.
+  EncodedValue<double> (*prepared)(const Question&, std::size_t environment) = nullptr;
   Solution (*solve)(const Question&);
   Solution (*solve_as_typed)(const EncodedValue<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
 

@@ -122,6 +122,10 @@ struct RowOf {
     return packed(
         in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_robust<Row>(q); }));
   }
+  static EncodedValue<double> prepared(const Question& question, std::size_t environment) {
+    return packed(
+        in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_prepared<Row>(q); }));
+  }
   static Solution solve(const Question& question) {
     auto truth = ask_oracle<Row>(unpacked<Asked>(question));
     return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin), std::move(truth.certificate)};
@@ -287,6 +291,7 @@ RowFunctions RowOf<Row>::functions() {
   f.reference_tracked = {"", tracked<Reference>};
   if constexpr (requires(const AddStandard& add) { Row::standard(add); }) Row::standard(AddStandard{f.standard});
   f.robust = robust;
+  if constexpr (requires { Row::takes_prepared; }) f.prepared = prepared;
   f.solve = solve;
   if constexpr (oracle_takes<Row, rebound_t<Asked, mpq_class>>) f.solve_as_typed = solve_as_typed;
   if constexpr (decides) {

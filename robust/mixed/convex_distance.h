@@ -20,4 +20,8 @@ namespace touchstone::robust {
 /// reference/mixed/convex_distance.h.
 ConvexDistance<double> convex_distance(const Meshd& a, const Meshd& b);
 
+class ConvexSolid;  // robust/prepared/solid.h
+/// The same without its validation.
+ConvexDistance<double> convex_distance(const ConvexSolid& a, const ConvexSolid& b);
+
 }  // namespace touchstone::robust

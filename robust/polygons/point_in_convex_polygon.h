@@ -15,12 +15,19 @@ namespace touchstone::robust {
 /// vertex). Contract: reference/polygons/point_in_convex_polygon.h.
 Location point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point);
 
+class ConvexPolygon;  // robust/prepared/polygon.h
+/// The same without its validation, in about log n steps.
+Location point_in_convex_polygon(const ConvexPolygon& polygon, const Point2d& point);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
-struct point_in_convex_polygon : Signatures<decltype(robust::point_in_convex_polygon)> {
+struct point_in_convex_polygon : Signatures<Location(const Polygon2d&, const Point2d&)> {
   static Staged ask;
+  /// The side of the inside if the polygon is convex; others are refused. `open`: the same without a last vertex that
+  /// repeats the first.
+  static Side validate(const std::string& field, const Polygon2d& given, const Polygon2d& open, Stage& latest);
 };
 
 }  // namespace stages

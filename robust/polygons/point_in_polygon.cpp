@@ -10,6 +10,7 @@
 #include "robust/kernel/shapes/plane.h"
 #include "robust/kernel/shapes/valid.h"
 #include "robust/lines/orientation.h"
+#include "robust/prepared/polygon.h"
 
 namespace touchstone::robust {
 namespace {
@@ -215,38 +216,52 @@ void validate(const Polygon2d& polygon, const Point2d& point) {
         validation::validate("polygon", polygon), validation::validate("point", point);
 }
 
-/// Validates, then runs the stages for one part after another: one hard edge does not make all of them hard.
+/// Runs the stages for one part after another: one hard edge does not make all of them hard.
+class Parts {
+ public:
+  /// latest: the stage that the question has come to.
+  Parts(const Point2d& point, Stage latest) : point_(point), latest_(latest) {}
+
+  Location located(const Part& part) {
+    Perhaps<Location> found = std::nullopt;
+    if (failures_ < 2) {  // otherwise the scale is the cause, and it would fail again
+      found = by_filter(part, point_);
+      failures_ += !found;
+    }
+    if (found) return *found;
+    latest_ = std::max(latest_, Stage::lattice);
+    if ((found = by_lattice(part, point_))) return *found;
+    latest_ = Stage::exact;
+    return edge_by_edge(part, point_);
+  }
+  Stage latest() const { return latest_; }
+
+ private:
+  const Point2d& point_;
+  Stage latest_;
+  int failures_ = 0;
+};
+
+/// Validates, and decides the ring part by part.
 Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
   constexpr std::ptrdiff_t edges_of_a_part = 16;
   if (validation::fewer_than_three(polygon.vertices)) validate(polygon, point);
   const Part ring = integer(polygon);
-  Stage latest = Stage::lattice;
-  const bool one_part = ring.last - ring.first <= edges_of_a_part;
-  if (one_part) {
-    if (const auto found = by_lattice(ring, point)) return {*found, latest};  // all finite
+  if (ring.last - ring.first <= edges_of_a_part) {
+    if (const auto found = by_lattice(ring, point)) return {*found, Stage::lattice};  // all finite
+    validate(polygon, point);
+    return {edge_by_edge(ring, point), Stage::exact};
   }
   validate(polygon, point);
-  int failures = one_part ? 2 : 0;
+  Parts parts(point, Stage::lattice);
   bool odd = false;
-  Part part{ring.before, ring.first, ring.first, false};
-  while (part.last != ring.last) {
-    const Point2d* first = part.last;
-    part = {first == ring.first ? ring.before : first - 1, first, first + std::min(edges_of_a_part, ring.last - first),
-            false};
-    Perhaps<Location> found = std::nullopt;
-    if (failures < 2) {  // otherwise the scale is the cause, and it would fail again
-      found = by_filter(part, point);
-      failures += !found;
-    }
-    if (!found && !one_part) found = by_lattice(part, point);
-    if (!found) {
-      latest = Stage::exact;
-      found = edge_by_edge(part, point);
-    }
-    if (*found == Location::boundary) return {*found, latest};
-    odd ^= *found == Location::inside;
+  for (const Point2d *first = ring.first, *last; first != ring.last; first = last) {
+    last = first + std::min(edges_of_a_part, ring.last - first);
+    const Location found = parts.located({first == ring.first ? ring.before : first - 1, first, last, false});
+    if (found == Location::boundary) return {found, parts.latest()};
+    odd ^= found == Location::inside;
   }
-  return {parity(odd), latest};
+  return {parity(odd), parts.latest()};
 }
 
 }  // namespace
@@ -267,6 +282,22 @@ Location stages::point_in_polygon::exact(const Polygon2d& polygon, const Point2d
 Decided<Location> stages::point_in_polygon::ask(const Polygon2d& polygon, const Point2d& point) {
   if (const auto answer = filter(polygon, point)) return {*answer, Stage::filter};
   return past_filter(polygon, point);
+}
+
+Decided<Location> stages::point_in_polygon::of_prepared(const Polygon& polygon, const Point2d& point) {
+  if (!kernel::valid(point)) validation::validate("point", point);
+  const Point2d* const vertices = polygon.ring().vertices.data();
+  const std::size_t size = polygon.ring().size();
+  Parts parts(point, Stage::filter);
+  const Location found = polygon.tree().located(polygon.ring(), point, [&](const auto& part) {
+    const Point2d* const before = vertices + (part.first == 0 ? size : part.first) - 1;
+    return parts.located({before, vertices + part.first, vertices + part.last, part.last - part.first == size});
+  });
+  return {found, parts.latest()};
+}
+
+Location point_in_polygon(const Polygon& polygon, const Point2d& point) {
+  return stages::point_in_polygon::of_prepared(polygon, point).answer;
 }
 
 Location point_in_polygon(const Polygon2d& polygon, const Point2d& point) {

@@ -15,15 +15,20 @@ namespace touchstone::robust {
 /// and "finite number"; so do fewer than 3 vertices. Contract: reference/polygons/point_in_polygon.h.
 Location point_in_polygon(const Polygon2d& polygon, const Point2d& point);
 
+class Polygon;  // robust/prepared/polygon.h
+/// The same without its validation, in about log n steps.
+Location point_in_polygon(const Polygon& polygon, const Point2d& point);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides only points that are near to no line through an edge. After it, `ask` decides the ring part by
 /// part and reports the latest stage that a part needed.
-struct point_in_polygon : Signatures<decltype(robust::point_in_polygon)> {
+struct point_in_polygon : Signatures<Location(const Polygon2d&, const Point2d&)> {
   static Partial filter, lattice;
   static Total exact;
   static Staged ask;
+  static Decided<Location> of_prepared(const Polygon& polygon, const Point2d& point);
 };
 
 }  // namespace stages

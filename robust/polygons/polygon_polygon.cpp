@@ -8,6 +8,8 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/lines/orientation.h"
+#include "robust/polygons/point_in_polygon.h"
+#include "robust/prepared/polygon.h"
 #include "robust/rings/simple.h"
 
 namespace touchstone::robust {
@@ -23,7 +25,8 @@ namespace {
 // no point is ever constructed.
 class Meeting {
  public:
-  Meeting(const Polygon2d& a, const Polygon2d& b) : a_(counter_clockwise(a)), b_(counter_clockwise(b)) {}
+  Meeting(const SimplePolygon& a, const SimplePolygon& b)
+      : prepared_a_(a), prepared_b_(b), a_(a.ring()), b_(b.ring()) {}
 
   Decided<Contact> decided() {
     const Contact found = contact();
@@ -33,31 +36,31 @@ class Meeting {
  private:
   Contact contact() {
     bool touch = false;
-    for (std::size_t i = 0; i < a_.size(); ++i) {
-      for (std::size_t j = 0; j < b_.size(); ++j) {
-        if (apart(a_[i], a_.next(i), b_[j], b_.next(j))) continue;
-        const Contact found = edges(i, j);
-        if (found == Contact::overlapping) return found;
-        touch = touch || found == Contact::touching;
+    using structures::PlaneBox, structures::RingTree;
+    const auto overlap = [&](const RingTree::Part& p, const RingTree::Part& q, const PlaneBox& around_q) {
+      for (std::size_t i = p.first; i < p.last; ++i) {
+        if (!PlaneBox::around(a_.previous(i)).with(PlaneBox::around(a_[i])).meets(around_q)) continue;
+        for (std::size_t j = q.first; j < q.last; ++j) {
+          if (apart(a_.previous(i), a_[i], b_.previous(j), b_[j])) continue;
+          const Contact found = edges(edge_to(a_, i), edge_to(b_, j));
+          if (found == Contact::overlapping) return true;
+          touch = touch || found == Contact::touching;
+        }
       }
-    }
+      return false;
+    };
+    if (prepared_a_.tree().any_pair(prepared_b_.tree(), overlap)) return Contact::overlapping;
     if (touch) return Contact::touching;
-    return inside(a_[0], b_) || inside(b_[0], a_) ? Contact::overlapping : Contact::disjoint;
+    return inside(a_[0], prepared_b_) || inside(b_[0], prepared_a_) ? Contact::overlapping : Contact::disjoint;
   }
+
+  static std::size_t edge_to(const Polygon2d& ring, std::size_t i) { return i == 0 ? ring.size() - 1 : i - 1; }
 
   int turn(const Point2d& p, const Point2d& q, const Point2d& r) {
     return 1 - static_cast<int>(stages::orientation::ask(p, q, r).noting(latest_));
   }
 
   static bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
-  /// The first vertex in lexicographic order is convex.
-  Polygon2d counter_clockwise(Polygon2d ring) {
-    const auto first = std::min_element(ring.vertices.begin(), ring.vertices.end(), before);
-    const auto i = static_cast<std::size_t>(first - ring.vertices.begin());
-    if (turn(ring.previous(i), ring[i], ring.next(i)) < 0) std::reverse(ring.vertices.begin(), ring.vertices.end());
-    return ring;
-  }
 
   static bool apart(const Point2d& p, const Point2d& q, const Point2d& r, const Point2d& s) {
     return std::max(p.x, q.x) < std::min(r.x, s.x) || std::max(r.x, s.x) < std::min(p.x, q.x) ||
@@ -115,20 +118,13 @@ class Meeting {
     return in_cone(apex, other, one.from) || in_cone(apex, one, other.from);
   }
 
-  /// Even-odd, for a point that is not on the boundary: edges that cross the horizontal line through p to the right of
-  /// p.
-  bool inside(const Point2d& p, const Polygon2d& ring) {
-    bool odd = false;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2d &r = ring[i], &s = ring.next(i);
-      if ((r.y > p.y) == (s.y > p.y)) continue;
-      odd ^= turn(r, s, p) == (s.y > r.y ? 1 : -1);
-    }
-    return odd;
+  bool inside(const Point2d& p, const SimplePolygon& polygon) {
+    return stages::point_in_polygon::of_prepared(polygon, p).noting(latest_) == Location::inside;
   }
 
   Stage latest_ = Stage::filter;
-  Polygon2d a_, b_;
+  const SimplePolygon &prepared_a_, &prepared_b_;
+  const Polygon2d &a_, &b_;
 };
 
 void validate_simple(const char* field, const Polygon2d& polygon) {
@@ -142,8 +138,16 @@ Decided<Contact> stages::polygon_polygon::ask(const Polygon2d& a, const Polygon2
   const validation::OpenRing open_a(a), open_b(b);
   validation::validate("a", a), validate_simple("a", *open_a);
   validation::validate("b", b), validate_simple("b", *open_b);
+  return of_prepared({Validated{}, *open_a}, {Validated{}, *open_b});
+}
+
+Decided<Contact> stages::polygon_polygon::of_prepared(const SimplePolygon& a, const SimplePolygon& b) {
   const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
-  return Meeting(*open_a, *open_b).decided();
+  return Meeting(a, b).decided();
+}
+
+Contact polygon_polygon(const SimplePolygon& a, const SimplePolygon& b) {
+  return stages::polygon_polygon::of_prepared(a, b).answer;
 }
 
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return stages::polygon_polygon::ask(a, b).answer; }

@@ -15,12 +15,17 @@ namespace touchstone::robust {
 /// polygon that is not simple (with the vertex). Contract: reference/polygons/polygon_polygon.h.
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b);
 
+class SimplePolygon;  // robust/prepared/polygon.h
+/// The same without its validation.
+Contact polygon_polygon(const SimplePolygon& a, const SimplePolygon& b);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
-struct polygon_polygon : Signatures<decltype(robust::polygon_polygon)> {
+struct polygon_polygon : Signatures<Contact(const Polygon2d&, const Polygon2d&)> {
   static Staged ask;
+  static Decided<Contact> of_prepared(const SimplePolygon& a, const SimplePolygon& b);
 };
 
 }  // namespace stages

@@ -4,6 +4,8 @@
 #include "geometry/validation.h"
 #include "robust/kernel/shapes/face_side.h"
 #include "robust/kernel/solids/convex_mesh.h"
+#include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::robust {
 
@@ -24,6 +26,11 @@ Decided<Location> stages::point_in_convex_polyhedron::of_valid(const Meshd& mesh
     on = on || side == 0;
   }
   return {on ? Location::boundary : Location::inside, latest};
+}
+
+// A convex mesh is closed: the ray to +x meets few of its faces.
+Location point_in_convex_polyhedron(const ConvexSolid& solid, const Point3d& point) {
+  return point_in_polyhedron(solid, point);
 }
 
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) {

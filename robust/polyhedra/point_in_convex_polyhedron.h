@@ -17,11 +17,15 @@ namespace touchstone::robust {
 /// Contract: reference/polyhedra/point_in_convex_polyhedron.h.
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
 
+class ConvexSolid;  // robust/prepared/solid.h
+/// The same without its validation, in about log n steps.
+Location point_in_convex_polyhedron(const ConvexSolid& solid, const Point3d& point);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
-struct point_in_convex_polyhedron : Signatures<decltype(robust::point_in_convex_polyhedron)> {
+struct point_in_convex_polyhedron : Signatures<Location(const Meshd&, const Point3d&)> {
   static Staged ask;
   /// The same for a mesh and a point that have been validated; outside: the result of kernel::validate_convex for the
   /// mesh.

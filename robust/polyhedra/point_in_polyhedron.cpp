@@ -10,6 +10,7 @@
 #include "robust/kernel/shapes/face_side.h"
 #include "robust/kernel/solids/closed_mesh.h"
 #include "robust/lines/orientation.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -103,6 +104,16 @@ Decided<Location> stages::point_in_polyhedron::of_valid(const Meshd& mesh, const
 Decided<Location> stages::point_in_polyhedron::of_faces(const Meshd& mesh, const std::vector<Index>& faces,
                                                         const Point3d& point) {
   return located(mesh, point, faces, [&mesh](Index i) { return mesh.faces[i]; });
+}
+
+Decided<Location> stages::point_in_polyhedron::of_prepared(const Solid& solid, const Point3d& point) {
+  if (!solid.box().meets(kernel::SpaceBox::around(point))) return {Location::outside, Stage::filter};
+  return of_faces(solid.mesh(), solid.tree().along_x(point), point);
+}
+
+Location point_in_polyhedron(const Solid& solid, const Point3d& point) {
+  validation::validate_numbers("point", point);
+  return stages::point_in_polyhedron::of_prepared(solid, point).answer;
 }
 
 Location point_in_polyhedron(const Meshd& mesh, const Point3d& point) {

@@ -21,13 +21,18 @@ namespace touchstone::robust {
 /// does a mesh that is not closed (with the face and the edge). Contract: reference/polyhedra/point_in_polyhedron.h.
 Location point_in_polyhedron(const Meshd& mesh, const Point3d& point);
 
+class Solid;  // robust/prepared/solid.h
+/// The same without its validation, in about log n steps.
+Location point_in_polyhedron(const Solid& solid, const Point3d& point);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
-struct point_in_polyhedron : Signatures<decltype(robust::point_in_polyhedron)> {
+struct point_in_polyhedron : Signatures<Location(const Meshd&, const Point3d&)> {
   static Staged ask;
   static Staged of_valid;  ///< the same for a mesh and a point that have been validated
+  static Decided<Location> of_prepared(const Solid& solid, const Point3d& point);  ///< of a valid point
   /// The same for some faces; the others do not meet the ray to +x.
   static Decided<Location> of_faces(const Meshd& mesh, const std::vector<Index>& faces, const Point3d& point);
 };

@@ -18,6 +18,7 @@
 #include "robust/kernel/solids/common_interior.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/triangle_triangle.h"
+#include "robust/prepared/solid.h"
 #include "robust/structures/face_tree.h"
 
 namespace touchstone::robust {
@@ -80,12 +81,15 @@ std::vector<Index> faces_near(const Meshd& mesh, const SpaceBox& box) {
   return near;
 }
 
-/// A mesh of many faces. Its tree is made when a question is worth it, so one thread asks at a time.
-class Solid {
+/// A mesh that is searched by a tree: its own, of one that is prepared, or one that is made when a question is worth it.
+class Searched {
  public:
-  Solid(const Meshd& of, const SpaceBox& around) : mesh(of), box(around) {}
+  Searched(const Meshd& of, const SpaceBox& around) : mesh(of), box(around) {}
+  explicit Searched(const Solid& solid) : mesh(solid.mesh()), box(solid.box()), prepared_(&solid.tree()) {}
 
+  bool prepared() const { return prepared_ != nullptr; }
   const structures::FaceTree& tree() const {
+    if (prepared()) return *prepared_;
     if (!tree_) tree_.emplace(mesh);
     return *tree_;
   }
@@ -93,7 +97,7 @@ class Solid {
     SpaceBox ray = SpaceBox::around(p);
     if (!box.meets(ray)) return {Location::outside, Stage::filter};
     ray.high[0] = box.high[0];
-    const bool in_tree = tree_ || ++located_ > few_points;
+    const bool in_tree = prepared() || tree_ || ++located_ > few_points;
     return stages::point_in_polyhedron::of_faces(mesh, in_tree ? tree().along_x(p) : faces_near(mesh, ray), p);
   }
 
@@ -102,6 +106,7 @@ class Solid {
 
  private:
   static constexpr int few_points = 8;  ///< for which every face is tested
+  const structures::FaceTree* prepared_ = nullptr;
   mutable std::optional<structures::FaceTree> tree_;
   mutable int located_ = 0;
 };
@@ -145,7 +150,7 @@ std::vector<Index> one_of_each_part(const Meshd& mesh) {
   return found;
 }
 
-std::optional<Index> vertex_inside(const Meshd& mesh, const std::vector<Index>& vertices, const Solid& solid,
+std::optional<Index> vertex_inside(const Meshd& mesh, const std::vector<Index>& vertices, const Searched& solid,
                                    Stage& latest) {
   for (const Index v : vertices)
     if (solid.locate(mesh.vertices[v]).noting(latest) == Location::inside) return v;
@@ -164,7 +169,7 @@ std::vector<Index> named(const Meshd& mesh) {
 
 /// True if a point just off the face is inside of both. Tries points on both sides, near the middle and near each
 /// corner, at several distances. Their rounding does not matter: each is located where it is.
-bool common_interior_near(const Meshd& mesh, const Face& f, const Solid& a, const Solid& b) {
+bool common_interior_near(const Meshd& mesh, const Face& f, const Searched& a, const Searched& b) {
   const auto& [p, q, r] = triangle(mesh, f);
   const Vector3d normal = cross(q - p, r - p);
   const double size = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
@@ -185,7 +190,7 @@ bool common_interior_near(const Meshd& mesh, const Face& f, const Solid& a, cons
 
 /// If no faces have a common point, each part of one that shares vertices is inside or outside of the other as any
 /// vertex of it is.
-Decided<PolyhedronPolyhedron> of_many_faces(const Solid& a, const Solid& b) {
+Decided<PolyhedronPolyhedron> of_many_faces(const Searched& a, const Searched& b) {
   Stage latest = Stage::filter;
   std::array<Index, 2> meeting{};
   const auto meet = [&](Index f, Index g) {
@@ -194,13 +199,15 @@ Decided<PolyhedronPolyhedron> of_many_faces(const Solid& a, const Solid& b) {
         stages::triangle_triangle::ask(triangle(a.mesh, a.mesh.faces[f]), triangle(b.mesh, b.mesh.faces[g]));
     return common.noting(latest) != TriangleTriangleRelation::none;
   };
-  // Surfaces that cross mostly do so in a slab of few faces.
-  const SpaceBox slab = slab_of_both(a.box, b.box);
-  const std::vector<Index> in_a = faces_near(a.mesh, slab), in_b = faces_near(b.mesh, slab);
-  const bool met = (!in_a.empty() && !in_b.empty() &&
-                    structures::FaceTree(a.mesh, in_a).any_pair(structures::FaceTree(b.mesh, in_b), meet)) ||
-                   a.tree().any_pair(b.tree(), meet);
-  const Solid* within = nullptr;  // has a vertex inside of the other
+  // Surfaces that cross mostly do so in a slab of few faces, which is found before trees are made.
+  const auto meet_in_slab = [&] {
+    const SpaceBox slab = slab_of_both(a.box, b.box);
+    const std::vector<Index> in_a = faces_near(a.mesh, slab), in_b = faces_near(b.mesh, slab);
+    return !in_a.empty() && !in_b.empty() &&
+           structures::FaceTree(a.mesh, in_a).any_pair(structures::FaceTree(b.mesh, in_b), meet);
+  };
+  const bool met = (!(a.prepared() && b.prepared()) && meet_in_slab()) || a.tree().any_pair(b.tree(), meet);
+  const Searched* within = nullptr;  // has a vertex inside of the other
   std::optional<Index> inside;
   for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
     if (met && !inside) {
@@ -242,6 +249,11 @@ Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a,
   if (!inside && !any_faces_meet(a, b, latest)) return {{Contact::disjoint, step}, latest};
   const Contact contact = kernel::have_common_interior(a, b) ? Contact::overlapping : Contact::touching;
   return {{contact, step}, Stage::exact};
+}
+
+PolyhedronPolyhedron polyhedron_polyhedron(const Solid& a, const Solid& b) {
+  if (!a.box().meets(b.box())) return {Contact::disjoint, PolyhedraStep::bounding_volumes};
+  return of_many_faces(Searched(a), Searched(b)).answer;
 }
 
 PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b) {

@@ -21,11 +21,15 @@ namespace touchstone::robust {
 /// reference/polyhedra/polyhedron_polyhedron.h.
 PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b);
 
+class Solid;  // robust/prepared/solid.h
+/// The same without its validation, by the trees of both.
+PolyhedronPolyhedron polyhedron_polyhedron(const Solid& a, const Solid& b);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
-struct polyhedron_polyhedron : Signatures<decltype(robust::polyhedron_polyhedron)> {
+struct polyhedron_polyhedron : Signatures<PolyhedronPolyhedron(const Meshd&, const Meshd&)> {
   static Staged ask;
 };
 

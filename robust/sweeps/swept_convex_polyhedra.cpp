@@ -8,6 +8,7 @@
 #include "robust/kernel/integers/axis_times.h"
 #include "robust/kernel/shapes/points_in_space.h"
 #include "robust/kernel/solids/convex_mesh.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -211,6 +212,11 @@ Decided<FirstContact<double>> stages::swept_convex_polyhedra::ask(const Meshd& a
   kernel::validate_convex("a", a, latest), kernel::validate_convex("b", b, latest);
   Decided<FirstContact<double>> found = first_contact(a, b, velocity);
   return {found.noting(latest), latest};
+}
+
+FirstContact<double> swept_convex_polyhedra(const ConvexSolid& a, const ConvexSolid& b, const Vector3d& velocity) {
+  validation::validate("velocity", velocity);
+  return first_contact(a.mesh(), b.mesh(), velocity).answer;
 }
 
 FirstContact<double> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity) {

@@ -20,11 +20,15 @@ namespace touchstone::robust {
 /// reference/sweeps/swept_convex_polyhedra.h.
 FirstContact<double> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity);
 
+class ConvexSolid;  // robust/prepared/solid.h
+/// The same without its validation.
+FirstContact<double> swept_convex_polyhedra(const ConvexSolid& a, const ConvexSolid& b, const Vector3d& velocity);
+
 /// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed; a t after the start is always computed by `exact`.
-struct swept_convex_polyhedra : Signatures<decltype(robust::swept_convex_polyhedra)> {
+struct swept_convex_polyhedra : Signatures<FirstContact<double>(const Meshd&, const Meshd&, const Vector3d&)> {
   static Staged ask;
 };
 

@@ -16,11 +16,13 @@
 #include "oracle/mixed/convex_distance.h"
 #include "reference/mixed/convex_distance.h"
 #include "robust/mixed/convex_distance.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::catalogue::rows {
 
 struct convex_distance : signatures::convex_distance {
   TOUCHSTONE_MODULES(convex_distance)
+  TOUCHSTONE_PREPARED(convex_distance, ConvexSolid)
   using decision = NoDecision;
 
   static const Metadata& metadata() {

@@ -11,11 +11,13 @@
 #include "reference/polygons/point_in_polygon.h"
 #include "robust/batch/point_in_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
+#include "robust/prepared/polygon.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_in_polygon : signatures::point_in_polygon {
   TOUCHSTONE_MODULES(point_in_polygon)
+  TOUCHSTONE_PREPARED(point_in_polygon, Polygon)
   TOUCHSTONE_ARRAYS(point_in_polygon)
   using stages = ::touchstone::robust::stages::point_in_polygon;
 

@@ -9,11 +9,13 @@
 #include "oracle/polygons/polygon_polygon.h"
 #include "reference/polygons/polygon_polygon.h"
 #include "robust/polygons/polygon_polygon.h"
+#include "robust/prepared/polygon.h"
 
 namespace touchstone::catalogue::rows {
 
 struct polygon_polygon : signatures::polygon_polygon {
   TOUCHSTONE_MODULES(polygon_polygon)
+  TOUCHSTONE_PREPARED(polygon_polygon, SimplePolygon)
   using stages = ::touchstone::robust::stages::polygon_polygon;
 
   using decision = NoDecision;

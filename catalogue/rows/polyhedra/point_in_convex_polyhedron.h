@@ -11,11 +11,13 @@
 #include "reference/polyhedra/point_in_convex_polyhedron.h"
 #include "robust/batch/point_in_convex_polyhedron.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
   TOUCHSTONE_MODULES(point_in_convex_polyhedron)
+  TOUCHSTONE_PREPARED(point_in_convex_polyhedron, ConvexSolid)
   TOUCHSTONE_ARRAYS(point_in_convex_polyhedron)
   using stages = ::touchstone::robust::stages::point_in_convex_polyhedron;
   using decision = NoDecision;

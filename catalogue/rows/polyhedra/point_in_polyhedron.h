@@ -17,11 +17,13 @@
 #include "reference/polyhedra/point_in_polyhedron.h"
 #include "robust/batch/point_in_polyhedron.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_in_polyhedron : signatures::point_in_polyhedron {
   TOUCHSTONE_MODULES(point_in_polyhedron)
+  TOUCHSTONE_PREPARED(point_in_polyhedron, Solid)
   TOUCHSTONE_ARRAYS(point_in_polyhedron)
   using stages = ::touchstone::robust::stages::point_in_polyhedron;
   using decision = NoDecision;

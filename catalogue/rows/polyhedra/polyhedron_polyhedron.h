@@ -18,11 +18,13 @@
 #include "oracle/polyhedra/polyhedron_polyhedron.h"
 #include "reference/polyhedra/polyhedron_polyhedron.h"
 #include "robust/polyhedra/polyhedron_polyhedron.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::catalogue::rows {
 
 struct polyhedron_polyhedron : signatures::polyhedron_polyhedron {
   TOUCHSTONE_MODULES(polyhedron_polyhedron)
+  TOUCHSTONE_PREPARED(polyhedron_polyhedron, Solid)
   using stages = ::touchstone::robust::stages::polyhedron_polyhedron;
   using decision = NoDecision;
 

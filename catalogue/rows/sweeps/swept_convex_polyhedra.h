@@ -15,12 +15,14 @@
 #include "catalogue/signatures/sweeps/swept_convex_polyhedra.h"
 #include "oracle/sweeps/swept_convex_polyhedra.h"
 #include "reference/sweeps/swept_convex_polyhedra.h"
+#include "robust/prepared/solid.h"
 #include "robust/sweeps/swept_convex_polyhedra.h"
 
 namespace touchstone::catalogue::rows {
 
 struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
   TOUCHSTONE_MODULES(swept_convex_polyhedra)
+  TOUCHSTONE_PREPARED(swept_convex_polyhedra, ConvexSolid)
   using stages = ::touchstone::robust::stages::swept_convex_polyhedra;
   using decision = NoDecision;
 

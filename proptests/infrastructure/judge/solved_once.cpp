@@ -225,6 +225,11 @@ TEST_CASE("interrogation: says which of its aspects is broken") {
   row.robust = [](const Question&, std::size_t) -> EncodedValue<double> { throw InvalidInput("p", "another rule"); };
   CHECK(said(Aspect::robust) == "robust");
   CHECK(said(Aspect::robust, {{0, 0, 1, 0, 0, HUGE_VAL}, {}}) == "refusal");
+  row = original;
+  row.prepared = original.robust;
+  CHECK(said(Aspect::robust).empty());
+  row.prepared = [](const Question&, std::size_t) { return EncodedValue<double>{{}, {static_cast<Word>(Side::on)}}; };
+  CHECK(said(Aspect::robust) == "robust");
 
   row = original;
   row.reference = [](const Question&) { return EncodedValue<double>{{}, {static_cast<Word>(Side::on)}}; };

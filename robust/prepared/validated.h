@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace touchstone::robust {
+
+/// For operations: what is handed over is known to be valid.
+struct Validated {};
+
+}  // namespace touchstone::robust
