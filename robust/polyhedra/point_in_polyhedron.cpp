@@ -76,17 +76,18 @@ Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Pla
   return held ? Meeting::held : Meeting::none;
 }
 
-template <class List, class At>
-Decided<Location> located(const Meshd& mesh, const Point3d& point, const List& list, const At& face) {
+/// any(held): calls held with faces until it is true.
+template <class Any>
+Decided<Location> located(const Meshd& mesh, const Point3d& point, const Any& any) {
   Stage latest = Stage::filter;
   const Place at = place(point);
   bool odd = false;
-  for (const auto& one : list) {
-    const Meeting found = meeting(mesh, face(one), point, at, latest);
-    if (found == Meeting::held) return {Location::boundary, latest};
+  const bool held = any([&](const Face& face) {
+    const Meeting found = meeting(mesh, face, point, at, latest);
     odd ^= found == Meeting::crossed;
-  }
-  return {odd ? Location::inside : Location::outside, latest};
+    return found == Meeting::held;
+  });
+  return {held ? Location::boundary : odd ? Location::inside : Location::outside, latest};
 }
 
 }  // namespace
@@ -98,22 +99,26 @@ Decided<Location> stages::point_in_polyhedron::ask(const Meshd& mesh, const Poin
 }
 
 Decided<Location> stages::point_in_polyhedron::of_valid(const Meshd& mesh, const Point3d& point) {
-  return located(mesh, point, mesh.faces, [](const Face& face) { return face; });
+  return located(mesh, point, [&mesh](const auto& held) { return std::ranges::any_of(mesh.faces, held); });
 }
 
 Decided<Location> stages::point_in_polyhedron::of_faces(const Meshd& mesh, const std::vector<Index>& faces,
                                                         const Point3d& point) {
-  return located(mesh, point, faces, [&mesh](Index i) { return mesh.faces[i]; });
+  return located(mesh, point, [&](const auto& held) {
+    return std::ranges::any_of(faces, [&](Index i) { return held(mesh.faces[i]); });
+  });
 }
 
-Decided<Location> stages::point_in_polyhedron::of_prepared(const Solid& solid, const Point3d& point) {
-  if (!solid.box().meets(kernel::SpaceBox::around(point))) return {Location::outside, Stage::filter};
-  return of_faces(solid.mesh(), solid.tree().along_x(point), point);
+Decided<Location> stages::point_in_polyhedron::of_tree(const Meshd& mesh, const structures::FaceTree& tree,
+                                                       const Point3d& point) {
+  return located(mesh, point, [&](const auto& held) {
+    return tree.any_along_x(point, [&](Index i) { return held(mesh.faces[i]); });
+  });
 }
 
 Location point_in_polyhedron(const Solid& solid, const Point3d& point) {
   validation::validate_numbers("point", point);
-  return stages::point_in_polyhedron::of_prepared(solid, point).answer;
+  return stages::point_in_polyhedron::of_tree(solid.mesh(), solid.tree(), point).answer;
 }
 
 Location point_in_polyhedron(const Meshd& mesh, const Point3d& point) {

@@ -10,6 +10,10 @@
 
 namespace touchstone::robust {
 
+namespace structures {
+class FaceTree;
+}
+
 /// Decides whether a point lies inside of the solid within a mesh, on its `boundary`, which is all of its faces, or
 /// outside.
 ///
@@ -32,7 +36,8 @@ namespace stages {
 struct point_in_polyhedron : Signatures<Location(const Meshd&, const Point3d&)> {
   static Staged ask;
   static Staged of_valid;  ///< the same for a mesh and a point that have been validated
-  static Decided<Location> of_prepared(const Solid& solid, const Point3d& point);  ///< of a valid point
+  /// The same by a tree of all faces.
+  static Decided<Location> of_tree(const Meshd& mesh, const structures::FaceTree& tree, const Point3d& point);
   /// The same for some faces; the others do not meet the ray to +x.
   static Decided<Location> of_faces(const Meshd& mesh, const std::vector<Index>& faces, const Point3d& point);
 };

@@ -98,7 +98,8 @@ class Searched {
     if (!box.meets(ray)) return {Location::outside, Stage::filter};
     ray.high[0] = box.high[0];
     const bool in_tree = prepared() || tree_ || ++located_ > few_points;
-    return stages::point_in_polyhedron::of_faces(mesh, in_tree ? tree().along_x(p) : faces_near(mesh, ray), p);
+    return in_tree ? stages::point_in_polyhedron::of_tree(mesh, tree(), p)
+                   : stages::point_in_polyhedron::of_faces(mesh, faces_near(mesh, ray), p);
   }
 
   const Meshd& mesh;

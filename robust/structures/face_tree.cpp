@@ -106,23 +106,4 @@ FaceTree::FaceTree(const Meshd& mesh, std::vector<Index> faces) : order_(std::mo
   }
 }
 
-std::vector<Index> FaceTree::along_x(const Point3d& p) const {
-  const Place from = rounded(p);
-  Block ray;
-  ray.set(0, from, {std::numeric_limits<float>::infinity(), from[1], from[2]});
-  std::vector<Index> found;
-  std::vector<std::pair<std::size_t, std::size_t>> left{{levels_.size(), 0}};  // one more than a level, a node's index
-  while (!left.empty()) {
-    const auto [above, i] = left.back();
-    left.pop_back();
-    if (above == 0) {
-      found.push_back(order_[i]);
-      continue;
-    }
-    for (unsigned met = levels_[above - 1][i].lanes_met_by(ray, 0); met != 0; met &= met - 1)
-      left.emplace_back(above - 1, 8 * i + static_cast<std::size_t>(std::countr_zero(met)));
-  }
-  return found;
-}
-
 }  // namespace touchstone::robust::structures

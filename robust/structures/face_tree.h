@@ -32,8 +32,12 @@ class FaceTree {
     return any_pair(top, 0, other, other_top, 0, wanted);
   }
 
-  /// The faces whose boxes meet the ray to +x.
-  std::vector<Index> along_x(const Point3d& p) const;
+  /// Returns whether `wanted` is true for a face whose box meets the ray to +x. Stops at the first.
+  template <class Wanted>
+  bool any_along_x(const Point3d& p, const Wanted& wanted) const {
+    return any_along_x(levels_.size() - 1, 0, {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+                       wanted);
+  }
 
  private:
   /// Eight boxes; missing ones meet none.
@@ -43,6 +47,8 @@ class FaceTree {
     unsigned lanes_met_by(const Block& other, std::size_t i) const {
       return four_met_by(other, i, 0) | four_met_by(other, i, 4) << 4;
     }
+    /// Those that the ray to +x meets.
+    unsigned lanes_along_x(const std::array<float, 3>& p) const { return four_along_x(p, 0) | four_along_x(p, 4) << 4; }
     void set(std::size_t lane, const std::array<float, 3>& least, const std::array<float, 3>& greatest) {
       for (std::size_t axis = 0; axis < 3; ++axis) low[axis][lane] = least[axis], high[axis][lane] = greatest[axis];
     }
@@ -50,6 +56,17 @@ class FaceTree {
    private:
     using Four = kernel::processor::FourFloats;
     using Found = kernel::processor::TwoBits;
+    unsigned four_along_x(const std::array<float, 3>& p, std::size_t from) const {
+      Four least, most;
+      std::memcpy(&most, &high[0][from], sizeof most);
+      Found met = reinterpret_cast<Found>(Four{p[0], p[0], p[0], p[0]} <= most);
+      for (std::size_t axis = 1; axis < 3; ++axis) {
+        std::memcpy(&least, &low[axis][from], sizeof least), std::memcpy(&most, &high[axis][from], sizeof most);
+        const Four at{p[axis], p[axis], p[axis], p[axis]};
+        met &= reinterpret_cast<Found>(at <= most) & reinterpret_cast<Found>(least <= at);
+      }
+      return kernel::processor::signs(met);
+    }
     unsigned four_met_by(const Block& other, std::size_t i, std::size_t from) const {
       Found met = ~Found{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -76,6 +93,14 @@ class FaceTree {
       if (here ? any_pair(level - 1, child, other, other_level, j, wanted)
                : any_pair(level, i, other, other_level - 1, child, wanted))
         return true;
+    }
+    return false;
+  }
+  template <class Wanted>
+  bool any_along_x(std::size_t level, std::size_t block, const std::array<float, 3>& p, const Wanted& wanted) const {
+    for (unsigned met = levels_[level][block].lanes_along_x(p); met != 0; met &= met - 1) {
+      const std::size_t child = 8 * block + static_cast<std::size_t>(std::countr_zero(met));
+      if (level == 0 ? wanted(order_[child]) : any_along_x(level - 1, child, p, wanted)) return true;
     }
     return false;
   }
