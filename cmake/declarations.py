@@ -43,7 +43,9 @@ def decision(header, text, name):
         operands = [re.fullmatch(r"const (\w+)& (\w+)", " ".join(each.split())) for each in parameters.split(",")]
         if None in operands:
             raise Undeclared(f"{header}: expected const SHAPE& operand, found: {parameters}")
-        overloads.append([operand.groups() for operand in operands])
+        operands = [operand.groups() for operand in operands]
+        if not any(re.search(rf"^class {shape};", text, re.MULTILINE) for shape, _ in operands):  # which is for C++ alone
+            overloads.append(operands)
     return comment_text(contract[1]), overloads
 
 

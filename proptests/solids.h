@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "catalogue/families/meshes/cube_surface.h"
+#include "geometry/volumes.h"
 
 /// Closed meshes for worked examples, and what laws do to them.
 namespace touchstone::proptests::solids {

@@ -91,7 +91,7 @@ auto ask_oracle(const Question& q) {
   return applied([](const auto&... value) { return Row::oracle(value...); }, q);
 }
 
-/// What Shape can be made of is made one; the rest stays.
+/// An argument of which Shape can be made as one; another stays as it is.
 template <class Shape, class Part>
 auto prepared_as(const Part& part) {
   if constexpr (std::is_constructible_v<Shape, const Part&>) return Shape(part);

@@ -2,6 +2,7 @@
 #include "robust/batch/point_in_convex_polygon.h"
 
 #include "robust/batch/isa/ring.h"
+#include "robust/batch/point_in_polygon.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 
 namespace touchstone::robust::batch {
@@ -13,6 +14,11 @@ void point_in_convex_polygon(const Polygon2d& polygon, const Points2& points, st
   validation::validate_numbers("polygon", polygon), validation::validate("polygon", polygon);
   robust::point_in_convex_polygon(polygon, polygon[0]);
   isa::locate(polygon, points, count, answers, at_most);
+}
+
+void point_in_convex_polygon(const ConvexPolygon& polygon, const Points2& points, std::size_t count,
+                             std::uint8_t* answers) {
+  point_in_polygon(polygon, points, count, answers);
 }
 
 }  // namespace touchstone::robust::batch

@@ -6,19 +6,23 @@
 #include "geometry/validation.h"
 #include "robust/batch/isa/faces.h"
 #include "robust/batch/isa/run.h"
+#include "robust/batch/point_in_polyhedron.h"
 #include "robust/kernel/shapes/face_side.h"
 #include "robust/kernel/solids/convex_mesh.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::robust::batch {
 
-/// The mesh is validated once, and fifteen numbers for each face are kept until the call ends.
+/// If there are few faces, all are asked for many points at a time, and fifteen numbers of each are kept meanwhile.
 void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
                                 Instructions at_most) {
   if (count == 0) return;
   validation::validate_numbers("mesh", mesh);
   Stage latest = Stage::filter;
   const int outside = kernel::validate_convex("mesh", mesh, latest);
+  if (mesh.faces.size() >= isa::many_faces)
+    return point_in_polyhedron(Solid(Validated{}, mesh), points, count, answers);
   std::vector<double> faces;
   faces.reserve(isa::of_face * mesh.faces.size());
   for (const Face& face : mesh.faces) isa::add_face(mesh, face, outside, faces);
@@ -28,6 +32,11 @@ void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::s
   };
   isa::run(isa::Which{&isa::Filters::point_in_convex_solid, &isa::Filters::close_point_in_convex_solid},
            isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide, decide, count, answers, points);
+}
+
+void point_in_convex_polyhedron(const ConvexSolid& solid, const Points3& points, std::size_t count,
+                                std::uint8_t* answers) {
+  point_in_polyhedron(solid, points, count, answers);
 }
 
 }  // namespace touchstone::robust::batch

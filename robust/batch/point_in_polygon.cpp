@@ -13,4 +13,9 @@ void point_in_polygon(const Polygon2d& polygon, const Points2& points, std::size
   isa::locate(polygon, points, count, answers, at_most);
 }
 
+void point_in_polygon(const Polygon& polygon, const Points2& points, std::size_t count, std::uint8_t* answers) {
+  const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
+  decide_each(decide, count, answers, points);
+}
+
 }  // namespace touchstone::robust::batch

@@ -6,14 +6,17 @@
 #include "robust/batch/isa/run.h"
 #include "robust/kernel/solids/closed_mesh.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::robust::batch {
 
-/// The mesh is validated once, and twenty numbers for each face are kept until the call ends.
+/// If there are few faces, all are asked for many points at a time, and twenty numbers of each are kept meanwhile.
 void point_in_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
                          Instructions at_most) {
   if (count == 0) return;
   validation::validate_numbers("mesh", mesh), kernel::validate_closed("mesh", mesh);
+  if (mesh.faces.size() >= isa::many_faces)
+    return point_in_polyhedron(Solid(Validated{}, mesh), points, count, answers);
   const auto decide = [&](const Point3d& point) {
     validation::validate("point", point);
     return stages::point_in_polyhedron::of_valid(mesh, point).answer;
@@ -23,6 +26,11 @@ void point_in_polyhedron(const Meshd& mesh, const Points3& points, std::size_t c
   for (const Face& face : mesh.faces) isa::add_boxed_face(mesh, face, faces);
   isa::run(isa::Which{&isa::Filters::point_in_solid, &isa::Filters::close_point_in_solid},
            isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide, decide, count, answers, points);
+}
+
+void point_in_polyhedron(const Solid& solid, const Points3& points, std::size_t count, std::uint8_t* answers) {
+  const auto decide = [&](const Point3d& point) { return robust::point_in_polyhedron(solid, point); };
+  decide_each(decide, count, answers, points);
 }
 
 }  // namespace touchstone::robust::batch

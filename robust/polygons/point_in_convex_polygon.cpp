@@ -4,26 +4,10 @@
 #include "geometry/validation.h"
 #include "robust/lines/orientation.h"
 #include "robust/polygons/point_in_polygon.h"
-#include "robust/polygons/polygon_convexity.h"
 #include "robust/prepared/polygon.h"
-#include "robust/rings/simple.h"
+#include "robust/rings/convexity.h"
 
 namespace touchstone::robust {
-
-Side stages::point_in_convex_polygon::validate(const std::string& field, const Polygon2d& given,
-                                               const Polygon2d& polygon, Stage& latest) {
-  const PolygonConvexity found = polygon_convexity::ask(given).noting(latest);
-  const Side inner = found.orientation == Winding::ccw ? Side::left : Side::right;
-  if (found.polygon_class == PolygonClass::convex) return inner;
-  const auto defect = ring_defect(polygon);
-  if (defect && (defect->first == defect->second || found.polygon_class == PolygonClass::not_simple))
-    validation::refuse(field, *defect, polygon.size());
-  if (found.polygon_class == PolygonClass::degenerate) validation::refuse_flat(field);
-  for (std::size_t i = 0;; ++i) {
-    const Side turn = robust::orientation(polygon.previous(i), polygon[i], polygon.next(i));
-    if (turn != inner && turn != Side::on) validation::refuse_reflex(field, i);
-  }
-}
 
 Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& given, const Point2d& point) {
   validation::validate_numbers("polygon", given), validation::validate_numbers("point", point),
@@ -31,7 +15,7 @@ Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& given, c
   const validation::OpenRing open(given);
   const Polygon2d& polygon = *open;
   Stage latest = Stage::filter;
-  const Side inner = validate("polygon", given, polygon, latest);
+  const Side inner = validate_convex("polygon", polygon, latest);
   bool on = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Side side = orientation::ask(polygon[i], polygon.next(i), point).noting(latest);

@@ -25,9 +25,6 @@ namespace stages {
 /// The latest stage that one of its decisions needed.
 struct point_in_convex_polygon : Signatures<Location(const Polygon2d&, const Point2d&)> {
   static Staged ask;
-  /// The side of the inside if the polygon is convex; others are refused. `open`: the same without a last vertex that
-  /// repeats the first.
-  static Side validate(const std::string& field, const Polygon2d& given, const Polygon2d& open, Stage& latest);
 };
 
 }  // namespace stages

@@ -6,7 +6,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/lines/orientation.h"
-#include "robust/polygons/point_in_convex_polygon.h"
+#include "robust/rings/convexity.h"
 #include "robust/rings/simple.h"
 
 namespace touchstone::robust {
@@ -40,7 +40,7 @@ Polygon2d counter_clockwise(Polygon2d ring) {
 Polygon2d convex(const std::string& field, const Polygon2d& ring) {
   const Polygon2d opened = open(valid(field, ring));
   Stage latest = Stage::filter;
-  stages::point_in_convex_polygon::validate(field, ring, opened, latest);
+  validate_convex(field, opened, latest);
   return opened;
 }
 

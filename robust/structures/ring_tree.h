@@ -41,7 +41,7 @@ class RingTree {
     std::size_t first, last;
   };
 
-  /// Of a ring of at least one vertex, not closed by a repeated one.
+  /// The ring has at least one vertex and is not closed by a repeated one.
   explicit RingTree(const Polygon2d& ring) : size_(ring.size()) {
     levels_.push_back(parents<edges_of_a_part>(size_, [&ring](std::size_t i) {
       return PlaneBox::around(ring.previous(i)).with(PlaneBox::around(ring[i]));

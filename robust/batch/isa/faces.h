@@ -12,6 +12,9 @@
 /// Faces of a mesh that all rows share, as the filters of isa/beside.h and isa/solid.h read them.
 namespace touchstone::robust::batch::isa {
 
+/// The number of faces from which a tree of them is faster than all of them for many points at a time.
+inline constexpr std::size_t many_faces = 256;
+
 /// The numbers of a face's plane: a corner, the normal, and the sums of the magnitudes of its terms, 2^-1000 too large.
 /// `outside` is the side of the face to which the normal points, 1 or -1.
 inline std::array<double, 9> plane_numbers(const Point3d& a, const Point3d& b, const Point3d& c, double outside) {

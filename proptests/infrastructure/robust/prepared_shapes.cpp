@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+#include "proptests/catch.h"
+#include "proptests/long_rings.h"
+#include "proptests/refusal.h"
+#include "proptests/solids.h"
+#include "robust/batch/point_in_convex_polygon.h"
+#include "robust/batch/point_in_convex_polyhedron.h"
+#include "robust/batch/point_in_polygon.h"
+#include "robust/batch/point_in_polyhedron.h"
+#include "robust/mixed/convex_distance.h"
+#include "robust/polygons/point_in_convex_polygon.h"
+#include "robust/polygons/point_in_polygon.h"
+#include "robust/polygons/polygon_polygon.h"
+#include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/polyhedra/polyhedron_polyhedron.h"
+#include "robust/prepared/polygon.h"
+#include "robust/prepared/solid.h"
+
+/// Shapes that are validated once (robust/prepared): what small questions do not reach, for which the judge asks every
+/// operation of prepared shapes too.
+namespace touchstone::proptests::prepared_shapes_tests {
+namespace {
+
+using robust::ConvexPolygon, robust::ConvexSolid, robust::Polygon, robust::SimplePolygon, robust::Solid;
+
+/// Vertices, middles of edges, both with their neighbours, and points level with vertices.
+std::vector<Point2d> near_points(const Polygon2d& ring, std::size_t step) {
+  std::vector<Point2d> points;
+  for (std::size_t i = 0; i < ring.size(); i += step) {
+    const Point2d &p = ring[i], &q = ring.next(i), middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
+    for (const Point2d& at : {p, middle}) {
+      points.push_back(at);
+      for (const double up : {-HUGE_VAL, HUGE_VAL}) {
+        points.push_back({std::nextafter(at.x, up), at.y});
+        points.push_back({at.x, std::nextafter(at.y, up)});
+      }
+    }
+    points.push_back({p.x / 2, p.y}), points.push_back({2 * p.x - 1, p.y}), points.push_back({p.y, p.x});
+  }
+  return points;
+}
+
+/// 1,200 vertices on the boundary of [0, 300]^2, counter-clockwise or clockwise.
+Polygon2d square_of_many_vertices(bool clockwise) {
+  Polygon2d ring;
+  for (int i = 0; i < 1200; ++i) {
+    const double along = i % 300;
+    const int side = i / 300;
+    ring.vertices.push_back(side == 0   ? Point2d{along, 0}
+                            : side == 1 ? Point2d{300, along}
+                            : side == 2 ? Point2d{300 - along, 300}
+                                        : Point2d{0, 300 - along});
+  }
+  if (clockwise) std::reverse(ring.vertices.begin(), ring.vertices.end());
+  return ring;
+}
+
+/// By its definition.
+Location in_box(std::initializer_list<std::array<double, 3>> low_high_at) {
+  bool on = false;
+  for (const auto& [low, high, at] : low_high_at) {
+    if (at < low || at > high) return Location::outside;
+    on = on || at == low || at == high;
+  }
+  return on ? Location::boundary : Location::inside;
+}
+
+/// [0, 96]^2 x [0, 12], in 320 faces.
+Meshd slab_of_many_faces() {
+  std::vector<catalogue::LatticePoint> cells;
+  for (std::int64_t i = 0; i < 64; ++i) cells.push_back({i % 8, i / 8, 0});
+  return catalogue::cube_surface(cells);
+}
+
+template <class Answers>
+void check_same(const Answers& found, const Answers& expected) {
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    INFO("row " << i);
+    REQUIRE(found[i] == expected[i]);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("prepared shapes: a long ring locates as all of its edges do") {
+  for (const Polygon2d& ring :
+       {wavy_ring(17), wavy_ring(3000), random_ring(700), comb(1000, true), comb(1001, false), comb(129, true)}) {
+    const Polygon polygon(ring);
+    const std::vector<Point2d> points = near_points(ring, 1 + ring.size() / 200);
+    std::vector<std::uint8_t> one_by_one, by_tree, over_arrays(points.size());
+    for (const Point2d& p : points) {
+      one_by_one.push_back(static_cast<std::uint8_t>(robust::point_in_polygon(ring, p)));
+      by_tree.push_back(static_cast<std::uint8_t>(robust::point_in_polygon(polygon, p)));
+    }
+    check_same(by_tree, one_by_one);
+    const robust::batch::Points2 columns{{&points[0].x, 2}, {&points[0].y, 2}};
+    robust::batch::point_in_polygon(ring, columns, points.size(), over_arrays.data());
+    check_same(over_arrays, one_by_one);
+    robust::batch::point_in_polygon(polygon, columns, points.size(), over_arrays.data());
+    check_same(over_arrays, one_by_one);
+  }
+}
+
+TEST_CASE("prepared shapes: a square of many vertices holds what its coordinates say") {
+  std::vector<Point2d> points;
+  for (const double x : {-1.0, -5e-324, 0.0, 5e-324, 1.0, 149.5, 299.0, 300.0, std::nextafter(300.0, 301), 1e300})
+    for (const double y : {-1e300, -5e-324, -0.0, 1.0, 0.5, 150.0, std::nextafter(300.0, 0), 300.0, 301.0})
+      points.push_back({x, y});
+  std::vector<std::uint8_t> expected, found(points.size());
+  for (const Point2d& p : points)
+    expected.push_back(static_cast<std::uint8_t>(in_box({{0, 300, p.x}, {0, 300, p.y}})));
+  const robust::batch::Points2 columns{{&points[0].x, 2}, {&points[0].y, 2}};
+  for (const bool clockwise : {false, true}) {
+    const Polygon2d ring = square_of_many_vertices(clockwise);
+    robust::batch::point_in_convex_polygon(ring, columns, points.size(), found.data());
+    check_same(found, expected);
+    robust::batch::point_in_convex_polygon(ConvexPolygon(ring), columns, points.size(), found.data());
+    check_same(found, expected);
+    CHECK(SimplePolygon(ring).ring().size() == 1200);
+    const SimplePolygon one(ring);
+    Polygon2d moved = ring;
+    const auto contact_at = [&](double x, double y) {
+      for (std::size_t i = 0; i < moved.size(); ++i) moved.vertices[i] = {ring[i].x + x, ring[i].y + y};
+      CHECK(robust::polygon_polygon(one, SimplePolygon(moved)) == robust::polygon_polygon(ring, moved));
+      return robust::polygon_polygon(one, SimplePolygon(moved));
+    };
+    CHECK(contact_at(299, 0.5) == Contact::overlapping);
+    CHECK(contact_at(300, 0.5) == Contact::touching);
+    CHECK(contact_at(300, -300) == Contact::touching);
+    CHECK(contact_at(300, 300.5) == Contact::disjoint);
+    CHECK(contact_at(0, 0) == Contact::overlapping);
+  }
+}
+
+TEST_CASE("prepared shapes: a solid of many faces holds what its coordinates say") {
+  const Meshd slab = slab_of_many_faces();
+  REQUIRE(slab.faces.size() == 320);
+  std::vector<Point3d> points;
+  for (const double x : {-1.0, 0.0, 5e-324, 12.0, 40.5, 96.0, 97.0})
+    for (const double y : {-5e-324, 0.0, 1.0, 48.0, std::nextafter(96.0, 0), 96.0})
+      for (const double z : {-1.0, 0.0, 6.0, 12.0, std::nextafter(12.0, 13)}) points.push_back({x, y, z});
+  std::vector<std::uint8_t> expected, found(points.size());
+  for (const Point3d& p : points)
+    expected.push_back(static_cast<std::uint8_t>(in_box({{0, 96, p.x}, {0, 96, p.y}, {0, 12, p.z}})));
+  const robust::batch::Points3 columns{{&points[0].x, 3}, {&points[0].y, 3}, {&points[0].z, 3}};
+  robust::batch::point_in_polyhedron(slab, columns, points.size(), found.data());
+  check_same(found, expected);
+  robust::batch::point_in_convex_polyhedron(slab, columns, points.size(), found.data());
+  check_same(found, expected);
+  robust::batch::point_in_convex_polyhedron(ConvexSolid(slab), columns, points.size(), found.data());
+  check_same(found, expected);
+}
+
+TEST_CASE("prepared shapes: rows that are refused are named over many faces too") {
+  const Meshd slab = slab_of_many_faces();
+  const Polygon2d square = square_of_many_vertices(false);
+  const double numbers[] = {1, 1, 1, 1, std::numeric_limits<double>::infinity(), 1};
+  std::uint8_t found[2];
+  const auto column = [&numbers](std::ptrdiff_t k, std::ptrdiff_t stride) {
+    return robust::batch::Column{numbers + k, stride};
+  };
+  const std::string of_solid = refusal_of(
+      [&] { robust::batch::point_in_polyhedron(slab, {column(0, 3), column(1, 3), column(2, 3)}, 2, found); });
+  CHECK(of_solid == "questions[1].point[1]: finite number");
+  const std::string of_polygon =
+      refusal_of([&] { robust::batch::point_in_polygon(square, {column(0, 4), column(1, 3)}, 2, found); });
+  CHECK(of_polygon == "questions[1].point[0]: finite number");
+}
+
+TEST_CASE("prepared shapes: what breaks a rule is refused as the operations refuse it") {
+  const Polygon2d two{{{0, 0}, {1, 0}}}, crossed{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}},
+      dented{{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}, flat{{{0, 0}, {1, 0}, {2, 0}}},
+      infinite{{{0, 0}, {1, 0}, {HUGE_VAL, 1}}};
+  for (const Polygon2d& ring : {two, infinite}) {
+    const std::string said = refusal_of([&] { robust::point_in_polygon(ring, Point2d{0, 0}); });
+    CHECK(said != "accepted");
+    CHECK(refusal_of([&] { Polygon{ring}; }) == said);
+    CHECK(refusal_of([&] { SimplePolygon{ring}; }) == said);
+  }
+  for (const Polygon2d& ring : {crossed, dented, flat}) {
+    CHECK(refusal_of([&] { Polygon{ring}; }) == "accepted");
+    const std::string said = refusal_of([&] { robust::point_in_convex_polygon(ring, Point2d{0, 0}); });
+    CHECK(said != "accepted");
+    CHECK(refusal_of([&] { ConvexPolygon{ring}; }) == said);
+  }
+  CHECK(refusal_of([&] { SimplePolygon(dented, "a"); }) == "accepted");
+  for (const Polygon2d& ring : {crossed, flat, two})
+    CHECK(refusal_of([&] { SimplePolygon(ring, "a"); }) == refusal_of([&] { robust::polygon_polygon(ring, dented); }));
+  CHECK(refusal_of([&] { robust::point_in_polygon(Polygon(dented), Point2d{NAN, 0}); }) == "point[0]: finite number");
+
+  Meshd open = solids::cube, infinite_mesh = solids::cube;
+  open.faces.pop_back(), infinite_mesh.vertices[3].z = HUGE_VAL;
+  for (const Meshd& mesh : {open, infinite_mesh}) {
+    const std::string said = refusal_of([&] { robust::point_in_polyhedron(mesh, Point3d{0, 0, 0}); });
+    CHECK(said != "accepted");
+    CHECK(refusal_of([&] { Solid{mesh}; }) == said);
+  }
+  CHECK(refusal_of([&] { Solid{solids::angle}; }) == "accepted");
+  CHECK(refusal_of([&] { ConvexSolid(solids::angle, "b"); }) ==
+        refusal_of([&] { robust::convex_distance(solids::cube, solids::angle); }));
+  CHECK(refusal_of([&] { ConvexSolid(solids::angle, "b"); }) != "accepted");
+  CHECK(refusal_of([&] { robust::point_in_polyhedron(Solid(solids::cube), Point3d{0, NAN, 0}); }) ==
+        "point[1]: finite number");
+}
+
+TEST_CASE("prepared shapes: copies answer when what they were made of is gone") {
+  std::vector<Solid> solids;
+  std::vector<Polygon> polygons;
+  {
+    const Solid solid(solids::ring);
+    const Polygon polygon(comb(100, true));
+    solids.assign(3, solid), polygons.assign(3, polygon);
+  }
+  const Solid moved = std::move(solids[0]);
+  CHECK(robust::point_in_polyhedron(moved, Point3d{6, 6, 6}) == Location::inside);
+  CHECK(robust::point_in_polyhedron(solids[1], Point3d{18, 18, 6}) == Location::outside);  // the hole
+  CHECK(robust::polyhedron_polyhedron(moved, solids[2]).relation == Contact::overlapping);
+  CHECK(robust::point_in_polygon(polygons[2], Point2d{0.5, 50}) == Location::inside);
+}
+
+}  // namespace touchstone::proptests::prepared_shapes_tests
