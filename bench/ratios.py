@@ -38,6 +38,7 @@ TRIANGULATION = "triangulate_polygon_10000"
 HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
 MESH = "polyhedron_complexity_100000"
 PAIRS = "all_pairs_"
+PREPARED = "prepared_"
 ARRAYS = "arrays_"
 FEW_REPETITIONS, SECONDS = 3, 2  # no more repetitions are made of a group of which so many take longer than this
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
@@ -173,6 +174,19 @@ def meshes(timed):
              written(t.ratio("robust", "epick")), t.labels["robust"]]
             for group, t in timed.items() if group.startswith(MESH)]
     return table(["99,224 faces", "robust ms", "Epick ms", "robust / Epick", "robust says"], rows)
+
+
+def prepared(timed):
+    """Microseconds a question; a shape that is made pays off after the questions in the last column."""
+    rows = []
+    for group, t in timed.items():
+        us = lambda name: written(t.least(name) / 1e3) if name in t.of else ""
+        saved = t.least("robust") - t.least("prepared")
+        rows.append([group.removeprefix(PREPARED).replace("/", ", "), *(us(name) for name in ["robust", "prepared", "epick", "made"]),
+                     written(t.ratio("robust", "prepared")), written(t.ratio("epick", "prepared")),
+                     f"{max(1, math.ceil(t.least('made') / saved)):,}" if saved > 0 else "never"])
+    return table(["one shape, many questions", "raw us", "prepared us", "Epick us", "made us", "raw / prepared", "Epick / prepared",
+                  "pays off after"], rows)
 
 
 def pairs(timed):
@@ -356,7 +370,7 @@ def main():
                             {name: {group: types.SimpleNamespace(of=of) for group, of in groups.items()} for name, groups in kept["timed"].items()})
     load = os.getloadavg()[0]
     timed = {}
-    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "pairs", "arrays", "oracle"]:
+    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "prepared", "pairs", "arrays", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         if options.ops and not pathlib.Path(program).exists():
@@ -372,8 +386,8 @@ def main():
                     goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"]))
     parts = [circumstances(options.build), reached, decisions(decided), arrays(timed["arrays"]),
              "" if options.ops else arrays_from_python(options.build.resolve()), triangulations(timed["triangulation"]),
-             hulls(timed["hulls"]), meshes(timed["meshes"]), pairs(timed["pairs"]), answers(timed["operations"]), truths(timed["oracle"]),
-             exhausted(timed["oracle"])]
+             hulls(timed["hulls"]), meshes(timed["meshes"]), prepared(timed["prepared"]), pairs(timed["pairs"]), answers(timed["operations"]),
+             truths(timed["oracle"]), exhausted(timed["oracle"])]
     report = "\n\n".join(str(part) for part in parts if part)
     print(report)
     if options.page:
