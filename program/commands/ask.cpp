@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/counting/audit_run.h"
 #include "audit/engines/notes.h"
+#include "audit/meshes/formats/mesh_file.h"
 #include "audit/text/geometries.h"
 #include "audit/text/regression_test.h"
 #include "catalogue/codec/plain.h"
@@ -31,6 +32,9 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   EngineNotes notes;
   const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);
   const std::string& file = command.file;
+  if (named_as_mesh(file))
+    throw UsageError(file + ": a mesh is given by --mesh, not as lines of JSON: echo '{}' | touchstone ask " +
+                     operation.name() + " --mesh " + file);
   const FileMeshes meshes(command.meshes, command.preparation, &operation);
   if (command.verbose) meshes.tell(err);
   bool refused_any = false, found_any = false;

@@ -84,6 +84,10 @@ MeshFile read(const std::string& name, std::string_view bytes, const meshes::Rea
 
 }  // namespace
 
+bool named_as_mesh(const std::string& path) {
+  return std::any_of(formats.begin(), formats.end(), [&](const Format& f) { return ends_with(path, f.ending); });
+}
+
 MeshFile read_mesh_file(const std::string& path) {
   return read(path, content(path),
               [&](const std::string& name) { return content((path_of(path).parent_path() / path_of(name)).string()); });

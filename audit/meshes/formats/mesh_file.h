@@ -38,6 +38,9 @@ struct MeshFile {
   std::map<std::string, std::size_t> passed_over;
 };
 
+/// True if the ending is that of a format of meshes.
+bool named_as_mesh(const std::string& path);
+
 /// The mesh in a file: OBJ (Wavefront), PLY (ascii, binary of either byte order), OFF, STL (ascii or binary), glTF 2.0
 /// (.glb, or .gltf with buffers in base64 or in files of the same folder) or 3MF.
 ///
