@@ -73,10 +73,16 @@ def made(architecture):
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("package", type=pathlib.Path)
-    package = options.parse_args().package
-    if os.geteuid() != 0 or shutil.which("debootstrap") is None:
-        sys.exit("bare_debian: it needs root and debootstrap")
+    options.add_argument("package", type=pathlib.Path, nargs="?")
+    options.add_argument("--only-rights", action="store_true", help="only check that it runs as root")
+    given = options.parse_args()
+    if os.geteuid() != 0:
+        sys.exit("bare_debian: it needs root")
+    if given.only_rights:
+        return
+    package = given.package or options.error("expected a PACKAGE")
+    if shutil.which("debootstrap") is None:
+        sys.exit("bare_debian: it needs debootstrap")
     architecture = output("dpkg-deb", "-f", package, "Architecture")
     emulate(architecture)
     bare = made(architecture)

@@ -16,6 +16,8 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "cmake"))
+import platforms
 TO = ROOT / "build/instructions"
 FLAGS = ["-std=c++20", "-O2", "-ffp-contract=off", f"-I{ROOT}", str(ROOT / "bench/instructions/rows.cpp")]
 OPERATIONS = ["orientation", "point_on_segment", "segment_segment", "point_plane", "aabb_aabb", "sphere_sphere", "sphere_aabb",
@@ -24,7 +26,7 @@ CASES = ["random", "grid"]
 # The column of the table: where it runs, and the set that the program asks for.
 SETS = {"SSE2": ("x86", "portable"), "AVX2": ("x86", "avx2"), "AVX-512": ("x86", "avx512"),
         "one double": ("arm", "portable"), "NEON": ("arm", "neon"), "SVE, 256 bits": ("arm", "sve")}
-EMULATOR = ["qemu-aarch64", "-cpu", "max,sve-default-vector-length=32"]
+EMULATOR = platforms.emulator_of("aarch64-linux-gnu")
 PTRACE_TRACEME, PTRACE_CONT, PTRACE_SINGLESTEP = 0, 7, 9
 ptrace = ctypes.CDLL(None, use_errno=True).ptrace
 ptrace.argtypes = [ctypes.c_long, ctypes.c_long, ctypes.c_void_p, ctypes.c_void_p]
