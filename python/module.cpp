@@ -6,12 +6,20 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "c/touchstone.h"
+#include "robust/batch/point_in_convex_polygon.h"
+#include "robust/batch/point_in_convex_polyhedron.h"
+#include "robust/batch/point_in_polygon.h"
+#include "robust/batch/point_in_polyhedron.h"
 #include "robust/c/array_forms.h"
+#include "robust/prepared/polygon.h"
+#include "robust/prepared/solid.h"
 #include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::python {
@@ -149,11 +157,97 @@ using Decide = void (*)(const py::sequence& arrays, std::size_t count, std::uint
    }},
 const std::map<std::string, Decide> decisions{TOUCHSTONE_ARRAY_FORMS(TOUCHSTONE_ENTRY)};
 
+/// Calls while others may run, and raises what is refused.
+template <class Call>
+void refusing(const Call& call) {
+  try {
+    const py::gil_scoped_release others_may_run;
+    call();
+  } catch (const InvalidInput& refused) {
+    raise_refusal(refused.field(), refused.rule());
+  }
+}
+
+/// Decides a shape that was validated once and points, if it is one of those that the decision takes.
+template <class Shape, class PointsInC, class Points>
+bool decided(void (*decide)(const Shape&, const Points&, std::size_t, std::uint8_t*), const py::sequence& arrays,
+             std::size_t count, std::uint8_t* answers) {
+  if (!py::isinstance<Shape>(arrays[0])) return false;
+  Operands operands(arrays[py::slice(2, static_cast<py::ssize_t>(arrays.size()), 1)], count);
+  const auto in_c = operands.next<PointsInC>();
+  operands.require_end();
+  Points points;
+  static_assert(sizeof points == sizeof in_c && sizeof(robust::batch::Column) == sizeof(touchstone_column));
+  std::memcpy(static_cast<void*>(&points), &in_c, sizeof points);
+  refusing([&, &shape = py::cast<const Shape&>(arrays[0])] { decide(shape, points, count, answers); });
+  return true;
+}
+
+/// False for shapes that are arrays, and for a prepared shape that the decision does not take.
+bool decided_of_prepared(const std::string& name, const py::sequence& arrays, std::size_t count,
+                         std::uint8_t* answers) {
+  using robust::batch::Points2, robust::batch::Points3;
+  const auto by = [&]<class Shape, class Points>(const char* decision, void (*decide)(const Shape&, const Points&,
+                                                                                     std::size_t, std::uint8_t*)) {
+    using InC = std::conditional_t<std::is_same_v<Points, Points2>, touchstone_points2, touchstone_points3>;
+    return name == decision && decided<Shape, InC>(decide, arrays, count, answers);
+  };
+  return by.template operator()<robust::Polygon, Points2>("point_in_polygon", robust::batch::point_in_polygon) ||
+         by.template operator()<robust::ConvexPolygon, Points2>("point_in_convex_polygon",
+                                                                robust::batch::point_in_convex_polygon) ||
+         by.template operator()<robust::Solid, Points3>("point_in_polyhedron", robust::batch::point_in_polyhedron) ||
+         by.template operator()<robust::ConvexSolid, Points3>("point_in_convex_polyhedron",
+                                                              robust::batch::point_in_convex_polyhedron);
+}
+
 void decide(const std::string& name, const py::sequence& arrays, const py::buffer& out) {
   const py::buffer_info answers = out.request(/*writable=*/true);
   if (answers.format != "B" || answers.ndim != 1 || (answers.shape[0] > 1 && answers.strides[0] != 1))
     throw std::invalid_argument("out: contiguous uint8 was expected");
-  decisions.at(name)(arrays, static_cast<std::size_t>(answers.shape[0]), static_cast<std::uint8_t*>(answers.ptr));
+  const auto count = static_cast<std::size_t>(answers.shape[0]);
+  auto* const to = static_cast<std::uint8_t*>(answers.ptr);
+  if (!decided_of_prepared(name, arrays, count, to)) decisions.at(name)(arrays, count, to);
+}
+
+Polygon2d polygon_of(const py::array_t<double, py::array::c_style>& vertices) {
+  const auto rows = vertices.unchecked<2>();
+  Polygon2d polygon;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) polygon.vertices.push_back({rows(i, 0), rows(i, 1)});
+  return polygon;
+}
+
+Meshd mesh_of(const py::array_t<double, py::array::c_style>& vertices,
+              const py::array_t<std::uint32_t, py::array::c_style>& faces) {
+  const auto rows = vertices.unchecked<2>();
+  const auto corners = faces.unchecked<2>();
+  Meshd mesh;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) mesh.vertices.push_back({rows(i, 0), rows(i, 1), rows(i, 2)});
+  for (py::ssize_t i = 0; i < corners.shape(0); ++i)
+    mesh.faces.push_back({corners(i, 0), corners(i, 1), corners(i, 2)});
+  return mesh;
+}
+
+/// The shape that is made of raw data, with the GIL released meanwhile.
+template <class Shape, class Raw>
+std::unique_ptr<Shape> made_of(const Raw& raw) {
+  std::unique_ptr<Shape> made;
+  refusing([&] { made = std::make_unique<Shape>(raw); });
+  return made;
+}
+
+template <class Shape, class... Bases>
+void add_polygon(py::module_& module, const char* name) {
+  py::class_<Shape, Bases...>(module, name).def(py::init([](const py::array_t<double, py::array::c_style>& vertices) {
+    return made_of<Shape>(polygon_of(vertices));
+  }));
+}
+template <class Shape, class... Bases>
+void add_solid(py::module_& module, const char* name) {
+  py::class_<Shape, Bases...>(module, name)
+      .def(py::init([](const py::array_t<double, py::array::c_style>& vertices,
+                       const py::array_t<std::uint32_t, py::array::c_style>& faces) {
+        return made_of<Shape>(mesh_of(vertices, faces));
+      }));
 }
 
 /// Cuts polygons into triangles; `sizes` gives the number of `corners` of each polygon.
@@ -211,6 +305,11 @@ using touchstone::python::text_of;
 namespace py = pybind11;
 
 PYBIND11_MODULE(_touchstone, module) {
+  using namespace touchstone;
+  python::add_polygon<robust::Polygon>(module, "Polygon");
+  python::add_polygon<robust::ConvexPolygon, robust::Polygon>(module, "ConvexPolygon");
+  python::add_solid<robust::Solid>(module, "Solid");
+  python::add_solid<robust::ConvexSolid, robust::Solid>(module, "ConvexSolid");
   module.def("decide", touchstone::python::decide);
   module.def("cut", touchstone::python::cut);
   module.def("answer", [](const std::string& operation, const std::string& question) {

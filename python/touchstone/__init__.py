@@ -26,7 +26,8 @@ try:
     from . import _decisions, arrays
     from ._answers import Answers
     from ._decisions import *  # noqa: F403
-    __all__ += ["Answers", "arrays", *_decisions.__all__]
+    from ._prepared import ConvexPolygon, ConvexSolid, Polygon, Solid
+    __all__ += ["Answers", "ConvexPolygon", "ConvexSolid", "Polygon", "Solid", "arrays", *_decisions.__all__]
 except ModuleNotFoundError as missing:
     if missing.name != "numpy":
         raise

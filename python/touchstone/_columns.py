@@ -13,7 +13,7 @@ from . import _touchstone
 from ._answers import Answers, Enumeration
 from ._errors import InvalidInput
 
-Operand = Union[ArrayLike, tuple[Any, ...], Mapping[str, Any]]
+Operand = Union[ArrayLike, tuple[Any, ...], Mapping[str, Any], "Prepared"]
 Out = Optional[NDArray[numpy.uint8]]
 Located = tuple[NDArray[Any], int]
 _float64 = numpy.dtype(numpy.float64)
@@ -88,13 +88,23 @@ def _column(value: Any, field: str) -> NDArray[numpy.float64]:
     return array
 
 
+class Prepared:
+    """A shape that is validated once and asked many times. It never changes."""
+
+    made: Any  # of the extension
+    taken_by: tuple[str, ...]  # decisions
+
+
 class _Polygon2:
-    """One polygon: its vertices."""
+    """One polygon: its vertices, or a shape that was validated once."""
 
     def expected(self) -> str:
         return "vertices of the shape (m, 2)"
 
     def arrays(self, value: Any, field: str) -> Iterator[Located]:
+        if isinstance(value, Prepared):
+            yield value.made, _whole
+            return
         yield _vertices(value, field, 2), _whole
 
 
@@ -105,6 +115,9 @@ class _Mesh:
         return "(vertices, faces)"
 
     def arrays(self, value: Any, field: str) -> Iterator[Located]:
+        if isinstance(value, Prepared):
+            yield value.made, _whole
+            return
         if isinstance(value, Mapping) and value.keys() == {"vertices", "faces"}:
             value = value["vertices"], value["faces"]
         if not isinstance(value, tuple) or len(value) != 2:
@@ -175,6 +188,9 @@ class Form:
                    for shape, value in zip(self.operands.values(), values))
 
     def arrays(self, values: tuple[Any, ...]) -> list[Located]:
+        for (field, shape), value in zip(self.operands.items(), values):
+            if isinstance(value, Prepared) and self.name not in value.taken_by:
+                raise InvalidInput(field, f"expected {shape.expected()}, found a {type(value).__name__}")
         return [located for (field, shape), value in zip(self.operands.items(), values)
                 for located in shape.arrays(value, field)]
 

@@ -164,6 +164,50 @@ def test_faces_that_are_none(faces):
     assert refusal(touchstone.point_in_polyhedron, (CUBE, faces), numpy.ones(3))[0] == "mesh.faces"
 
 
+PREPARED = {"point_in_polygon": touchstone.Polygon, "point_in_convex_polygon": touchstone.ConvexPolygon,
+            "point_in_polyhedron": touchstone.Solid, "point_in_convex_polyhedron": touchstone.ConvexSolid}
+
+
+@pytest.mark.parametrize("name", PREPARED)
+def test_shapes_that_are_validated_once_answer_the_same(name):
+    for questions in kinds_of(touchstone.draw(name, 300)):
+        shape, points = operands_of(name, questions)
+        once, out = PREPARED[name](shape), numpy.empty(len(questions), dtype=numpy.uint8)
+        expected = getattr(touchstone, name)(shape, points).numbers.tolist()
+        assert getattr(touchstone, name)(once, points, out=out).numbers is out and out.tolist() == expected
+        assert getattr(touchstone, name)(once, points[:1]).numbers.tolist() == expected[:1]
+        mask = getattr(touchstone, name.removeprefix("point_in_") + "_contains")
+        assert mask(once, points).tolist() == mask(shape, points).tolist()
+
+
+def test_shapes_that_are_validated_once_keep_what_they_were_made_of():
+    square, points = SQUARE.copy(), numpy.array([[2.0, 2], [9, 9]])
+    polygon = touchstone.ConvexPolygon(square)
+    square[:] = 7
+    for decide in (touchstone.point_in_polygon, touchstone.point_in_convex_polygon):
+        assert [answer.name for answer in decide(polygon, points)] == ["inside", "outside"]
+
+
+def test_shapes_that_are_validated_once_are_refused():
+    assert refusal(touchstone.Polygon, numpy.zeros((2, 2)))[0] == "polygon"
+    assert refusal(touchstone.Polygon, numpy.zeros((3, 3)))[0] == "polygon"
+    assert refusal(touchstone.Polygon, [(0, 0), (1, 0), (numpy.inf, 1)]) == ("polygon[2][0]", "finite number")
+    dented = [(0, 0), (4, 0), (1, 1), (0, 4)]
+    assert refusal(touchstone.ConvexPolygon, dented) == refusal(touchstone.point_in_convex_polygon, dented, numpy.zeros(2))
+    for faces in (SIDES[1:], [*SIDES[:5], [1, 5, 7, 9]], [*SIDES[:5], [1, 7, 5, 3]]):
+        assert refusal(touchstone.Solid, (CUBE, faces)) == refusal(touchstone.point_in_polyhedron, (CUBE, faces), numpy.ones(3))
+    solid, polygon = touchstone.Solid((CUBE, SIDES)), touchstone.Polygon(SQUARE)
+    assert refusal(touchstone.point_in_convex_polyhedron, solid, numpy.ones(3)) == (
+        "mesh", "expected (vertices, faces), found a Solid")
+    assert refusal(touchstone.point_in_polygon, solid, numpy.ones(2)) == (
+        "polygon", "expected vertices of the shape (m, 2), found a Solid")
+    assert refusal(touchstone.point_in_polyhedron, solid, numpy.array([[1.0, 1, 1], [1, numpy.nan, 1]])) == (
+        "questions[1].point[1]", "finite number")
+    assert refusal(touchstone.point_in_polygon, polygon, numpy.zeros((4, 3)))[0] == "points"
+    with pytest.raises(AttributeError):
+        polygon.made.vertices
+
+
 def test_help_is_a_page():
     page = pydoc.plain(pydoc.render_doc(arrays))
     assert page.count("\n") < 80

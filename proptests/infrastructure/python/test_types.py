@@ -22,6 +22,8 @@ sides: touchstone.Answers = touchstone.orientation(numpy.zeros(2), (0.0, 1.0), n
 numbers: NDArray[numpy.uint8] = sides.numbers
 left: NDArray[numpy.bool_] = sides == touchstone.Side.left
 inside: NDArray[numpy.bool_] = touchstone.polygon_contains(numpy.zeros((4, 2)), numpy.zeros((3, 2)), boundary=False)
+polygon: touchstone.Polygon = touchstone.ConvexPolygon(numpy.zeros((4, 2)))
+within: touchstone.Answers = touchstone.point_in_polygon(polygon, numpy.zeros((3, 2)))
 truth: touchstone.Truth = touchstone.truth("orientation", {"p0": [0, 0], "p1": [1, 0], "p": [0, 1]})
 margin: Fraction = truth.margin or Fraction(0)
 questions: list[touchstone.Question] = touchstone.draw("orientation", cases=3, families=["collinear"])
@@ -43,7 +45,7 @@ def test_the_package_says_that_it_is_typed():
 
 
 def test_the_stub_declares_what_the_extension_has():
-    declared = {line.split("(")[0][4:] for line in (PACKAGE / "_touchstone.pyi").read_text().splitlines() if line.startswith("def ")}
+    declared = set(re.findall(r"^(?:def|class) (\w+)", (PACKAGE / "_touchstone.pyi").read_text(), re.MULTILINE))
     assert declared == {name for name in dir(touchstone._touchstone) if not name.startswith("_")}
 
 
