@@ -119,9 +119,32 @@ def add_decision(parts, shapes, header, name, contract, overloads):
     return forms, [operand for _, operand in overloads[-1]]
 
 
+def add_prepared(parts, shapes, name, raw, overload):
+    """The decision of a shape that is validated once, and that shape; `raw` is the type of which it is made."""
+    shape, operand, others = overload
+    kind = f"touchstone_{snake_case(shape)}"
+    folder = "solid" if raw == "Meshd" else "polygon"
+    given, error = f"{shapes.in_c[raw]} {folder}", "touchstone_error* error"
+    in_c = ", ".join(f"{shapes.in_c[other]} {each}" for other, each in others)
+    passed = ", ".join(f"operand({each})" for _, each in others)
+    function = f"int touchstone_{name}_prepared(const {kind}* {operand}, {in_c}, size_t count,"
+    parts["includes"].append(f'#include "robust/prepared/{folder}.h"')
+    add(parts,
+        prepared_in_c=f"\ntypedef struct {kind} {kind};\nint {kind}_make({given}, {kind}** made, {error});\n"
+                      f"void {kind}_free({kind}* shape);\n"
+                      f"{function}\n    uint8_t* answers, {error});\n",
+        functions=f"\nstruct {kind} {{\n  touchstone::robust::{shape} shape;\n}};\n"
+                  f"int {kind}_make({given}, {kind}** made, {error}) {{\n  *made = nullptr;\n"
+                  f"  return answered(error, [&] {{ *made = new {kind}{{touchstone::robust::{shape}(operand({folder}))}}; }});\n}}\n"
+                  f"void {kind}_free({kind}* shape) {{ delete shape; }}\n"
+                  f"{function} uint8_t* answers, {error}) {{\n"
+                  f"  return answered(error, [&] {{ batch::{name}({operand}->shape, {passed}, count, answers); }});\n}}\n",
+        prepared_forms=f"  form({name}, {shape}, {kind}) \\\n")
+
+
 def made(root):
     """Returns {name: text}, for the templates."""
-    parts = {"exported": [], "decisions_in_help": [], "masks_in_help": [], "includes": []}
+    parts = {"exported": [], "decisions_in_help": [], "masks_in_help": [], "includes": [], "prepared_in_c": "", "prepared_forms": ""}
     batch = root / "robust/batch"
     shapes = Shapes(parts, declarations.text_of(batch / "isa/columns.h"))
     geometry = {path.name: declarations.text_of(path) for path in sorted((root / "geometry").glob("*.h"))}
@@ -148,6 +171,9 @@ def made(root):
         parts["includes"].append(f'#include "{header}"')
         parts["exported"].append(name)
         forms, operands = add_decision(parts, shapes, header, name, contract, overloads)
+        prepared = declarations.prepared(declarations.text_of(path), name)
+        if prepared:
+            add_prepared(parts, shapes, name, overloads[0][0][0], prepared)
         upper, enumerators, joined = name.upper(), enumerations[enumeration], ", ".join(operands)
         help_text = contract.replace("\n", "\n    ")
         add(parts,

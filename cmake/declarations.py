@@ -31,8 +31,18 @@ def enumeration(text, name):
     return found and (comment_text(found[1]), [word for word in re.sub("[ \n]", "", found[2]).split(",") if word])
 
 
+def prepared(text, name):
+    """(class, its operand, [(type, operand), ...]) of the overload of a decision that takes a shape of robust/prepared, or None."""
+    for shape in re.findall(r"^class (\w+);", text, re.MULTILINE):
+        found = re.search(rf"void {name}\(const {shape}& (\w+), ([^)]*),[ \n]*std::size_t count,", text)
+        if found:
+            others = [re.fullmatch(r"const (\w+)& (\w+)", " ".join(each.split())) for each in found[2].split(",")]
+            return shape, found[1], [other.groups() for other in others]
+    return None
+
+
 def decision(header, text, name):
-    """(its comment, for each overload [(type, operand), ...]) of a decision over arrays."""
+    """(its comment, for each overload [(type, operand), ...]) of a decision over arrays, but not of prepared shapes."""
     declaration = rf"void {name}\(([^)]*),[ \n]*std::size_t count,[ \n]*std::uint8_t\* [a-z]+[^)]*\);"
     contract = re.search(rf"((?:///[^\n]*\n)+){declaration}", text)
     if not contract:

@@ -61,6 +61,9 @@ def write_files(root, build, c_headers, version):
 /// TOUCHSTONE_ARRAY_FORMS(form): form(NAME) for each touchstone_NAME of touchstone_robust.h.
 #define TOUCHSTONE_ARRAY_FORMS(form) \\
 {parts["forms"]}
+/// TOUCHSTONE_PREPARED_FORMS(form): form(NAME, Shape, touchstone_SHAPE) for each touchstone_NAME_prepared.
+#define TOUCHSTONE_PREPARED_FORMS(form) \\
+{parts["prepared_forms"]}
 """)
 
     listed = list(filter(None, map(checks, map(text_of, sorted((root / "oracle/certificates").glob("check*.cpp"))))))
@@ -136,12 +139,17 @@ TREE = {
     "robust/batch/turn.h":
         '#include "robust/batch/isa/columns.h"\n/// robust::turn of each a,\n/// its Side: left 0.\n'
         "void turn(const Points2& a, const Points2& b, std::size_t count, std::uint8_t* answers);\n",
+    "robust/batch/within.h":
+        '#include "robust/batch/isa/columns.h"\nclass Fixed;\n/// robust::within of one mesh, its Side: left 0.\n'
+        "void within(const Meshd& mesh, const Points2& a, std::size_t count, std::uint8_t* answers);\n/// The same.\n"
+        "void within(const Fixed& solid, const Points2& a,\n std::size_t count, std::uint8_t* answers);\n",
+    "robust/prepared/solid.h": "",
     "robust/masked_exceptions.h": '#include "made.h"\n',
     "reference/lines/turn.h": "\n/// Left or right.\n///\n/// Page 3.\ntemplate <class Real>\nSide turn(Real a);\n",
     "catalogue/rows/lines/turn.h": "",
     "oracle/certificates/check.cpp": "Checks checks();\n",
     "oracle/certificates/check_lines.cpp": "Checks checks_of_lines() { return {}; }\n",
-    "robust/c/touchstone_robust.h.in": "@PROJECT_VERSION@@shapes_in_c@@enumerations_in_c@@functions_in_c@",
+    "robust/c/touchstone_robust.h.in": "@PROJECT_VERSION@@shapes_in_c@@enumerations_in_c@@functions_in_c@@prepared_in_c@",
     "robust/c/touchstone_robust.cpp.in": "@includes@@operands@@checks@@functions@",
     "python/touchstone/_decisions.py.in":
         "@decisions_in_help@@exported@@shapes_in_python@@enumerations_in_python@@functions_in_python@",
@@ -152,12 +160,14 @@ MADE = {
     "build/generated/touchstone_robust.h": [
         "1.2.3", "touchstone_column x, y;", "touchstone_column_rows(first + 1, stride)", "TOUCHSTONE_SIDE_RIGHT = 2",
         "/* Where it lies,\n * seen from a. */", "/* `turn` of each a,\n * its Side: left 0. */",
-        "int touchstone_turn(touchstone_points2 a, touchstone_points2 b,\n"],
+        "int touchstone_turn(touchstone_points2 a, touchstone_points2 b,\n",
+        "int touchstone_fixed_make(touchstone_mesh solid, touchstone_fixed** made,",
+        "int touchstone_within_prepared(const touchstone_fixed* solid, touchstone_points2 a, size_t count,\n"],
     "build/array_forms/touchstone_robust.cpp": ['#include "geometry/points.h"\n#include "robust/batch/turn.h"',
                                                 "operand(of.y)", "Side::on) == TOUCHSTONE_SIDE_ON"],
     "build/array_forms/_decisions.py": ["  turn(a, b)  Side: left, on, right", "POINTS2 = Shape(x=None, y=None)",
                                         "class Side", "def turn(a: Operand, b: Operand, *, out"],
-    "build/generated/robust/c/array_forms.h": ["  form(turn) \\\n"],
+    "build/generated/robust/c/array_forms.h": ["  form(turn) \\\n", "  form(within, Fixed, touchstone_fixed) \\\n"],
     "build/certify/check_files.h": ["Checks checks_of_lines();", "= {checks_of_lines};"],
     "build/embedded/contracts.h": ['{"turn", R"text(\nLeft or right.\n\nPage 3.)text"},'],
     "build/include/touchstone/robust/batch/turn.h": ["#include <touchstone/robust/batch/isa/columns.h>"],

@@ -9,17 +9,10 @@
 #include <memory>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <vector>
 
 #include "c/touchstone.h"
-#include "robust/batch/point_in_convex_polygon.h"
-#include "robust/batch/point_in_convex_polyhedron.h"
-#include "robust/batch/point_in_polygon.h"
-#include "robust/batch/point_in_polyhedron.h"
 #include "robust/c/array_forms.h"
-#include "robust/prepared/polygon.h"
-#include "robust/prepared/solid.h"
 #include "robust/structures/polygon_mesh.h"
 
 namespace touchstone::python {
@@ -126,6 +119,18 @@ class Operands {
   std::size_t column_ = 0, matrix_ = 0;
 };
 
+/// Calls form(error) while other threads may run, and raises its error.
+template <class Call>
+void call(const Call& form) {
+  touchstone_error error{};
+  int code = TOUCHSTONE_OK;
+  {
+    const py::gil_scoped_release others_may_run;
+    code = form(&error);
+  }
+  if (code != TOUCHSTONE_OK) raise_error(code, error);
+}
+
 /// Calls a function of touchstone_robust.h: operands..., count, answers, error.
 template <class... Arguments>
 void decide_by(int (*form)(Arguments...), const py::sequence& arrays, std::size_t count, std::uint8_t* answers) {
@@ -138,16 +143,12 @@ void decide_by(int (*form)(Arguments...), const py::sequence& arrays, std::size_
   }
   (std::make_index_sequence<shapes>());
   operands.require_end();
-  touchstone_error error{};
   std::get<shapes>(passed) = count;
   std::get<shapes + 1>(passed) = answers;
-  std::get<shapes + 2>(passed) = &error;
-  int code = TOUCHSTONE_OK;
-  {
-    const py::gil_scoped_release others_may_run;
-    code = std::apply(form, passed);
-  }
-  if (code != TOUCHSTONE_OK) raise_error(code, error);
+  call([&](touchstone_error* error) {
+    std::get<shapes + 2>(passed) = error;
+    return std::apply(form, passed);
+  });
 }
 
 using Decide = void (*)(const py::sequence& arrays, std::size_t count, std::uint8_t* answers);
@@ -157,47 +158,55 @@ using Decide = void (*)(const py::sequence& arrays, std::size_t count, std::uint
    }},
 const std::map<std::string, Decide> decisions{TOUCHSTONE_ARRAY_FORMS(TOUCHSTONE_ENTRY)};
 
-/// Calls while others may run, and raises what is refused.
-template <class Call>
-void refusing(const Call& call) {
-  try {
-    const py::gil_scoped_release others_may_run;
-    call();
-  } catch (const InvalidInput& refused) {
-    raise_refusal(refused.field(), refused.rule());
+/// A shape of touchstone_robust.h that was validated once, and what makes and frees it.
+template <class Shape>
+class Prepared {
+ public:
+  template <class Given>
+  Prepared(int (*make)(Given, Shape**, touchstone_error*), void (*release)(Shape*), const py::sequence& arrays)
+      : release_(release) {
+    Operands operands(arrays, 0);
+    const auto given = operands.next<Given>();
+    operands.require_end();
+    call([&](touchstone_error* error) { return make(given, &shape_, error); });
   }
-}
+  ~Prepared() { release_(shape_); }
+  Prepared(const Prepared&) = delete;
+  Prepared& operator=(const Prepared&) = delete;
 
-/// Decides a shape that was validated once and points, if it is one of those that the decision takes.
-template <class Shape, class PointsInC, class Points>
-bool decided(void (*decide)(const Shape&, const Points&, std::size_t, std::uint8_t*), const py::sequence& arrays,
-             std::size_t count, std::uint8_t* answers) {
-  if (!py::isinstance<Shape>(arrays[0])) return false;
-  Operands operands(arrays[py::slice(2, static_cast<py::ssize_t>(arrays.size()), 1)], count);
-  const auto in_c = operands.next<PointsInC>();
-  operands.require_end();
-  Points points;
-  static_assert(sizeof points == sizeof in_c && sizeof(robust::batch::Column) == sizeof(touchstone_column));
-  std::memcpy(static_cast<void*>(&points), &in_c, sizeof points);
-  refusing([&, &shape = py::cast<const Shape&>(arrays[0])] { decide(shape, points, count, answers); });
-  return true;
-}
+  template <class Points>
+  void decide(int (*form)(const Shape*, Points, std::size_t, std::uint8_t*, touchstone_error*),
+              const py::sequence& arrays, std::size_t count, std::uint8_t* answers) const {
+    Operands operands(arrays, count);
+    const auto points = operands.next<Points>();
+    operands.require_end();
+    call([&](touchstone_error* error) { return form(shape_, points, count, answers, error); });
+  }
 
-/// False for shapes that are arrays, and for a prepared shape that the decision does not take.
-bool decided_of_prepared(const std::string& name, const py::sequence& arrays, std::size_t count,
+ private:
+  Shape* shape_ = nullptr;
+  void (*release_)(Shape*);
+};
+
+/// Decides by the first of the operands if it is a prepared shape that the decision takes.
+bool decided_of_prepared(const std::string& decision, const py::sequence& arrays, std::size_t count,
                          std::uint8_t* answers) {
-  using robust::batch::Points2, robust::batch::Points3;
-  const auto by = [&]<class Shape, class Points>(const char* decision, void (*decide)(const Shape&, const Points&,
-                                                                                     std::size_t, std::uint8_t*)) {
-    using InC = std::conditional_t<std::is_same_v<Points, Points2>, touchstone_points2, touchstone_points3>;
-    return name == decision && decided<Shape, InC>(decide, arrays, count, answers);
-  };
-  return by.template operator()<robust::Polygon, Points2>("point_in_polygon", robust::batch::point_in_polygon) ||
-         by.template operator()<robust::ConvexPolygon, Points2>("point_in_convex_polygon",
-                                                                robust::batch::point_in_convex_polygon) ||
-         by.template operator()<robust::Solid, Points3>("point_in_polyhedron", robust::batch::point_in_polyhedron) ||
-         by.template operator()<robust::ConvexSolid, Points3>("point_in_convex_polyhedron",
-                                                              robust::batch::point_in_convex_polyhedron);
+  const auto points = [&] { return arrays[py::slice(2, static_cast<py::ssize_t>(arrays.size()), 1)]; };
+#define TOUCHSTONE_DECIDED(name, Shape, shape)                                                                      \
+  if (decision == #name && py::isinstance<Prepared<shape>>(arrays[0])) {                                            \
+    py::cast<const Prepared<shape>&>(arrays[0]).decide(touchstone_##name##_prepared, points(), count, answers);     \
+    return true;                                                                                                    \
+  }
+  TOUCHSTONE_PREPARED_FORMS(TOUCHSTONE_DECIDED)
+  return false;
+}
+
+void add_prepared(py::module_& module) {
+#define TOUCHSTONE_ADDED(name, Shape, shape)                                                              \
+  py::class_<Prepared<shape>>(module, #Shape).def(py::init([](const py::sequence& arrays) {               \
+    return std::make_unique<Prepared<shape>>(shape##_make, shape##_free, arrays);                         \
+  }));
+  TOUCHSTONE_PREPARED_FORMS(TOUCHSTONE_ADDED)
 }
 
 void decide(const std::string& name, const py::sequence& arrays, const py::buffer& out) {
@@ -207,47 +216,6 @@ void decide(const std::string& name, const py::sequence& arrays, const py::buffe
   const auto count = static_cast<std::size_t>(answers.shape[0]);
   auto* const to = static_cast<std::uint8_t*>(answers.ptr);
   if (!decided_of_prepared(name, arrays, count, to)) decisions.at(name)(arrays, count, to);
-}
-
-Polygon2d polygon_of(const py::array_t<double, py::array::c_style>& vertices) {
-  const auto rows = vertices.unchecked<2>();
-  Polygon2d polygon;
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) polygon.vertices.push_back({rows(i, 0), rows(i, 1)});
-  return polygon;
-}
-
-Meshd mesh_of(const py::array_t<double, py::array::c_style>& vertices,
-              const py::array_t<std::uint32_t, py::array::c_style>& faces) {
-  const auto rows = vertices.unchecked<2>();
-  const auto corners = faces.unchecked<2>();
-  Meshd mesh;
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) mesh.vertices.push_back({rows(i, 0), rows(i, 1), rows(i, 2)});
-  for (py::ssize_t i = 0; i < corners.shape(0); ++i)
-    mesh.faces.push_back({corners(i, 0), corners(i, 1), corners(i, 2)});
-  return mesh;
-}
-
-/// The shape that is made of raw data, with the GIL released meanwhile.
-template <class Shape, class Raw>
-std::unique_ptr<Shape> made_of(const Raw& raw) {
-  std::unique_ptr<Shape> made;
-  refusing([&] { made = std::make_unique<Shape>(raw); });
-  return made;
-}
-
-template <class Shape, class... Bases>
-void add_polygon(py::module_& module, const char* name) {
-  py::class_<Shape, Bases...>(module, name).def(py::init([](const py::array_t<double, py::array::c_style>& vertices) {
-    return made_of<Shape>(polygon_of(vertices));
-  }));
-}
-template <class Shape, class... Bases>
-void add_solid(py::module_& module, const char* name) {
-  py::class_<Shape, Bases...>(module, name)
-      .def(py::init([](const py::array_t<double, py::array::c_style>& vertices,
-                       const py::array_t<std::uint32_t, py::array::c_style>& faces) {
-        return made_of<Shape>(mesh_of(vertices, faces));
-      }));
 }
 
 /// Cuts polygons into triangles; `sizes` gives the number of `corners` of each polygon.
@@ -284,15 +252,9 @@ py::array_t<std::uint32_t> cut(const py::array_t<double>& vertices, const py::ar
 
 /// Returns the text that a function of touchstone.h produces.
 template <class Call>
-std::string text_of(const Call& call) {
-  touchstone_error error{};
+std::string text_of(const Call& producing) {
   char* result = nullptr;
-  int code = TOUCHSTONE_OK;
-  {
-    const py::gil_scoped_release others_may_run;
-    code = call(&result, &error);
-  }
-  if (code != TOUCHSTONE_OK) raise_error(code, error);
+  call([&](touchstone_error* error) { return producing(&result, error); });
   const std::string text = result;
   touchstone_free(result);
   return text;
@@ -305,11 +267,7 @@ using touchstone::python::text_of;
 namespace py = pybind11;
 
 PYBIND11_MODULE(_touchstone, module) {
-  using namespace touchstone;
-  python::add_polygon<robust::Polygon>(module, "Polygon");
-  python::add_polygon<robust::ConvexPolygon, robust::Polygon>(module, "ConvexPolygon");
-  python::add_solid<robust::Solid>(module, "Solid");
-  python::add_solid<robust::ConvexSolid, robust::Solid>(module, "ConvexSolid");
+  touchstone::python::add_prepared(module);
   module.def("decide", touchstone::python::decide);
   module.def("cut", touchstone::python::cut);
   module.def("answer", [](const std::string& operation, const std::string& question) {
@@ -323,13 +281,7 @@ PYBIND11_MODULE(_touchstone, module) {
     });
   });
   module.def("certify", [](const std::string& claim) {
-    touchstone_error error{};
-    int code = TOUCHSTONE_OK;
-    {
-      const py::gil_scoped_release others_may_run;
-      code = touchstone_certify(claim.c_str(), &error);
-    }
-    if (code != TOUCHSTONE_OK) touchstone::python::raise_error(code, error);
+    touchstone::python::call([&](touchstone_error* error) { return touchstone_certify(claim.c_str(), error); });
   });
   module.def("draw",
              [](const std::string& operation, const std::string& families, std::uint64_t cases, std::uint64_t seed) {

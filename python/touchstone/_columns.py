@@ -92,7 +92,7 @@ class Prepared:
     """A shape that is validated once and asked many times. It never changes."""
 
     made: Any  # of the extension
-    taken_by: tuple[str, ...]  # decisions
+    taken_by: str  # the decision
 
 
 class _Polygon2:
@@ -189,7 +189,7 @@ class Form:
 
     def arrays(self, values: tuple[Any, ...]) -> list[Located]:
         for (field, shape), value in zip(self.operands.items(), values):
-            if isinstance(value, Prepared) and self.name not in value.taken_by:
+            if isinstance(value, Prepared) and self.name != value.taken_by:
                 raise InvalidInput(field, f"expected {shape.expected()}, found a {type(value).__name__}")
         return [located for (field, shape), value in zip(self.operands.items(), values)
                 for located in shape.arrays(value, field)]

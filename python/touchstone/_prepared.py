@@ -5,10 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from . import _touchstone
-from ._columns import MESH, POLYGON2, Prepared
+from ._columns import MESH, POLYGON2, AnyShape, Prepared
 from ._errors import InvalidInput
 
 __all__ = ["ConvexPolygon", "ConvexSolid", "Polygon", "Solid"]
+
+
+def _parts(shape: AnyShape, value: Any, field: str) -> list[Any]:
+    return [part for located in shape.arrays(value, field) for part in located]
 
 
 class Polygon(Prepared):
@@ -16,40 +20,42 @@ class Polygon(Prepared):
 
     It is copied, validated and gets a tree: a point costs about log m afterwards. InvalidInput names the rule it breaks."""
 
-    taken_by: tuple[str, ...] = ("point_in_polygon",)
-    _type: Any = _touchstone.Polygon
+    taken_by = "point_in_polygon"
 
     def __init__(self, vertices: Any) -> None:
-        (array, _), = POLYGON2.arrays(vertices, "polygon")
-        self.made = self._type(array)
+        self.made = _touchstone.Polygon(_parts(POLYGON2, vertices, "polygon"))
 
 
-class ConvexPolygon(Polygon):
-    """A polygon that is convex, for point_in_convex_polygon too."""
+class ConvexPolygon(Prepared):
+    """The same of a convex polygon, for point_in_convex_polygon."""
 
-    taken_by = ("point_in_polygon", "point_in_convex_polygon")
-    _type = _touchstone.ConvexPolygon
+    taken_by = "point_in_convex_polygon"
+
+    def __init__(self, vertices: Any) -> None:
+        self.made = _touchstone.ConvexPolygon(_parts(POLYGON2, vertices, "polygon"))
 
 
-class Solid(Prepared):
+class _OfMesh(Prepared):
+    type_of_made: Any
+
+    def __init__(self, mesh: Any) -> None:
+        parts = _parts(MESH, mesh, "mesh")
+        try:
+            self.made = self.type_of_made(parts)
+        except InvalidInput as refused:
+            raise MESH.as_given(mesh, "mesh", refused) from None
+
+
+class Solid(_OfMesh):
     """The solid within a closed mesh, (vertices, faces), for many calls of point_in_polyhedron.
 
     It is copied, validated and gets a tree: a point costs about log n of n faces afterwards. InvalidInput names the rule
     it breaks."""
 
-    taken_by: tuple[str, ...] = ("point_in_polyhedron",)
-    _type: Any = _touchstone.Solid
-
-    def __init__(self, mesh: Any) -> None:
-        (vertices, _), (faces, _) = MESH.arrays(mesh, "mesh")
-        try:
-            self.made = self._type(vertices, faces)
-        except InvalidInput as refused:
-            raise MESH.as_given(mesh, "mesh", refused) from None
+    taken_by, type_of_made = "point_in_polyhedron", _touchstone.Solid
 
 
-class ConvexSolid(Solid):
-    """A solid that is convex, for point_in_convex_polyhedron too."""
+class ConvexSolid(_OfMesh):
+    """The same of a convex solid, for point_in_convex_polyhedron."""
 
-    taken_by = ("point_in_polyhedron", "point_in_convex_polyhedron")
-    _type = _touchstone.ConvexSolid
+    taken_by, type_of_made = "point_in_convex_polyhedron", _touchstone.ConvexSolid

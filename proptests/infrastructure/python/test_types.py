@@ -22,7 +22,7 @@ sides: touchstone.Answers = touchstone.orientation(numpy.zeros(2), (0.0, 1.0), n
 numbers: NDArray[numpy.uint8] = sides.numbers
 left: NDArray[numpy.bool_] = sides == touchstone.Side.left
 inside: NDArray[numpy.bool_] = touchstone.polygon_contains(numpy.zeros((4, 2)), numpy.zeros((3, 2)), boundary=False)
-polygon: touchstone.Polygon = touchstone.ConvexPolygon(numpy.zeros((4, 2)))
+polygon: touchstone.Polygon = touchstone.Polygon(numpy.zeros((4, 2)))
 within: touchstone.Answers = touchstone.point_in_polygon(polygon, numpy.zeros((3, 2)))
 truth: touchstone.Truth = touchstone.truth("orientation", {"p0": [0, 0], "p1": [1, 0], "p": [0, 1]})
 margin: Fraction = truth.margin or Fraction(0)
