@@ -45,7 +45,7 @@ PLACES = {
 # Another implementation of an operation's question has a row of its own, and a formula, a robust or both.
 IMPLEMENTATION_PLACES = {"catalogue/rows"}
 # Folders beside the chapters.
-NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", "structures", "prepared", "proofs", "batch", "c"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", "structures", "pairs", "prepared", "proofs", "batch", "c"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/generate.py refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.

@@ -6,6 +6,7 @@
 
 #include "robust/kernel/shapes/spheres.h"
 #include "robust/kernel/shapes/valid.h"
+#include "robust/pairs/forest.h"
 #include "robust/structures/pair_tree.h"
 #include "robust/structures/sort_and_sweep.h"
 
@@ -32,7 +33,7 @@ Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Sphere3
 
 Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Aabb3d>& boxes) {
   validate("boxes", boxes);
-  return {structures::tree_pairs(boxes), Stage::filter};
+  return {pairs::forest_pairs(boxes), Stage::filter};
 }
 
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres) {

@@ -15,15 +15,15 @@ namespace touchstone::robust {
 ///
 /// Right for all finite doubles in every floating-point environment. Balls: sort and sweep along the axis on which they
 /// overlap least, in time n log n for the order and then one test of each pair whose intervals meet on that axis.
-/// Boxes: a tree made for the list (robust/structures/pair_tree.h), in time n log n and the number of pairs; long boxes
-/// across each other take about n^1.5. At most 2^32 - 1 solids. NaN and infinities throw InvalidInput, which names the
-/// field and "finite number"; so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract:
-/// reference/broad_phase/all_pairs.h.
+/// Boxes: trees made for the list (robust/pairs/forest.h), in time n log n and the number of pairs. At most
+/// 2^32 - 1 solids. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a negative
+/// radius ("radius >= 0") and min > max ("min <= max"). Contract: reference/broad_phase/all_pairs.h.
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
 
 /// The pairs of boxes, and evidence that none is missing: a tree over the boxes, and the search of it. `certify` and
-/// certify.py check it; oracle/certificates/README.md defines the format.
+/// certify.py check it; oracle/certificates/README.md defines the format. By another tree than all_pairs, for which long
+/// boxes across each other take about n^1.5 (robust/structures/pair_tree.h).
 struct PairsWithCertificate {
   std::vector<IndexPair> pairs;     ///< as in all_pairs
   std::vector<Index> order;         ///< the boxes in tree order

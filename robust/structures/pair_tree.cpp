@@ -9,49 +9,10 @@
 #include "robust/structures/box_order.h"
 #include "robust/structures/pair_cut.h"
 #include "robust/structures/pair_leaf.h"
+#include "robust/structures/pair_order.h"
 
 namespace touchstone::robust::structures {
 namespace {
-
-/// Sorts pairs with the same i by j: usually few.
-void sort_row(IndexPair* row, std::size_t size) {
-  const auto before = [](const IndexPair& p, const IndexPair& q) { return p.j < q.j; };
-  if (size > 24) return std::sort(row, row + size, before);
-  for (std::size_t k = 1; k < size; ++k) {
-    const IndexPair pair = row[k];
-    std::size_t to = k;
-    for (; to > 0 && before(pair, row[to - 1]); --to) row[to] = row[to - 1];
-    row[to] = pair;
-  }
-}
-
-/// A counting sort of pairs i < j < size: into ranges of i that fit a cache, within these by i, and each row by j. The
-/// memory is reused.
-class PairOrder {
- public:
-  void sort(const std::vector<IndexPair>& pairs, std::size_t size, std::vector<IndexPair>& result) {
-    const int shift = std::max(0, static_cast<int>(std::bit_width(size)) - 10);
-    stretch_.assign((size >> shift) + 2, 0);
-    for (const IndexPair& pair : pairs) ++stretch_[(pair.i >> shift) + 1];
-    for (std::size_t k = 1; k < stretch_.size(); ++k) stretch_[k] += stretch_[k - 1];
-    parted_.resize(pairs.size()), result.resize(pairs.size());
-    next_ = stretch_;
-    for (const IndexPair& pair : pairs) parted_[next_[pair.i >> shift]++] = pair;
-    for (std::size_t k = 0; k + 1 < stretch_.size(); ++k) {
-      const auto first = static_cast<Index>(k << shift);
-      row_.assign((std::size_t{1} << shift) + 2, 0);
-      for (std::size_t p = stretch_[k]; p < stretch_[k + 1]; ++p) ++row_[parted_[p].i - first + 2];
-      row_[0] = row_[1] = stretch_[k];
-      for (std::size_t r = 2; r < row_.size(); ++r) row_[r] += row_[r - 1];
-      for (std::size_t p = stretch_[k]; p < stretch_[k + 1]; ++p) result[row_[parted_[p].i - first + 1]++] = parted_[p];
-      for (std::size_t r = 0; r + 1 < row_.size(); ++r) sort_row(result.data() + row_[r], row_[r + 1] - row_[r]);
-    }
-  }
-
- private:
-  std::vector<std::size_t> stretch_, next_, row_;
-  std::vector<IndexPair> parted_;
-};
 
 enum class Step : std::uint8_t { apart, open_first, open_second, compare };
 
@@ -90,7 +51,12 @@ class PairTree {
   /// The number of pairs of nodes compared for the last list: tells how much refitting has degraded the tree.
   std::size_t compared() const { return compared_; }
 
-  void find_pairs(std::vector<IndexPair>& result) { order_.sort(unsorted_pairs(), size_, result); }
+  void find_pairs(std::vector<IndexPair>& result) {
+    const std::vector<IndexPair>& pairs = unsorted_pairs();
+    order_.reset(size_);
+    order_.add(pairs.data(), pairs.data() + pairs.size());
+    order_.finish(result);
+  }
 
   /// Valid until the next list.
   std::vector<IndexPair>& unsorted_pairs() {

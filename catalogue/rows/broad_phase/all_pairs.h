@@ -155,6 +155,17 @@ struct all_pairs : signatures::all_pairs {
       for (std::uint64_t left = 12 + c.below(8); left > 0; --left) tower.push_back(box(c));
       return std::tuple(shuffled(tower, c));
     });
+    add.unscaled("crossed", [](DrawStream& c) -> Question {
+      // Long along x or along y, which makes two classes of boxes; among them one that is large, and many that touch.
+      Boxes sticks;
+      for (std::uint64_t left = 20 + c.below(5); left > 0; --left) {
+        const double x = up_to(c, 8), y = up_to(c, 8), z = up_to(c, 20), height = static_cast<double>(c.below(8) / 7);
+        const bool along_x = left % 2 == 0;
+        sticks.push_back({{x, y, z}, {x + (along_x ? 24 : 1), y + (along_x ? 1 : 24), z + height}});
+      }
+      if (c.below(4) == 0) sticks.back().max.z += 40;
+      return std::tuple(shuffled(sticks, c));
+    });
   }
 
   static void repair(Question& question) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/oracle/claims.h"
 #include "robust/broad_phase/all_pairs.h"
+#include "robust/pairs/forest.h"
 
 /// All pairs of boxes and the certificate that none is missing: against brute force, and against tampering.
 namespace touchstone::proptests::pair_trees_tests {
@@ -176,6 +179,47 @@ TEST_CASE("pairs of boxes: those that brute force finds, with a certificate that
     }
   }
   CHECK(found > 1'000'000);
+}
+
+TEST_CASE("pairs of boxes: every instruction set finds those that brute force finds") {
+  for (const char* set : box_sets) {
+    for (const std::size_t n : {2U, 9U, 16U, 17U, 64U, 65U, 700U}) {
+      const Boxes boxes = box_set(set, n, 7);
+      const Pairs truth = by_brute_force(boxes);
+      for (const auto most : {robust::batch::Instructions::portable, robust::batch::Instructions::avx2,
+                              robust::batch::Instructions::avx512}) {
+        CAPTURE(set, n, most);
+        CHECK(robust::pairs::forest_pairs(boxes, most) == truth);
+      }
+    }
+  }
+}
+
+TEST_CASE("pairs of boxes: small and large ones, far from 0, and many that touch or are a bit apart") {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    BoxNumbers draw(seed);
+    const std::size_t n = 2 + draw.below(200), cells = 1 + draw.below(30);
+    const double unit = std::ldexp(1.0, static_cast<int>(draw.below(3)) * 500 - 500);
+    const double from = draw.below(2) == 0 ? 0 : 0x1p40 * unit, gap = draw.below(2) == 0 ? 0 : 0x1p-12 * unit;
+    Boxes boxes;
+    for (std::size_t i = 0; i < n; ++i) {
+      std::array<double, 6> ends{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t wide = draw.below(8) == 0 ? draw.below(2 * cells) : draw.below(2);
+        ends[k] = from + unit * static_cast<double>(draw.below(cells));
+        ends[3 + k] = ends[k] + unit * static_cast<double>(wide);
+        if (draw.below(2) == 0) ends[k] += gap;
+      }
+      for (std::size_t k = 0; k < 3; ++k) ends[3 + k] = std::max(ends[k], ends[3 + k]);
+      boxes.push_back({{ends[0], ends[1], ends[2]}, {ends[3], ends[4], ends[5]}});
+    }
+    const Pairs truth = by_brute_force(boxes);
+    CAPTURE(seed, n, cells);
+    CHECK(robust::all_pairs(boxes) == truth);
+    found += truth.size();
+  }
+  CHECK(found > 10'000);
 }
 
 TEST_CASE("pairs of boxes: no wrong list has a certificate, however it is bent") {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "robust/batch/isa/eight_boxes.h"
 #include "robust/kernel/filters/strict_math.h"
 
 /// The filters of arrays, compiled once for each instruction set.
@@ -46,6 +47,7 @@ struct Filters {
   SecondStage *close_ray_and_box_in_plane, *close_ray_and_box_in_space;
   SecondStage *close_segment_triangle, *close_ray_triangle, *close_triangle_triangle;
   SecondStage *close_point_in_ring, *close_point_in_convex_solid, *close_point_in_solid, *none = nullptr;
+  JoinPairs* join_pairs;  ///< holds in every environment in which doubles may be compared
 };
 
 extern const Filters portable_filters, avx2_filters, avx512_filters, neon_filters, sve_filters;

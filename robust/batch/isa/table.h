@@ -6,6 +6,7 @@
 #include "robust/batch/isa/close.h"
 #include "robust/batch/isa/close_shapes.h"
 #include "robust/batch/isa/close_triangles.h"
+#include "robust/batch/isa/join_pairs.h"
 #include "robust/batch/isa/kernels.h"
 #include "robust/batch/isa/solid.h"
 #include "robust/batch/isa/triangles.h"
@@ -48,7 +49,8 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .close_triangle_triangle = close_stage<CloseTriangleTriangle>,
                                        .close_point_in_ring = close_stage<CloseBeside<Ring>>,
                                        .close_point_in_convex_solid = close_stage<CloseBeside<ConvexSolid>>,
-                                       .close_point_in_solid = close_stage<CloseBeside<Solid>>};
+                                       .close_point_in_solid = close_stage<CloseBeside<Solid>>,
+                                       .join_pairs = join_pairs};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa
