@@ -254,8 +254,8 @@ def goals_of_arrays(timed):
 def goals_of_pairs(timed):
     """As `goals` lists them."""
     median, found = statistics.median, []
-    bounds = [("uniform", 10), ("clustered", 8), ("six_orders", 8), ("nine_orders", 8), ("one_huge", 8), ("lattice", 5), ("nested", 4)]
-    for data, bound, n in [*((data, bound, 1000000) for data, bound in bounds), ("sticks", 1, 100000)]:
+    bounds = [("uniform", 15), ("clustered", 12), ("six_orders", 15), ("nine_orders", 15), ("one_huge", 8), ("lattice", 5), ("nested", 5)]
+    for data, bound, n in [*((data, bound, 1000000) for data, bound in bounds), ("sticks", 3, 100000)]:
         t, smaller = (timed.get(f"{PAIRS}{size}/{data}") for size in (n, n // 10))
         if not t or not smaller:
             continue
