@@ -5,12 +5,15 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "geometry/polyhedra.h"
 
+/// Closed meshes of many faces.
 namespace touchstone::bench {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -43,6 +46,22 @@ inline Point3d on_sphere(double height, double angle, double radius) {
   return {radius * std::sin(height) * std::cos(angle), radius * std::sin(height) * std::sin(angle),
           radius * std::cos(height)};
 }
+
+/// A sphere; a sphere with bumps; and the sphere's points moved out to a cube, with faces that are flat and oblique up
+/// to rounding.
+inline Meshd mesh_of(const std::string& set, Index n) {
+  return globe(n, [&set](double height, double angle) {
+    if (set == "bumps") return on_sphere(height, angle, 1 + 0.2 * std::sin(7 * height) * std::sin(5 * angle));
+    const Point3d p = on_sphere(height, angle, 1);
+    if (set == "sphere") return p;
+    const double size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    const Point3d q{p.x / size, p.y / size, p.z / size};
+    return Point3d{0.6 * q.x - 0.8 * q.y, 0.28 * (0.8 * q.x + 0.6 * q.y) - 0.96 * q.z,
+                   0.96 * (0.8 * q.x + 0.6 * q.y) + 0.28 * q.z};
+  });
+}
+
+inline constexpr const char* sets[] = {"sphere", "bumps", "turned_cube"};
 
 inline Surface theirs(const Meshd& mesh) {
   Surface surface;

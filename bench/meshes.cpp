@@ -9,8 +9,6 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -20,22 +18,6 @@
 
 namespace touchstone::bench {
 namespace {
-
-/// A sphere; a sphere with bumps; and the sphere's points moved out to a cube, with faces that are flat and oblique up
-/// to rounding.
-Meshd mesh_of(const std::string& set, Index n) {
-  return globe(n, [&set](double height, double angle) {
-    if (set == "bumps") return on_sphere(height, angle, 1 + 0.2 * std::sin(7 * height) * std::sin(5 * angle));
-    const Point3d p = on_sphere(height, angle, 1);
-    if (set == "sphere") return p;
-    const double size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    const Point3d q{p.x / size, p.y / size, p.z / size};
-    return Point3d{0.6 * q.x - 0.8 * q.y, 0.28 * (0.8 * q.x + 0.6 * q.y) - 0.96 * q.z,
-                   0.96 * (0.8 * q.x + 0.6 * q.y) + 0.28 * q.z};
-  });
-}
-
-constexpr const char* sets[] = {"sphere", "bumps", "turned_cube"};
 
 bool embedded_by_robust(const Meshd& mesh) { return robust::polyhedron_complexity(mesh).embedded; }
 bool embedded_by_cgal(const Surface& surface) {

@@ -11,6 +11,7 @@
 #include "geometry/points.h"
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"
+#include "geometry/ray_mesh.h"
 #include "geometry/rays.h"
 #include "geometry/simultaneous.h"
 #include "geometry/solids.h"

@@ -30,9 +30,13 @@ class Triangles(list):
         self.named = named
 
 
-def named_mesh(value, what):
-    """Vertices, triangles, and the faces as they are named, which may have more than three corners."""
-    cut = isinstance(value, dict) and "cut" in value
+def is_cut(value):
+    return isinstance(value, dict) and "cut" in value
+
+
+def listed(value, what):
+    """Vertices, triangles and faces as they are listed."""
+    cut = is_cut(value)
     only(value, what, ["vertices", "faces"] + cut * ["cut"])
     expect(isinstance(value["vertices"], list), what + ".vertices: a list")
     vertices = [point_in_space(vertex, f"{what}.vertices[{i}]") for i, vertex in enumerate(value["vertices"])]
@@ -43,6 +47,20 @@ def named_mesh(value, what):
     if cut:
         enough = len(triangles) == sum(len(face) - 2 for face in named)
         expect(enough, what + ".cut: a cut of the faces into triangles")
+    return vertices, triangles, named
+
+
+def listed_triangles(value, what):
+    """Vertices and triangles: any number, and a face may use a vertex twice."""
+    vertices, triangles, _ = listed(value, what)
+    expect(not is_cut(value), what + ".faces: triangles: no face of more than three corners")
+    return vertices, triangles
+
+
+def named_mesh(value, what):
+    """Vertices, triangles, and the faces as they are named, which may have more than three corners."""
+    vertices, triangles, named = listed(value, what)
+    if is_cut(value):
         expect_cut(vertices, named, triangles, what)
     triangles = Triangles(triangles, named)
     for i, face in zip(triangles.face_of, triangles):

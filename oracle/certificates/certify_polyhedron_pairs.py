@@ -3,15 +3,9 @@
 written down."""
 
 from certify_meshes import mesh
-from certify_reading import WRONG_KIND, Claim, expect
+from certify_reading import WRONG_KIND, expect
 from certify_solids import expect_even, index, proved_location
 from certify_space import cross, dot, triple
-
-
-def proofs(claim, name):
-    values = claim.certificate[name]
-    expect(isinstance(values, list), f"certificate.{name}: a list")
-    return [Claim({"input": claim.input, "truth": claim.truth, "certificate": value}) for value in values]
 
 
 def named(solid):
@@ -65,7 +59,7 @@ def all_of_space(solids, closed):
 
 def expect_partition(claim, solids, closed):
     tree, planes, points = claim.list("tree"), claim.list("planes"), claim.list("points")
-    outside = proofs(claim, "outside")
+    outside = claim.proofs("outside")
     cuts = tree.count(2)
     same = len(planes) == 4 * cuts and len(points) == 3 * len(outside) and len(tree) == cuts + len(outside)
     expect(same, "certificate: planes, points and proofs are not those of the tree")
@@ -90,7 +84,7 @@ def expect_partition(claim, solids, closed):
 def expect_common_point(claim, solids, inside):
     p = triple(claim, "point")
     for solid, name in zip(solids, ("in_a", "in_b")):
-        proof = proofs(claim, name)
+        proof = claim.proofs(name)
         expect(len(proof) == 1, "certificate: one proof for each solid")
         location = proved_location(proof[0], *solid, p)
         if inside:
@@ -100,7 +94,7 @@ def expect_common_point(claim, solids, inside):
 
 
 def proved_step(claim, solids):
-    vertex, proof = claim.list("vertex"), proofs(claim, "vertices")
+    vertex, proof = claim.list("vertex"), claim.proofs("vertices")
     if vertex:
         expect(len(vertex) == 2 and len(proof) == 1, "certificate: one vertex and its proof")
         solid = index(vertex[0], 2)

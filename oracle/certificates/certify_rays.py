@@ -3,8 +3,10 @@
 
 A line is (from, way, ends): the points from + t way with t >= 0, and t <= 1 where it ends."""
 
+from certify_meshes import listed_triangles
 from certify_obbs import obb, reach
-from certify_reading import WRONG_KIND, expect, list_of_two, only
+from certify_reading import WRONG_KIND, Claim, expect, list_of_two, only
+from certify_solids import index
 from certify_space import ball_or_disc, box, cross, dot, exact_triple, plane, point_in_space, two_or_three
 from certify_surd import exact_surd
 from certify_triangles import expect_nothing_before, points, weighted
@@ -66,19 +68,38 @@ def minus(p, q):
     return tuple(x - y for x, y in zip(p, q))
 
 
-def prove_no_common_point(claim, ray, corners):
+def expect_apart(level, until, ray, corners):
     """Why it proves it stands in check_rays.cpp."""
-    claim.facts("plane", "until")
-    level = claim.list("plane")
     expect(len(level) == 4, "certificate: a plane has four numbers")
     normal, offset = level[:3], level[3]
     start, way, _ = ray
-    end = along(start, claim.single("until"), way)
+    end = along(start, until, way)
     apart = dot(normal, start) > offset and dot(normal, end) > offset
     expect(apart, "certificate: the plane does not separate")
     for corner in corners:
         expect(dot(normal, corner) < offset, "certificate: the plane does not separate")
         expect(dot(way, minus(end, corner)) > 0, "certificate: a corner is farther ahead")
+
+
+def proved_first(proof, ray, corners, points):
+    """The first common point: its t, itself, whether it is inside."""
+    t, weights, before = map(proof.list, ("on_ray", "weights", "before"))
+    expect(len(t) == points and len(weights) == 3 * len(t), "certificate: one common point, or two")
+    one = points == 1
+    expect(t[0] >= 0 and (one or t[0] < t[1]), "certificate: the parameters do not rise from 0")
+    start, way, _ = ray
+    common = [along(start, parameter, way) for parameter in t]
+    for i, point in enumerate(common):
+        expect(weighted(corners, weights[3 * i:3 * i + 3]) == point, "certificate: the weights give another point")
+    if t[0] > 0 or before:
+        expect_nothing_before(before, corners, start, common[0])
+    area = any(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])))
+    return t[0], common[0], area and all(weight > 0 for weight in weights[:3])
+
+
+def expect_first(claim, first):
+    expect(claim.exact("t") == first[0], "truth: t is wrong")
+    expect(exact_triple(claim.truth["point"], "truth.point") == first[1], "truth: point is not at t")
 
 
 def check_ray_triangle(claim):
@@ -88,29 +109,64 @@ def check_ray_triangle(claim):
     relation = claim.word("relation")
     expect(relation in ("none", "point", "segment"), "truth: relation is wrong")
     if relation == "none":
-        claim.answers("relation"), claim.expect_kind("separating_plane")
-        prove_no_common_point(claim, ray, corners)
+        claim.answers("relation"), claim.expect_kind("separating_plane"), claim.facts("plane", "until")
+        expect_apart(claim.list("plane"), claim.single("until"), ray, corners)
         return
     one = relation == "point"
     claim.answers("relation", "t", "point", *(["location"] if one else []))
     claim.expect_kind("common_part"), claim.facts("on_ray", "weights", "before", "after")
-    t, weights, before, after = map(claim.list, ("on_ray", "weights", "before", "after"))
-    expect(len(t) == (1 if one else 2) and len(weights) == 3 * len(t), "certificate: one common point, or two")
-    expect(t[0] >= 0 and (one or t[0] < t[1]), "certificate: the parameters do not rise from 0")
-    start, way, _ = ray
-    common = [along(start, parameter, way) for parameter in t]
-    for i, point in enumerate(common):
-        expect(weighted(corners, weights[3 * i:3 * i + 3]) == point, "certificate: the weights give another point")
-    if t[0] > 0 or before:
-        expect_nothing_before(before, corners, start, common[0])
+    first = proved_first(claim, ray, corners, 1 if one else 2)
+    after = claim.list("after")
     if one or after:
-        expect_nothing_before(after, corners, along(common[0], 1, way), common[0])
-    expect(claim.exact("t") == t[0], "truth: t is wrong")
-    expect(exact_triple(claim.truth["point"], "truth.point") == common[0], "truth: point is not at t")
+        expect_nothing_before(after, corners, along(first[1], 1, ray[1]), first[1])
+    expect_first(claim, first)
     if one:
-        area = any(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])))
-        inside = area and all(weight > 0 for weight in weights)
-        expect(claim.word("location") == ("inside" if inside else "boundary"), "truth: location is wrong")
+        expect(claim.word("location") == ("inside" if first[2] else "boundary"), "truth: location is wrong")
+
+
+def check_ray_mesh(claim):
+    claim.inputs("ray", "mesh")
+    ray = ray_in_space(claim.input["ray"], "ray")
+    vertices, faces = listed_triangles(claim.input["mesh"], "mesh")
+    relation = claim.word("relation")
+    expect(relation in ("none", "hit"), "truth: relation is wrong")
+    claim.answers("relation", *(["first"] if relation == "hit" else []), "faces_met")
+    claim.expect_kind("faces"), claim.facts("until", "missed", "met")
+    until, proved, met = claim.single("until"), set(), {}
+
+    def corners_of(value):
+        face = index(value, len(faces))
+        expect(face not in proved, "certificate: a face is proved twice")
+        proved.add(face)
+        return [vertices[corner] for corner in faces[face]]
+
+    for proof in claim.proofs("missed"):
+        proof.expect_kind("separating_plane"), proof.facts("plane", "faces")
+        plane = proof.list("plane")
+        for face in proof.list("faces"):
+            expect_apart(plane, until, ray, corners_of(face))
+    for proof in claim.proofs("met"):
+        proof.expect_kind("common_part"), proof.facts("face", "on_ray", "weights", "before")
+        face = proof.single("face")
+        corners = corners_of(face)
+        first = proved_first(proof, ray, corners, 1)
+        met[first[0], face] = first, corners
+    expect(len(proved) == len(faces), "certificate: a face is left out")
+    expect(relation == ("hit" if met else "none"), "truth: relation is wrong")
+
+    def is_count(given, number):
+        return type(given) is int and given == number
+
+    expect(is_count(claim.truth["faces_met"], len(met)), "truth: faces_met is wrong")
+    if not met:
+        return
+    hit = Claim({"input": claim.input, "truth": claim.truth["first"], "certificate": claim.certificate})
+    hit.answers("t", "point", "face", "part")
+    (_, face), (first, corners) = min(met.items(), key=lambda item: item[0])
+    expect_first(hit, first)
+    expect(is_count(hit.truth["face"], face), "truth: face is wrong")
+    part = "inside" if first[2] else "vertex" if first[1] in corners else "edge"
+    expect(hit.word("part") == part, "truth: part is wrong")
 
 
 def course(claim):

@@ -197,3 +197,9 @@ class Claim:
 
     def pair(self, name):
         return exact_pair(self.certificate[name], "certificate." + name)
+
+    def proofs(self, name):
+        """Those of parts of the claim."""
+        values = self.certificate[name]
+        expect(isinstance(values, list), f"certificate.{name}: a list")
+        return [Claim({"input": self.input, "truth": self.truth, "certificate": value}) for value in values]

@@ -53,10 +53,11 @@ Plane plane_through(const Triple& a, const Triple& b, const Triple& c) {
   return {normal, Rational(-dot(normal, a))};
 }
 
-}  // namespace
+bool is_cut(const json& value) { return value.is_object() && value.contains("cut"); }
 
-Mesh mesh(const json& value, const std::string& what) {
-  const bool cut = value.is_object() && value.contains("cut");
+/// The faces and the triangles as they are listed.
+Mesh listed(const json& value, const std::string& what) {
+  const bool cut = is_cut(value);
   if (cut) only(value, what, {"vertices", "faces", "cut"});
   else only(value, what, {"vertices", "faces"});
   expect(value["vertices"].is_array(), what + ".vertices: a list");
@@ -72,7 +73,20 @@ Mesh mesh(const json& value, const std::string& what) {
     found.faces.push_back({triangle[0], triangle[1], triangle[2]});
   }
   expect(found.faces.size() == found.face_of.size(), what + ".cut: a cut of the faces into triangles");
-  if (cut) expect_cut(found, what);
+  return found;
+}
+
+}  // namespace
+
+Mesh listed_triangles(const json& value, const std::string& what) {
+  const Mesh found = listed(value, what);
+  expect(!is_cut(value), what + ".faces: triangles: no face of more than three corners");
+  return found;
+}
+
+Mesh mesh(const json& value, const std::string& what) {
+  const Mesh found = listed(value, what);
+  if (is_cut(value)) expect_cut(found, what);
   for (std::size_t i = 0; i < found.faces.size(); ++i) {
     const Face& f = found.faces[i];
     expect(f[0] != f[1] && f[1] != f[2] && f[2] != f[0],

@@ -24,6 +24,9 @@ struct Mesh {
 /// they are a valid triangulation, by check_polygon_faces.cpp.
 Mesh mesh(const json& value, const std::string& what);
 
+/// The same of any triangles: no number of faces is too small, and a face may use a vertex twice. No `cut`.
+Mesh listed_triangles(const json& value, const std::string& what);
+
 /// Requires that the faces of the mesh are planar, and that its triangles are a valid triangulation of them.
 void expect_cut(const Mesh& mesh, const std::string& what);
 

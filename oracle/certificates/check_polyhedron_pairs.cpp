@@ -23,14 +23,6 @@ using Solids = std::array<Mesh, 2>;
 using Polygon = std::vector<Triple>;
 const Triple zero{0, 0, 0};
 
-std::vector<Claim> proofs(const Claim& claim, const char* name) {
-  const json& list = claim.certificate[name];
-  expect(list.is_array(), std::string("certificate.") + name + ": a list");
-  std::vector<Claim> found;
-  for (const json& proof : list) found.push_back({claim.input, claim.truth, proof});
-  return found;
-}
-
 /// The indices of the vertices that faces use.
 std::set<std::size_t> named(const Mesh& mesh) {
   std::set<std::size_t> found;
@@ -103,7 +95,7 @@ Cell all_of_space(const Solids& solids, int least) {
 
 void expect_partition(const Claim& claim, const Solids& solids, int least) {
   const std::vector<Rational> tree = claim.list("tree"), planes = claim.list("planes"), points = claim.list("points");
-  const std::vector<Claim> outside = proofs(claim, "outside");
+  const std::vector<Claim> outside = claim.proofs("outside");
   const auto cuts = static_cast<std::size_t>(std::count(tree.begin(), tree.end(), 2));
   expect(planes.size() == 4 * cuts && points.size() == 3 * outside.size() && tree.size() == cuts + outside.size(),
          "certificate: planes, points and proofs are not those of the tree");
@@ -131,7 +123,7 @@ void expect_partition(const Claim& claim, const Solids& solids, int least) {
 void expect_common_point(const Claim& claim, const Solids& solids, bool inside) {
   const Triple p = triple(claim, "point");
   for (const std::size_t solid : {0, 1}) {
-    const std::vector<Claim> proof = proofs(claim, solid == 0 ? "in_a" : "in_b");
+    const std::vector<Claim> proof = claim.proofs(solid == 0 ? "in_a" : "in_b");
     expect(proof.size() == 1, "certificate: one proof for each solid");
     const std::string location = proved_location(proof[0], solids[solid], p);
     if (inside) expect(location == "inside", "certificate: the point is not inside of both");
@@ -142,7 +134,7 @@ void expect_common_point(const Claim& claim, const Solids& solids, bool inside) 
 /// A vertex that a face uses is inside of the other solid, or none is.
 std::string proved_step(const Claim& claim, const Solids& solids) {
   const std::vector<Rational> vertex = claim.list("vertex");
-  const std::vector<Claim> proof = proofs(claim, "vertices");
+  const std::vector<Claim> proof = claim.proofs("vertices");
   if (!vertex.empty()) {
     expect(vertex.size() == 2 && proof.size() == 1, "certificate: one vertex and its proof");
     const std::size_t solid = index(vertex[0], 2), i = index(vertex[1], solids[solid].vertices.size());

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "oracle/certificates/check_obbs.h"
+#include "oracle/certificates/check_solids.h"
 #include "oracle/certificates/check_surd.h"
 #include "oracle/certificates/check_triangles.h"
 
@@ -68,17 +74,47 @@ void check_ray_plane(const Claim& claim) {
 
 /// Requires that nothing is common: the plane has the triangle behind it, and the ray in front until t = until; from
 /// there on each of its points is farther along its direction than every corner.
-void prove_no_common_point(const Claim& claim, const Line& ray, const Corners& corners) {
-  claim.facts({"plane", "until"});
-  const std::vector<Rational> numbers = claim.list("plane");
+void expect_apart(const std::vector<Rational>& numbers, const Rational& until, const Line& ray,
+                  const Corners& corners) {
   expect(numbers.size() == 4, "certificate: a plane has four numbers");
   const Plane plane{{numbers[0], numbers[1], numbers[2]}, Rational(-numbers[3])};
-  const Triple end = along(ray.from, claim.single("until"), ray.displacement);
+  const Triple end = along(ray.from, until, ray.displacement);
   expect(sgn(plane.at(ray.from)) > 0 && sgn(plane.at(end)) > 0, "certificate: the plane does not separate");
   for (const Triple& corner : corners) {
     expect(sgn(plane.at(corner)) < 0, "certificate: the plane does not separate");
     expect(sgn(dot(ray.displacement, end - corner)) > 0, "certificate: a corner is farther ahead");
   }
+}
+
+/// The first common point of a ray and a triangle.
+struct FirstCommon {
+  Rational t;
+  Triple point;
+  bool inside;
+};
+
+/// Requires weights of so many points, the first or the first and another one, and a plane that keeps the triangle from
+/// what comes before.
+FirstCommon proved_first(const Claim& proof, const Line& ray, const Corners& corners, std::size_t points) {
+  const std::vector<Rational> t = proof.list("on_ray"), weights = proof.list("weights"), before = proof.list("before");
+  expect(t.size() == points && weights.size() == 3 * t.size(), "certificate: one common point, or two");
+  const bool one = points == 1;
+  expect(sgn(t.front()) >= 0 && (one || t[0] < t[1]), "certificate: the parameters do not rise from 0");
+  const Triple first = along(ray.from, t[0], ray.displacement);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    expect(weighted(corners, weights, 3 * i) == along(ray.from, t[i], ray.displacement),
+           "certificate: the weights give another point");
+  }
+  // The first point, which is common, is on the plane: if another point is in front, so is the ray from there on.
+  if (sgn(t[0]) > 0 || !before.empty()) expect_nothing_before(before, corners, ray.from, first);
+  // In a triangle with an area the weights of a point are unique.
+  const bool area = !(cross(corners[1] - corners[0], corners[2] - corners[0]) == Triple{0, 0, 0});
+  return {t[0], first, area && sgn(weights[0]) > 0 && sgn(weights[1]) > 0 && sgn(weights[2]) > 0};
+}
+
+void expect_first(const Claim& claim, const FirstCommon& first) {
+  expect(exact_value(claim.truth["t"], "truth.t") == first.t, "truth: t is wrong");
+  expect(exact_triple(claim.truth["point"], "truth.point") == first.point, "truth: point is not at t");
 }
 
 void check_ray_triangle(const Claim& claim) {
@@ -90,32 +126,66 @@ void check_ray_triangle(const Claim& claim) {
   const bool one = relation == "point";
   if (relation == "none") {
     claim.answers({"relation"});
-    claim.expect_kind("separating_plane");
-    return prove_no_common_point(claim, ray, corners);
+    claim.expect_kind("separating_plane"), claim.facts({"plane", "until"});
+    return expect_apart(claim.list("plane"), claim.single("until"), ray, corners);
   }
   if (one) claim.answers({"relation", "t", "point", "location"});
   else claim.answers({"relation", "t", "point"});
-  claim.expect_kind("common_part");
-  claim.facts({"on_ray", "weights", "before", "after"});
-  const std::vector<Rational> t = claim.list("on_ray"), weights = claim.list("weights"), before = claim.list("before"),
-                              after = claim.list("after");
-  expect(t.size() == (one ? 1 : 2) && weights.size() == 3 * t.size(), "certificate: one common point, or two");
-  expect(sgn(t.front()) >= 0 && (one || t[0] < t[1]), "certificate: the parameters do not rise from 0");
-  const Triple first = along(ray.from, t[0], ray.displacement);
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    expect(weighted(corners, weights, 3 * i) == along(ray.from, t[i], ray.displacement),
-           "certificate: the weights give another point");
+  claim.expect_kind("common_part"), claim.facts({"on_ray", "weights", "before", "after"});
+  const FirstCommon first = proved_first(claim, ray, corners, one ? 1 : 2);
+  const std::vector<Rational> after = claim.list("after");
+  if (one || !after.empty())
+    expect_nothing_before(after, corners, along(first.point, 1, ray.displacement), first.point);
+  expect_first(claim, first);
+  if (one) expect(claim.word("location") == (first.inside ? "inside" : "boundary"), "truth: location is wrong");
+}
+
+/// Each face is proved once, by a plane that the ray does not reach or by what they have in common.
+void check_ray_mesh(const Claim& claim) {
+  claim.inputs({"ray", "mesh"});
+  const Line ray = ray_in_space(claim.input["ray"], "ray");
+  const Mesh surface = listed_triangles(claim.input["mesh"], "mesh");
+  const std::string relation = claim.word("relation");
+  expect(relation == "none" || relation == "hit", "truth: relation is wrong");
+  if (relation == "hit") claim.answers({"relation", "first", "faces_met"});
+  else claim.answers({"relation", "faces_met"});
+  claim.expect_kind("faces"), claim.facts({"until", "missed", "met"});
+  const Rational until = claim.single("until");
+  std::set<std::size_t> proved;
+  const auto corners_of = [&](const Rational& value) {
+    const std::size_t face = index(value, surface.faces.size());
+    expect(proved.insert(face).second, "certificate: a face is proved twice");
+    const auto& [a, b, c] = surface.faces[face];
+    return Corners{surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+  };
+  for (const Claim& proof : claim.proofs("missed")) {
+    proof.expect_kind("separating_plane"), proof.facts({"plane", "faces"});
+    const std::vector<Rational> plane = proof.list("plane");
+    for (const Rational& face : proof.list("faces")) expect_apart(plane, until, ray, corners_of(face));
   }
-  // The first point, which is common, is on the plane: if another point is in front, so is the ray from there on.
-  if (sgn(t[0]) > 0 || !before.empty()) expect_nothing_before(before, corners, ray.from, first);
-  if (one || !after.empty()) expect_nothing_before(after, corners, along(first, 1, ray.displacement), first);
-  expect(exact_value(claim.truth["t"], "truth.t") == t[0], "truth: t is wrong");
-  expect(exact_triple(claim.truth["point"], "truth.point") == first, "truth: point is not at t");
-  if (!one) return;
-  // In a triangle with an area the weights of a point are unique.
-  const bool area = !(cross(corners[1] - corners[0], corners[2] - corners[0]) == Triple{0, 0, 0});
-  const bool inside = area && sgn(weights[0]) > 0 && sgn(weights[1]) > 0 && sgn(weights[2]) > 0;
-  expect(claim.word("location") == (inside ? "inside" : "boundary"), "truth: location is wrong");
+  std::map<std::pair<Rational, Rational>, std::pair<FirstCommon, Corners>> met;  // by t and by index
+  for (const Claim& proof : claim.proofs("met")) {
+    proof.expect_kind("common_part"), proof.facts({"face", "on_ray", "weights", "before"});
+    const Rational face = proof.single("face");
+    const Corners corners = corners_of(face);
+    const FirstCommon first = proved_first(proof, ray, corners, 1);
+    met.insert({{first.t, face}, {first, corners}});
+  }
+  expect(proved.size() == surface.faces.size(), "certificate: a face is left out");
+  expect(relation == (met.empty() ? "none" : "hit"), "truth: relation is wrong");
+  const auto is_count = [](const json& given, const Rational& number) {
+    return given.is_number_unsigned() && number == given.get<std::uint64_t>();
+  };
+  expect(is_count(claim.truth["faces_met"], Rational(met.size())), "truth: faces_met is wrong");
+  if (met.empty()) return;
+  const Claim hit{claim.input, claim.truth["first"], claim.certificate};
+  hit.answers({"t", "point", "face", "part"});
+  const auto& [key, found] = *met.begin();
+  const auto& [first, corners] = found;
+  expect_first(hit, first);
+  expect(is_count(hit.truth["face"], key.second), "truth: face is wrong");
+  const bool at_corner = std::find(corners.begin(), corners.end(), first.point) != corners.end();
+  expect(hit.word("part") == (first.inside ? "inside" : at_corner ? "vertex" : "edge"), "truth: part is wrong");
 }
 
 /// The same in the plane or in space, coordinate by coordinate.
@@ -281,10 +351,15 @@ void check_segment_sphere(const Claim& claim) { prove_passage_of_ball(claim, "se
 }  // namespace
 
 Checks checks_of_rays() {
-  return {{"segment_plane", check_segment_plane},  {"ray_plane", check_ray_plane},
-          {"ray_triangle", check_ray_triangle},    {"ray_aabb", check_ray_aabb},
-          {"segment_aabb", check_segment_aabb},    {"ray_obb", check_ray_obb},
-          {"segment_obb", check_segment_obb},      {"ray_sphere", check_ray_sphere},
+  return {{"segment_plane", check_segment_plane},
+          {"ray_plane", check_ray_plane},
+          {"ray_triangle", check_ray_triangle},
+          {"ray_mesh", check_ray_mesh},
+          {"ray_aabb", check_ray_aabb},
+          {"segment_aabb", check_segment_aabb},
+          {"ray_obb", check_ray_obb},
+          {"segment_obb", check_segment_obb},
+          {"ray_sphere", check_ray_sphere},
           {"segment_sphere", check_segment_sphere}};
 }
 

@@ -224,6 +224,14 @@ std::vector<Rational> Claim::list(const char* name) const {
   return values;
 }
 
+std::vector<Claim> Claim::proofs(const char* name) const {
+  const json& list = certificate[name];
+  expect(list.is_array(), std::string("certificate.") + name + ": a list");
+  std::vector<Claim> found;
+  for (const json& proof : list) found.push_back({input, truth, proof});
+  return found;
+}
+
 Pair Claim::pair(const char* name) const { return exact_pair(certificate[name], std::string("certificate.") + name); }
 
 }  // namespace touchstone::certify

@@ -104,6 +104,8 @@ struct Claim {
   Rational single(const char* name) const;
   Pair pair(const char* name) const;
   std::vector<Rational> list(const char* name) const;
+  /// The proofs of parts of the claim.
+  std::vector<Claim> proofs(const char* name) const;
 };
 
 /// Returns if the certificate proves the truth and throws Refusal otherwise.

@@ -2,6 +2,7 @@
 #include "robust/structures/face_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -47,7 +48,6 @@ std::uint32_t spread(std::uint32_t n) {
 
 /// Sorts by the midpoints' positions on Morton's curve. An estimate: a NaN is placed at 0.
 void FaceTree::sort_faces(const Meshd& mesh) {
-  const kernel::ControlWord guard;
   const Place first = rounded(mesh.vertices[mesh.faces[0].a]);
   Extent all{first, first};
   for (const Point3d& p : mesh.vertices) all.add(rounded(p));
@@ -77,6 +77,7 @@ void FaceTree::sort_faces(const Meshd& mesh) {
 FaceTree::FaceTree(const Meshd& mesh) : FaceTree(mesh, all_of(mesh)) {}
 
 FaceTree::FaceTree(const Meshd& mesh, std::vector<Index> faces) : order_(std::move(faces)) {
+  const kernel::ControlWord guard;
   sort_faces(mesh);
   const auto add_level = [this](std::size_t size, const auto& extent) {
     std::vector<Block> blocks((size + 7) / 8);
@@ -103,6 +104,31 @@ FaceTree::FaceTree(const Meshd& mesh, std::vector<Index> faces) : order_(std::mo
       }
       return box;
     });
+  }
+}
+
+float FaceTree::greatest() const {
+  const Block& top = levels_.back()[0];
+  float found = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    found = std::max({found, std::fabs(top.low[axis][0]), std::fabs(top.high[axis][0])});
+  return found;
+}
+
+FaceTree::Slabs::Slabs(const Ray3d& ray, float greatest) {
+  const auto& [o, v] = ray;
+  const Place origin = rounded(o);
+  for (const float x : origin) greatest = std::max(greatest, std::fabs(x));
+  moderate = greatest >= 0x1p-60F && greatest <= 0x1p60F;
+  const int exponent = std::ilogb(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}));
+  const Place direction =
+      rounded({std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float size = std::max(std::fabs(direction[axis]), 0x1p-40F), wider = 0x1p-20F * greatest;
+    falls[axis] = direction[axis] < 0;
+    inverse[axis] = (falls[axis] ? -1 : 1) / size;
+    from[axis] = falls[axis] ? origin[axis] - wider : origin[axis] + wider;
+    until[axis] = falls[axis] ? origin[axis] + wider : origin[axis] - wider;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -8,15 +9,16 @@
 #include <vector>
 
 #include "geometry/polyhedra.h"
+#include "geometry/rays.h"
 #include "robust/kernel/filters/processor.h"
 #include "robust/kernel/filters/strict_math.h"
 
 namespace touchstone::robust::structures {
 
-/// The boxes around the faces of a valid mesh, which must outlive it, in a tree of eight children a node.
+/// The boxes around the faces of a valid mesh, in a tree of eight children a node.
 ///
-/// Boxes are rounded to float, and compared like that: in every rounding mode, and even if the least numbers count as
-/// 0, rounding is monotone, so boxes that meet still do. Faces are in the order of a space-filling curve; the order
+/// Boxes are rounded to float, to nearest, whatever the host's environment is when the tree is made, and compared like
+/// that: rounding is monotone, and so is taking the least numbers for 0, so boxes that meet still do. Faces are in the order of a space-filling curve; the order
 /// makes boxes small, and no answer depends on it.
 class FaceTree {
  public:
@@ -32,14 +34,73 @@ class FaceTree {
     return any_pair(top, 0, other, other_top, 0, wanted);
   }
 
-  /// Returns whether `wanted` is true for a face whose box meets the ray to +x. Stops at the first.
+  /// Returns whether `wanted` is true for a face whose box meets the ray to +x. Stops at the first. Call while a
+  /// kernel::ControlWord is in scope: the point is rounded as the boxes were.
   template <class Wanted>
   bool any_along_x(const Point3d& p, const Wanted& wanted) const {
-    return any_along_x(levels_.size() - 1, 0, {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-                       wanted);
+    const std::array at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    return any_along_x(levels_.size() - 1, 0, at, wanted);
+  }
+
+  /// From the first to the last t at which a ray can be in a face's box, or less and more; in lengths of the direction
+  /// times one power of two for all faces.
+  struct Stay {
+    float first = 0, last = endless;
+  };
+
+  /// Calls visit(index, stay) for each face that the ray can meet, and for some others, in any order; stay() is the
+  /// face's Stay. Call while a kernel::ControlWord is in scope.
+  template <class Visit>
+  void along(const Ray3d& ray, const Visit& visit) const {
+    const Slabs slabs(ray, greatest());
+    if (!slabs.moderate) {
+      for (const Index face : order_) visit(face, [] { return Stay(); });
+      return;
+    }
+    struct Node {
+      std::size_t above, i;  // one more than a level, a node's index
+    };
+    std::array<Node, 96> left;  // eleven levels, of each at most seven besides the one that is opened
+    std::size_t size = 0;
+    left[size++] = {levels_.size(), 0};
+    while (size > 0) {
+      const Node node = left[--size];
+      const Block& block = levels_[node.above - 1][node.i];
+      for (unsigned met = block.lanes_on(slabs); met != 0; met &= met - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(met)), child = 8 * node.i + lane;
+        if (node.above == 1) visit(order_[child], [&] { return block.stay(slabs, lane); });
+        else left[size++] = {node.above - 1, child};
+      }
+    }
   }
 
  private:
+  static constexpr float endless = 0x1p126F;
+
+  /// A ray in floats, and what is computed of a box on each axis: the t at which the ray is past `first`, the bound of
+  /// the box that it comes to first, is (first - from) inverse, and (last - until) inverse that at which it leaves.
+  ///
+  /// Let u = 2^-24, and M be the greatest magnitude of a coordinate of any box and of the origin, as floats. The
+  /// direction is scaled by a power of two so that its greatest coordinate is between 1 and 2. On an axis where the ray
+  /// rises, `from` is the origin o plus 16 u M and `until` o less 16 u M, so that with the bounds L and H of a face,
+  /// exact, the first difference is at most L - o - 16 u M + 6.1 u M: o, `from` and the difference are rounded to
+  /// nearest, and so was L. A
+  /// direction, its reciprocal and the product, each rounded, are off by 3.1 u of their value, and L - o is at most
+  /// 2.1 M where both are on the ray: so the first t as computed is at most the exact one, and at most 0 where that is.
+  /// The last t as computed is at least the exact one likewise, where that is not negative. A direction below 2^-40 is
+  /// taken for 2^-40: in a box t is at most 2.1 M, and the ray has moved there by less than 2^-38 M; so the first t is
+  /// negative and the last at least 2^16 M. Hence no box that the ray meets is missed; nothing overflows, and what
+  /// underflows is a first t near 0. Not proved by machine.
+  struct Slabs {
+    std::array<float, 3> from, until, inverse;
+    std::array<bool, 3> falls;
+    bool moderate;  ///< M is between 2^-60 and 2^60
+
+    Slabs(const Ray3d& ray, float greatest);
+  };
+
+  float greatest() const;
+
   /// Eight boxes; missing ones meet none.
   struct Block {
     std::array<std::array<float, 8>, 3> low, high;
@@ -49,6 +110,17 @@ class FaceTree {
     }
     /// Those that the ray to +x meets.
     unsigned lanes_along_x(const std::array<float, 3>& p) const { return four_along_x(p, 0) | four_along_x(p, 4) << 4; }
+    Stay stay(const Slabs& slabs, std::size_t lane) const {
+      Stay found;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float first = (slabs.falls[axis] ? high : low)[axis][lane],
+                    last = (slabs.falls[axis] ? low : high)[axis][lane];
+        found.first = std::max(found.first, (first - slabs.from[axis]) * slabs.inverse[axis]);
+        found.last = std::min(found.last, (last - slabs.until[axis]) * slabs.inverse[axis]);
+      }
+      return found;
+    }
+    unsigned lanes_on(const Slabs& slabs) const { return four_on(slabs, 0) | four_on(slabs, 4) << 4; }
     void set(std::size_t lane, const std::array<float, 3>& least, const std::array<float, 3>& greatest) {
       for (std::size_t axis = 0; axis < 3; ++axis) low[axis][lane] = least[axis], high[axis][lane] = greatest[axis];
     }
@@ -76,6 +148,23 @@ class FaceTree {
         met &= reinterpret_cast<Found>(Four{l, l, l, l} <= most) & reinterpret_cast<Found>(least <= Four{m, m, m, m});
       }
       return kernel::processor::signs(met);
+    }
+    /// The greater of two, or a NaN if the second one is.
+    static Four later(const Four& a, const Four& b) {
+      const auto first = reinterpret_cast<Found>(a >= b);
+      return reinterpret_cast<Four>((reinterpret_cast<Found>(a) & first) | (reinterpret_cast<Found>(b) & ~first));
+    }
+    /// A missing box enters at NaN.
+    unsigned four_on(const Slabs& slabs, std::size_t from) const {
+      Four enter{0, 0, 0, 0}, leave{-endless, -endless, -endless, -endless};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        Four first, last;
+        std::memcpy(&first, &(slabs.falls[axis] ? high : low)[axis][from], sizeof first);
+        std::memcpy(&last, &(slabs.falls[axis] ? low : high)[axis][from], sizeof last);
+        enter = later(enter, (first - slabs.from[axis]) * slabs.inverse[axis]);
+        leave = later(leave, (slabs.until[axis] - last) * slabs.inverse[axis]);
+      }
+      return kernel::processor::signs(reinterpret_cast<Found>(enter <= -leave));
     }
   };
 

@@ -60,11 +60,12 @@ def squared_distance_of_lines(one, other):
     return min(distances)
 
 
-def truth_ray_triangle(q):
-    """In the plane of the triangle, and on the inner side of each edge; without area, on the line of two corners, and
+def in_triangle(ray, corners):
+    """The interval in common, whether its first point is inside, the margin.
+
+    In the plane of the triangle, and on the inner side of each edge; without area, on the line of two corners, and
     between the extreme ones on each axis. Margin: of the origin from the triangle where its foot is inside, and of the
     ray from each edge."""
-    ray, corners = line_of(q), [point(p) for p in q["triangle"]]
     start, way, last = ray
     normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))
     edges = [(a, minus(b, a), Fraction(1)) for a, b in zip(corners, corners[1:] + corners[:1])]
@@ -89,13 +90,40 @@ def truth_ray_triangle(q):
         interval = cut_by(cut_by(everything, on_line, cut_to_zero), list(zip(axes, low)), cut)
         interval = cut_by(interval, [(tuple(-x for x in axis), at) for axis, at in zip(axes, high)], cut)
     if interval is None:
+        return None, False, margin
+    x = tuple(a + interval[0] * v for a, v in zip(start, way))
+    return interval, any(normal) and all(dot(n, minus(x, a)) > 0 for n, a in inwards), margin
+
+
+def truth_ray_triangle(q):
+    start, way, last = line_of(q)
+    interval, inside, margin = in_triangle((start, way, last), [point(p) for p in q["triangle"]])
+    if interval is None:
         return {"relation": "none"}, margin
     first = {"t": str(interval[0]), "point": written(start, interval[0], way)}
     if interval[0] != interval[1]:
         return {"relation": "segment"} | first, margin
-    x = tuple(a + interval[0] * v for a, v in zip(start, way))
-    inside = any(normal) and all(dot(n, minus(x, a)) > 0 for n, a in inwards)
     return {"relation": "point", **first, "location": "inside" if inside else "boundary"}, margin
+
+
+def truth_ray_mesh(q):
+    """Face by face. Margin: that of each, and the squared distances of the first point from the first of the others."""
+    (start, way, last), vertices = line_of(q), [point(p) for p in q["mesh"]["vertices"]]
+    met, margins = [], []
+    for i, face in enumerate(q["mesh"]["faces"]):
+        corners = [vertices[k] for k in face]
+        interval, inside, margin = in_triangle((start, way, last), corners)
+        margins.append(margin)
+        if interval is not None:
+            met.append((interval[0], i, inside, corners))
+    if not met:
+        return {"relation": "none", "faces_met": 0}, min(margins, default=None)
+    t, face, inside, corners = min(met)
+    margins += [(other - t) ** 2 * dot(way, way) for other, i, _, _ in met if i != face]
+    at_corner = tuple(x + t * v for x, v in zip(start, way)) in corners
+    part = "inside" if inside else "vertex" if at_corner else "edge"
+    first = {"t": str(t), "point": written(start, t, way), "face": face, "part": part}
+    return {"relation": "hit", "first": first, "faces_met": len(met)}, min(margins)
 
 
 def of_box(q):

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Many rays on one mesh of 82,368 faces: robust::RayTree, which finds the first face, t and point correctly rounded,
+// and the number of faces that are met; and CGAL's AABB_tree with the kernel Epick, which finds the first face and
+// counts in two calls. Processor time; trees are made before.
+//
+// bench/mesh_rays --verify compares the counts without timing.
+
+// CGAL as peer: the same question by the library that people use for it.
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "bench/globes.h"
+#include "catalogue/families/numbers.h"
+#include "robust/polyhedra/ray_mesh.h"
+
+namespace touchstone::bench {
+namespace {
+
+using catalogue::DrawStream;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Epick, CGAL::AABB_face_graph_triangle_primitive<Surface>>>;
+
+struct Rays {
+  std::vector<Ray3d> ours;
+  std::vector<Epick::Ray_3> theirs;
+};
+
+/// From points around the mesh to points within it, in directions of any length.
+Rays drawn_rays(std::size_t count) {
+  DrawStream draws = DrawStream::seeded(1);
+  Rays rays;
+  const auto point = [&draws](double size) {
+    const double x = catalogue::ordinary(draws), y = catalogue::ordinary(draws), z = catalogue::ordinary(draws);
+    return Point3d{size * x, size * y, size * z};
+  };
+  while (rays.ours.size() < count) {
+    const Point3d from = point(3), to = point(1);
+    const Vector3d v = to - from;
+    rays.ours.push_back({from, v});
+    rays.theirs.emplace_back(Epick::Point_3(from.x, from.y, from.z), Epick::Vector_3(v.x, v.y, v.z));
+  }
+  return rays;
+}
+
+struct Mesh {
+  Meshd ours;
+  Surface theirs;
+  Tree tree;
+
+  explicit Mesh(const char* set) : ours(mesh_of(set, 144)) {
+    std::vector<Surface::Vertex_index> at;
+    for (const Point3d& p : ours.vertices) at.push_back(theirs.add_vertex({p.x, p.y, p.z}));
+    for (const Face& f : ours.faces) theirs.add_face(at[f.a], at[f.b], at[f.c]);
+    tree.insert(faces(theirs).first, faces(theirs).second, theirs);
+    tree.build();
+  }
+};
+
+template <class Ray, class Cast>
+void add(const std::string& name, const std::vector<Ray>& rays, const Cast& cast) {
+  benchmark::RegisterBenchmark(name.c_str(), [&rays, cast](benchmark::State& state) {
+    std::size_t i = 0, met = 0;
+    for (auto _ : state) {
+      met += cast(rays[i]);
+      i = i + 1 < rays.size() ? i + 1 : 0;
+    }
+    state.SetItemsProcessed(state.iterations());
+    state.counters["met"] = static_cast<double>(met) / static_cast<double>(state.iterations());
+  });
+}
+
+}  // namespace
+}  // namespace touchstone::bench
+
+int main(int argc, char** argv) {
+  using namespace touchstone::bench;
+  namespace robust = touchstone::robust;
+  const bool verify = argc == 2 && std::strcmp(argv[1], "--verify") == 0;
+  const Rays rays = drawn_rays(verify ? 20000 : 4096);
+  std::deque<Mesh> meshes;
+  std::deque<robust::RayTree> trees;
+  std::size_t different = 0;
+  for (const char* set : sets) {
+    const Mesh& mesh = meshes.emplace_back(set);
+    const robust::RayTree& tree = trees.emplace_back(mesh.ours);
+    if (verify) {
+      for (std::size_t i = 0; i < rays.ours.size(); ++i)
+        different +=
+            tree.first(rays.ours[i]).answer.faces_met != mesh.tree.number_of_intersected_primitives(rays.theirs[i]);
+      continue;
+    }
+    const std::string name = std::string("ray_mesh_82368/") + set;
+    add(name + "/robust", rays.ours, [&tree](const auto& ray) { return tree.first(ray).answer.faces_met; });
+    add(name + "/epick_first", rays.theirs,
+        [&mesh](const auto& ray) { return mesh.tree.first_intersection(ray).has_value() ? 1U : 0U; });
+    add(name + "/epick_count", rays.theirs,
+        [&mesh](const auto& ray) { return mesh.tree.number_of_intersected_primitives(ray); });
+  }
+  if (verify) {
+    std::printf("%zu counts differ\n", different);
+    return different > 0;
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "geometry/invalid_input.h"
+#include "geometry/polyhedra.h"
+#include "geometry/rays.h"
+
+/// Answers about rays and meshes.
+namespace touchstone {
+
+/// The place of a point in a face. All of a face without area is its edges and vertices.
+enum class FacePart { inside, edge, vertex };
+constexpr auto words_of(FacePart) { return as_words("inside", "edge", "vertex"); }
+
+/// A common point of a ray and a face, its t, the face's index, and the place of the point in the face.
+template <class Real>
+struct FaceHit {
+  Real t;
+  Point3<Real> point;
+  Index face;
+  FacePart part;
+  static constexpr auto members = as_record("t", "point", "face", "part");
+};
+
+/// relation `hit`: the first common point of a ray and the faces of a mesh, in the face with the least index of those
+/// that have it; and how many faces the ray meets. `none`: it meets none.
+template <class Real>
+struct RayMesh {
+  PassageRelation relation;
+  std::optional<FaceHit<Real>> first;
+  Index faces_met;
+  static constexpr auto members = as_record("relation", "first", "faces_met");
+};
+
+namespace validation {
+
+/// For operations whose answers name triangles and their edges: a cut of polygons has edges that are not theirs.
+template <class Real>
+void validate_no_polygons(const std::string& field, const Mesh<Real>& mesh) {
+  if (!mesh.polygons.empty()) throw InvalidInput(field + ".faces", "triangles: no face of more than three corners");
+}
+
+}  // namespace validation
+
+}  // namespace touchstone

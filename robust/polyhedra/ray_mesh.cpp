@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polyhedra/ray_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/validation.h"
+#include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/ray_part.h"
+#include "robust/mixed/ray_triangle.h"
+
+namespace touchstone::robust {
+namespace {
+
+Triangle3d triangle_of(const Meshd& mesh, Index face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
+
+void validate_mesh_of_ray(const Meshd& mesh) {
+  validation::validate("mesh", mesh), validation::validate_no_polygons("mesh", mesh);
+}
+
+/// The first of the faces that were met.
+class FirstFace {
+ public:
+  FirstFace(const Ray3d& ray, const Meshd& mesh) : ray_(ray), mesh_(mesh) {}
+
+  /// Only what the filter of the decision does not know goes on to the other stages at once. stay() bounds t.
+  template <class Stay>
+  void meet(Index face, const Stay& stay) {
+    const Triangle3d triangle = triangle_of(mesh_, face);
+    const auto relation = Each::decision::filter(ray_, triangle);
+    if (relation && *relation == SegmentTriangleRelation::none) return;
+    if (relation && waiting_ < hits_.size()) {
+      const structures::FaceTree::Stay bounds = stay();
+      hits_[waiting_++] = {face, bounds.first};
+      least_last_ = std::min(least_last_, bounds.last);
+      return;
+    }
+    if (!relation) {
+      const auto known = Each::decision::lattice(ray_, triangle);
+      if (known && *known == SegmentTriangleRelation::none) return note(Stage::lattice);
+    }
+    measure(face, triangle);
+  }
+
+  Decided<RayMesh<double>> found() {
+    for (std::size_t i = 0; i < waiting_; ++i) {
+      const auto [face, first] = hits_[i];
+      if (first <= least_last_) measure(face, triangle_of(mesh_, face));
+      else ++found_.faces_met;  // later than another
+    }
+    return {found_, latest_};
+  }
+
+ private:
+  using Each = stages::ray_triangle;
+  struct Hit {
+    Index face;
+    float first;
+  };
+
+  void measure(Index face, const Triangle3d& triangle) {
+    if (const auto found = Each::enclosed(ray_, triangle)) {
+      note(Stage::enclosed);
+      return add(face, *(*found).t, *(*found).point, FacePart::inside);
+    }
+    note(Stage::exact);
+    const kernel::RayPart part(ray_, triangle);
+    if (part.relation() == SegmentTriangleRelation::none) return;
+    add(face, part.first_t(), part.first_point(),
+        part.inside()      ? FacePart::inside
+        : part.at_corner() ? FacePart::vertex
+                           : FacePart::edge);
+  }
+
+  void note(Stage stage) {
+    if (latest_ < stage) latest_ = stage;
+  }
+  void add(Index face, double t, const Point3d& point, FacePart part) {
+    found_.relation = PassageRelation::hit, ++found_.faces_met;
+    if (!found_.first || is_before(face, t)) found_.first = {t, point, face, part};
+  }
+  /// Rounding keeps the order of different numbers, or makes them equal.
+  bool is_before(Index face, double t) {
+    const std::int64_t here = kernel::ordered_bits(t), there = kernel::ordered_bits(found_.first->t);
+    if (here != there) return here < there;
+    note(Stage::exact);
+    const kernel::RayPart one(ray_, triangle_of(mesh_, face)), other(ray_, triangle_of(mesh_, found_.first->face));
+    return one < other || (face < found_.first->face && !(other < one));
+  }
+
+  const Ray3d& ray_;
+  const Meshd& mesh_;
+  RayMesh<double> found_{PassageRelation::none, {}, 0};
+  Stage latest_ = Stage::filter;
+  std::array<Hit, 16> hits_;
+  std::size_t waiting_ = 0;
+  float least_last_ = std::numeric_limits<float>::infinity();
+};
+
+Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh, const structures::FaceTree& faces) {
+  const kernel::ControlWord guard;
+  FirstFace first(ray, mesh);
+  faces.along(ray, [&first](Index face, const auto& stay) { first.meet(face, stay); });
+  return first.found();
+}
+
+}  // namespace
+
+RayTree::RayTree(const Meshd& mesh) : mesh_(mesh) {
+  validate_mesh_of_ray(mesh);
+  if (!mesh.faces.empty()) faces_.emplace(mesh);
+}
+
+Decided<RayMesh<double>> RayTree::first(const Ray3d& ray) const {
+  validation::validate("ray", ray);
+  if (!faces_) return FirstFace(ray, mesh_).found();
+  return first_of_valid(ray, mesh_, *faces_);
+}
+
+Decided<RayMesh<double>> stages::ray_mesh::ask(const Ray3d& ray, const Meshd& mesh) {
+  validation::validate_numbers("ray", ray), validation::validate_numbers("mesh", mesh);
+  validation::validate("ray", ray);
+  return RayTree(mesh).first(ray);
+}
+
+RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh) { return stages::ray_mesh::ask(ray, mesh).answer; }
+
+}  // namespace touchstone::robust

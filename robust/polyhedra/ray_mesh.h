@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/invalid_input.h"
+#include "geometry/ray_mesh.h"
+#include "robust/kernel/filters/staged.h"
+#include "robust/structures/face_tree.h"
+
+namespace touchstone::robust {
+
+/// Finds where a ray first meets the faces of a mesh, closed or not, and how many faces it meets: `none`, or `hit` with
+/// t in units of the direction's length, the point, the face with the least index that has it, and whether it lies
+/// `inside` that face, on an `edge` or at a `vertex` of it.
+///
+/// The origin, edges and vertices belong to them, so no ray passes between two faces that share an edge. Each call
+/// sorts the faces into a tree; for many rays on one mesh keep a RayTree. Right for all finite doubles in every
+/// floating-point environment, and every number correctly rounded (infinite if the exact one is beyond the range). NaN
+/// and infinities throw InvalidInput, which names the field and "finite number"; so do a direction of length 0
+/// ("nonzero direction"), a face that names no vertex, and faces of more than three corners. Contract:
+/// reference/polyhedra/ray_mesh.h.
+RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh);
+
+/// A mesh, which must outlive this unchanged, prepared for many rays. Any number of threads may ask at the same time.
+class RayTree {
+ public:
+  /// Refuses the mesh like ray_mesh.
+  explicit RayTree(const Meshd& mesh);
+
+  /// ray_mesh(ray, mesh), and the latest stage that one of its decisions needed.
+  Decided<RayMesh<double>> first(const Ray3d& ray) const;
+
+ private:
+  const Meshd& mesh_;
+  std::optional<structures::FaceTree> faces_;  ///< if there are any
+};
+
+/// Each stage alone, for tests and other operations; not part of the API.
+namespace stages {
+
+struct ray_mesh : Signatures<decltype(robust::ray_mesh)> {
+  static Staged ask;
+};
+
+}  // namespace stages
+
+}  // namespace touchstone::robust
