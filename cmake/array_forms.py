@@ -124,7 +124,8 @@ def add_prepared(parts, shapes, name, raw, overload):
     shape, operand, others = overload
     kind = f"touchstone_{snake_case(shape)}"
     folder = "solid" if raw == "Meshd" else "polygon"
-    given, error = f"{shapes.in_c[raw]} {folder}", "touchstone_error* error"
+    of = "mesh" if raw == "Meshd" else "polygon"  # the field that errors name
+    given, error = f"{shapes.in_c[raw]} {of}", "touchstone_error* error"
     in_c = ", ".join(f"{shapes.in_c[other]} {each}" for other, each in others)
     passed = ", ".join(f"operand({each})" for _, each in others)
     function = f"int touchstone_{name}_prepared(const {kind}* {operand}, {in_c}, size_t count,"
@@ -135,7 +136,7 @@ def add_prepared(parts, shapes, name, raw, overload):
                       f"{function}\n    uint8_t* answers, {error});\n",
         functions=f"\nstruct {kind} {{\n  touchstone::robust::{shape} shape;\n}};\n"
                   f"int {kind}_make({given}, {kind}** made, {error}) {{\n  *made = nullptr;\n"
-                  f"  return answered(error, [&] {{ *made = new {kind}{{touchstone::robust::{shape}(operand({folder}))}}; }});\n}}\n"
+                  f"  return answered(error, [&] {{ *made = new {kind}{{touchstone::robust::{shape}(operand({of}))}}; }});\n}}\n"
                   f"void {kind}_free({kind}* shape) {{ delete shape; }}\n"
                   f"{function} uint8_t* answers, {error}) {{\n"
                   f"  return answered(error, [&] {{ batch::{name}({operand}->shape, {passed}, count, answers); }});\n}}\n",

@@ -161,7 +161,7 @@ MADE = {
         "1.2.3", "touchstone_column x, y;", "touchstone_column_rows(first + 1, stride)", "TOUCHSTONE_SIDE_RIGHT = 2",
         "/* Where it lies,\n * seen from a. */", "/* `turn` of each a,\n * its Side: left 0. */",
         "int touchstone_turn(touchstone_points2 a, touchstone_points2 b,\n",
-        "int touchstone_fixed_make(touchstone_mesh solid, touchstone_fixed** made,",
+        "int touchstone_fixed_make(touchstone_mesh mesh, touchstone_fixed** made,",
         "int touchstone_within_prepared(const touchstone_fixed* solid, touchstone_points2 a, size_t count,\n"],
     "build/array_forms/touchstone_robust.cpp": ['#include "geometry/points.h"\n#include "robust/batch/turn.h"',
                                                 "operand(of.y)", "Side::on) == TOUCHSTONE_SIDE_ON"],

@@ -20,6 +20,13 @@ _float64 = numpy.dtype(numpy.float64)
 _whole = -1  # instead of a number of axes: one array for all rows, a polygon or a part of a mesh
 
 
+class Prepared:
+    """A shape that is validated once and asked many times. It never changes; it cannot be pickled."""
+
+    made: Any  # of the extension
+    taken_by: str  # the decision
+
+
 class Shape:
     """The parts of an operand, by name: columns (None) and other shapes."""
 
@@ -68,6 +75,8 @@ class Shape:
 
 def _array(value: Any, field: str) -> NDArray[numpy.float64]:
     """The same array; of a list, one that holds its numbers."""
+    if isinstance(value, Prepared):
+        raise InvalidInput(field, f"an array of float64, found a {type(value).__name__}")
     if isinstance(value, (list, float, int)):
         try:
             value = numpy.array(value, dtype=numpy.float64)
@@ -86,13 +95,6 @@ def _column(value: Any, field: str) -> NDArray[numpy.float64]:
     if array.ndim > 1:
         raise InvalidInput(field, f"expected a number or an array of the shape (n,), found the shape {array.shape}")
     return array
-
-
-class Prepared:
-    """A shape that is validated once and asked many times. It never changes."""
-
-    made: Any  # of the extension
-    taken_by: str  # the decision
 
 
 class _Polygon2:
@@ -190,7 +192,7 @@ class Form:
     def arrays(self, values: tuple[Any, ...]) -> list[Located]:
         for (field, shape), value in zip(self.operands.items(), values):
             if isinstance(value, Prepared) and self.name != value.taken_by:
-                raise InvalidInput(field, f"expected {shape.expected()}, found a {type(value).__name__}")
+                raise InvalidInput(field, f"a {type(value).__name__} is for {value.taken_by}; expected {shape.expected()}, or its own shape")
         return [located for (field, shape), value in zip(self.operands.items(), values)
                 for located in shape.arrays(value, field)]
 

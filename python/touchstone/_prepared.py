@@ -12,13 +12,16 @@ __all__ = ["ConvexPolygon", "ConvexSolid", "Polygon", "Solid"]
 
 
 def _parts(shape: AnyShape, value: Any, field: str) -> list[Any]:
+    if isinstance(value, Prepared):
+        raise InvalidInput(field, f"expected {shape.expected()}, found a {type(value).__name__}")
     return [part for located in shape.arrays(value, field) for part in located]
 
 
 class Polygon(Prepared):
     """A polygon for many calls of point_in_polygon: vertices of the shape (m, 2), any closed ring.
 
-    It is copied, validated and gets a tree: a point costs about log m afterwards. InvalidInput names the rule it breaks."""
+    It is copied, validated and gets a tree: afterwards a point costs only the edges near a ray from it. InvalidInput names
+    the rule it breaks."""
 
     taken_by = "point_in_polygon"
 
@@ -27,7 +30,7 @@ class Polygon(Prepared):
 
 
 class ConvexPolygon(Prepared):
-    """The same of a convex polygon, for point_in_convex_polygon."""
+    """A convex polygon for many calls of point_in_convex_polygon, like Polygon."""
 
     taken_by = "point_in_convex_polygon"
 
@@ -38,7 +41,9 @@ class ConvexPolygon(Prepared):
 class _OfMesh(Prepared):
     type_of_made: Any
 
-    def __init__(self, mesh: Any) -> None:
+    def __init__(self, mesh: Any, *others: Any) -> None:
+        if others:
+            raise InvalidInput("mesh", f"expected one tuple, {MESH.expected()}")
         parts = _parts(MESH, mesh, "mesh")
         try:
             self.made = self.type_of_made(parts)
@@ -49,13 +54,13 @@ class _OfMesh(Prepared):
 class Solid(_OfMesh):
     """The solid within a closed mesh, (vertices, faces), for many calls of point_in_polyhedron.
 
-    It is copied, validated and gets a tree: a point costs about log n of n faces afterwards. InvalidInput names the rule
-    it breaks."""
+    It is copied, validated and gets a tree: afterwards a point costs only the faces near a ray from it. InvalidInput names
+    the rule it breaks."""
 
     taken_by, type_of_made = "point_in_polyhedron", _touchstone.Solid
 
 
 class ConvexSolid(_OfMesh):
-    """The same of a convex solid, for point_in_convex_polyhedron."""
+    """A convex solid for many calls of point_in_convex_polyhedron, like Solid."""
 
     taken_by, type_of_made = "point_in_convex_polyhedron", _touchstone.ConvexSolid

@@ -16,7 +16,7 @@ namespace touchstone::robust {
 Location point_in_polygon(const Polygon2d& polygon, const Point2d& point);
 
 class Polygon;  // robust/prepared/polygon.h
-/// The same without its validation, in about log n steps.
+/// The same without its validation, by its tree.
 Location point_in_polygon(const Polygon& polygon, const Point2d& point);
 
 /// Each stage alone, for tests and other operations; not part of the API.

@@ -18,7 +18,7 @@ namespace touchstone::robust {
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
 
 class ConvexSolid;  // robust/prepared/solid.h
-/// The same without its validation, in about log n steps.
+/// The same without its validation, by its tree.
 Location point_in_convex_polyhedron(const ConvexSolid& solid, const Point3d& point);
 
 /// Each stage alone, for tests and other operations; not part of the API.

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "geometry/validation.h"
+#include "robust/kernel/filters/control_word.h"
 #include "robust/kernel/filters/ordered_bits.h"
 #include "robust/kernel/shapes/face_side.h"
 #include "robust/kernel/solids/closed_mesh.h"
@@ -111,8 +112,11 @@ Decided<Location> stages::point_in_polyhedron::of_faces(const Meshd& mesh, const
 
 Decided<Location> stages::point_in_polyhedron::of_tree(const Meshd& mesh, const structures::FaceTree& tree,
                                                        const Point3d& point) {
+  const kernel::ControlWord guard;
+  using kernel::processor::at_run_time;  // rounded after the control word is set
+  const Point3d from{at_run_time(point.x), at_run_time(point.y), at_run_time(point.z)};
   return located(mesh, point, [&](const auto& held) {
-    return tree.any_along_x(point, [&](Index i) { return held(mesh.faces[i]); });
+    return tree.any_along_x(from, [&](Index i) { return held(mesh.faces[i]); });
   });
 }
 

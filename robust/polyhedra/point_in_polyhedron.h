@@ -26,7 +26,7 @@ class FaceTree;
 Location point_in_polyhedron(const Meshd& mesh, const Point3d& point);
 
 class Solid;  // robust/prepared/solid.h
-/// The same without its validation, in about log n steps.
+/// The same without its validation, by its tree.
 Location point_in_polyhedron(const Solid& solid, const Point3d& point);
 
 /// Each stage alone, for tests and other operations; not part of the API.

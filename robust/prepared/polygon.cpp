@@ -2,6 +2,7 @@
 #include "robust/prepared/polygon.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
@@ -49,12 +50,13 @@ Polygon2d convex(const std::string& field, const Polygon2d& ring) {
 Polygon::Polygon(const Polygon2d& ring, const std::string& field)
     : Polygon(Validated{}, open(valid(field, ring))) {}
 
-Polygon::Polygon(Validated, const Polygon2d& ring) : ring_(ring), tree_(ring_) {}
+Polygon::Polygon(Validated, Polygon2d ring) : ring_(std::move(ring)), tree_(ring_) {}
 
 SimplePolygon::SimplePolygon(const Polygon2d& ring, const std::string& field)
     : SimplePolygon(Validated{}, simple(field, ring)) {}
 
-SimplePolygon::SimplePolygon(Validated, const Polygon2d& ring) : Polygon(Validated{}, counter_clockwise(ring)) {}
+SimplePolygon::SimplePolygon(Validated, Polygon2d ring)
+    : Polygon(Validated{}, counter_clockwise(std::move(ring))) {}
 
 ConvexPolygon::ConvexPolygon(const Polygon2d& ring, const std::string& field)
     : SimplePolygon(Validated{}, convex(field, ring)) {}

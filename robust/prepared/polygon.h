@@ -12,14 +12,15 @@ namespace touchstone::robust {
 
 /// A polygon that is validated once and asked many times: any closed ring, as point_in_polygon takes it.
 ///
-/// Never changes once it is made, so threads may share it; a copy copies the ring. It keeps a tree of boxes, 32 bytes
-/// for every sixteen edges, so that a question costs about log n instead of n edges. Right for all finite doubles in
+/// Never changes once it is made, so threads may share it; a copy copies the ring, and one that was moved from can only
+/// be assigned or destroyed. It keeps a tree of boxes, 32 bytes for every sixteen edges: a point costs the parts whose
+/// boxes hold it, about log n where these are few, and at worst all n edges. Right for all finite doubles in
 /// every floating-point environment. The constructors throw InvalidInput, which names `field` and the rule, as the
 /// operations do.
 class Polygon {
  public:
   explicit Polygon(const Polygon2d& ring, const std::string& field = "polygon");
-  Polygon(Validated, const Polygon2d& ring);
+  Polygon(Validated, Polygon2d ring);
 
   /// Without a last vertex that repeats the first.
   const Polygon2d& ring() const { return ring_; }
@@ -34,7 +35,7 @@ class Polygon {
 class SimplePolygon : public Polygon {
  public:
   explicit SimplePolygon(const Polygon2d& ring, const std::string& field = "polygon");
-  SimplePolygon(Validated, const Polygon2d& ring);
+  SimplePolygon(Validated, Polygon2d ring);
 };
 
 /// A polygon that is convex, as point_in_convex_polygon takes it.

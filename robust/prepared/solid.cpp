@@ -15,10 +15,11 @@ Meshd closed(const std::string& field, Meshd mesh) {
   return mesh;
 }
 
-int convex(const std::string& field, const Meshd& mesh) {
+Meshd convex(const std::string& field, Meshd mesh) {
   validation::validate_numbers(field, mesh);
   Stage latest = Stage::filter;
-  return kernel::validate_convex(field, mesh, latest);
+  kernel::validate_convex(field, mesh, latest);
+  return mesh;
 }
 
 }  // namespace
@@ -30,8 +31,6 @@ Solid::Solid(Validated, Meshd mesh) : mesh_(std::move(mesh)), box_(kernel::Space
 
 // A mesh that is convex is closed, but a refusal tells of the first rule of its own.
 ConvexSolid::ConvexSolid(Meshd mesh, const std::string& field)
-    : ConvexSolid(convex(field, mesh), std::move(mesh)) {}
-
-ConvexSolid::ConvexSolid(int outside, Meshd&& mesh) : Solid(Validated{}, std::move(mesh)), outside_(outside) {}
+    : Solid(Validated{}, convex(field, std::move(mesh))) {}
 
 }  // namespace touchstone::robust

@@ -14,9 +14,9 @@ namespace touchstone::robust {
 /// The solid within a closed mesh that is validated once and asked many times, as point_in_polyhedron and
 /// polyhedron_polyhedron take it.
 ///
-/// Never changes once it is made, so threads may share it; a copy copies the mesh. It keeps a tree of the boxes around
-/// its faces, about 32 bytes a face, so that a question about a point costs about log n instead of n faces. Right for
-/// all finite doubles in every floating-point environment. The constructors throw InvalidInput, which names `field` and
+/// Never changes once it is made, so threads may share it; a copy copies the mesh, and one that was moved from can only
+/// be assigned or destroyed. It keeps a tree of the boxes around its faces, about 32 bytes a face: a point costs the
+/// faces whose boxes a ray from it meets, about log n where these are few, and at worst all n. Right for all finite doubles in every floating-point environment. The constructors throw InvalidInput, which names `field` and
 /// the rule, as the operations do.
 class Solid {
  public:
@@ -38,14 +38,6 @@ class Solid {
 class ConvexSolid : public Solid {
  public:
   explicit ConvexSolid(Meshd mesh, const std::string& field = "mesh");
-
-  /// The side of its faces' planes on which the outside lies: 1 if they are seen counter-clockwise from there, or -1.
-  int outside() const { return outside_; }
-
- private:
-  ConvexSolid(int outside, Meshd&& mesh);
-
-  int outside_;
 };
 
 }  // namespace touchstone::robust

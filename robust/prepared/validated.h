@@ -4,6 +4,8 @@
 namespace touchstone::robust {
 
 /// For operations: what is handed over is known to be valid.
-struct Validated {};
+struct Validated {
+  explicit Validated() = default;
+};
 
 }  // namespace touchstone::robust

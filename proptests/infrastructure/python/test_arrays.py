@@ -197,9 +197,12 @@ def test_shapes_that_are_validated_once_are_refused():
         assert refusal(touchstone.Solid, (CUBE, faces)) == refusal(touchstone.point_in_polyhedron, (CUBE, faces), numpy.ones(3))
     solid, polygon = touchstone.Solid((CUBE, SIDES)), touchstone.Polygon(SQUARE)
     assert refusal(touchstone.point_in_convex_polyhedron, solid, numpy.ones(3)) == (
-        "mesh", "expected (vertices, faces), found a Solid")
+        "mesh", "a Solid is for point_in_polyhedron; expected (vertices, faces), or its own shape")
     assert refusal(touchstone.point_in_polygon, solid, numpy.ones(2)) == (
-        "polygon", "expected vertices of the shape (m, 2), found a Solid")
+        "polygon", "a Solid is for point_in_polyhedron; expected vertices of the shape (m, 2), or its own shape")
+    assert refusal(touchstone.Polygon, polygon) == ("polygon", "expected vertices of the shape (m, 2), found a Polygon")
+    assert refusal(touchstone.Solid, CUBE, SIDES) == ("mesh", "expected one tuple, (vertices, faces)")
+    assert refusal(touchstone.point_in_polygon, AT_SQUARE, polygon) == ("points", "an array of float64, found a Polygon")
     assert refusal(touchstone.point_in_polyhedron, solid, numpy.array([[1.0, 1, 1], [1, numpy.nan, 1]])) == (
         "questions[1].point[1]", "finite number")
     assert refusal(touchstone.point_in_polygon, polygon, numpy.zeros((4, 3)))[0] == "points"

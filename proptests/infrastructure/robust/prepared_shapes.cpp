@@ -3,7 +3,9 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
+#include "catalogue/judge/environment.h"
 #include "proptests/catch.h"
 #include "proptests/long_rings.h"
 #include "proptests/refusal.h"
@@ -16,10 +18,12 @@
 #include "robust/polygons/point_in_convex_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/polygons/polygon_polygon.h"
+#include "robust/polyhedra/point_in_convex_polyhedron.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/polyhedron_polyhedron.h"
 #include "robust/prepared/polygon.h"
 #include "robust/prepared/solid.h"
+#include "robust/sweeps/swept_convex_polyhedra.h"
 
 /// Shapes that are validated once (robust/prepared): what small questions do not reach, for which the judge asks every
 /// operation of prepared shapes too.
@@ -204,8 +208,45 @@ TEST_CASE("prepared shapes: what breaks a rule is refused as the operations refu
   CHECK(refusal_of([&] { ConvexSolid(solids::angle, "b"); }) ==
         refusal_of([&] { robust::convex_distance(solids::cube, solids::angle); }));
   CHECK(refusal_of([&] { ConvexSolid(solids::angle, "b"); }) != "accepted");
+  for (const auto& refused :
+       {refusal_of([&] { Polygon(two, "x"); }), refusal_of([&] { SimplePolygon(crossed, "x"); }),
+        refusal_of([&] { ConvexPolygon(dented, "x"); }), refusal_of([&] { Solid(open, "x"); }),
+        refusal_of([&] { ConvexSolid(infinite_mesh, "x"); })})
+    CHECK(refused.substr(0, 1) == "x");
+  const ConvexSolid cube(solids::cube);
+  CHECK(refusal_of([&] { robust::swept_convex_polyhedra(cube, cube, Vector3d{0, 0, NAN}); }) ==
+        "velocity[2]: finite number");
   CHECK(refusal_of([&] { robust::point_in_polyhedron(Solid(solids::cube), Point3d{0, NAN, 0}); }) ==
         "point[1]: finite number");
+}
+
+TEST_CASE("prepared shapes: they may be made and asked in different environments") {
+  // On a face at 1 + 2^-30, which is no float; beyond the greatest float; below the least normal one.
+  struct Asked {
+    Point3d low, high, at;
+    Location location;
+  };
+  const double beside = 1 + 0x1p-30;
+  const Asked cases[] = {{{0, 0, 0}, {beside, beside, beside}, {beside, 0.5, 0.4}, Location::boundary},
+                         {{0, 0, 0}, {beside, beside, beside}, {0.5, beside, 0.4}, Location::boundary},
+                         {{1e300, 1e300, 1e300}, {2e300, 2e300, 2e300}, {1.5e300, 1.4e300, 1.3e300}, Location::inside},
+                         {{1e-40, 1e-40, 1e-40}, {3e-40, 3e-40, 3e-40}, {2e-40, 1.4e-40, 1.3e-40}, Location::inside},
+                         {{0, 0, 0}, {5e-324, 5e-324, 5e-324}, {5e-324, 0, 0}, Location::boundary}};
+  using catalogue::in_environment;
+  for (const auto& [low, high, at, location] : cases) {
+    const Meshd mesh = solids::mesh_of({low, high}),
+                next = solids::mesh_of({{high.x, low.y, low.z}, {2 * high.x, high.y, high.z}});
+    for (std::size_t made = 0; made < catalogue::environment_count; ++made) {
+      const ConvexSolid solid = in_environment(made, mesh, [](const Meshd& of) { return ConvexSolid(of); });
+      for (std::size_t asked = 0; asked < catalogue::environment_count; ++asked) {
+        INFO(catalogue::environment_name(made) << ", " << catalogue::environment_name(asked));
+        const auto locate = [&solid](const Point3d& p) { return robust::point_in_convex_polyhedron(solid, p); };
+        const auto meet = [&solid](const Meshd& of) { return robust::polyhedron_polyhedron(solid, Solid(of)).relation; };
+        CHECK(in_environment(asked, at, locate) == location);
+        CHECK(in_environment(asked, next, meet) == Contact::touching);
+      }
+    }
+  }
 }
 
 TEST_CASE("prepared shapes: copies answer when what they were made of is gone") {

@@ -11,16 +11,15 @@ namespace touchstone::robust::batch::isa {
 /// The number of vertices from which a tree of the edges is faster than all of them for many points at a time.
 inline constexpr std::size_t many_vertices = 512;
 
-inline auto decide_by_tree(const Polygon& polygon) {
-  return [polygon](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
-}
-
 /// Locates each point in a polygon that has been validated.
 inline void locate(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
                    Instructions at_most) {
   static_assert(sizeof(Point2d) == 2 * sizeof(double));
-  if (polygon.size() >= many_vertices)
-    return decide_each(decide_by_tree(Polygon(Validated{}, *validation::OpenRing(polygon))), count, answers, points);
+  if (polygon.size() >= many_vertices) {
+    const Polygon prepared(Validated{}, *validation::OpenRing(polygon));
+    const auto by_tree = [&](const Point2d& point) { return robust::point_in_polygon(prepared, point); };
+    return decide_each(by_tree, count, answers, points);
+  }
   const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
   run(Which{&Filters::point_in_ring, &Filters::close_point_in_ring},
       Shared{&polygon.vertices.data()->x, polygon.size() - validation::closed(polygon.vertices)}, at_most, decide,
