@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "bench/data_sets.h"
+#include "bench/miniball.h"
 #include "bench/peers_of_rays.h"
 #include "bench/plain_peers.h"
 #include "bench/shewchuk.h"
@@ -37,6 +38,15 @@ template <class Row>
 concept HasRational = !requires {
   Decisions<Row>::doubles_alone;
 };
+
+template <class Row>
+concept HasAnswerPeer = requires {
+  AnswerPeer<Row>::name;
+};
+template <class Row>
+auto peer_answer(const QuestionOf<Row>& q) {
+  return catalogue::applied([](const auto&... field) { return AnswerPeer<Row>::answer(field...); }, q);
+}
 
 #ifdef TOUCHSTONE_BENCH_TET
 template <class Row>
@@ -118,6 +128,15 @@ std::size_t wrong_answers(DataSet set) {
   return wrong;
 }
 
+/// Counts the peer's full answers that are not even nearly right.
+template <class Row>
+std::size_t wrong_peer_answers(DataSet set) {
+  std::size_t wrong = 0;
+  for (const auto& q : cases_of<Row>(set))
+    wrong += !AnswerPeer<Row>::right(peer_answer<Row>(q), catalogue::ask_robust<Row>(q));
+  return wrong;
+}
+
 /// Prints a line for each operation and set; returns false if an implementation that promises exactness was wrong.
 bool verified() {
   bool held = true;
@@ -132,6 +151,10 @@ bool verified() {
                     w.naive, w.epick, w.epeck, w.rational, w.shewchuk);
         wrong_full += w.robust + w.epick + w.epeck + w.rational;
         if (set != DataSet::huge && set != DataSet::tiny) wrong_full += w.shewchuk;  // it promises nothing there
+      }
+      if constexpr (HasAnswerPeer<Row>) {
+        std::printf("%-18s %-20s %s: %zu far off\n", Row::metadata().name, name_of(set), AnswerPeer<Row>::name,
+                    wrong_peer_answers<Row>(set));
       }
       if (wrong_full != 0) {
         held = false;
@@ -189,6 +212,11 @@ void add_row(DataSet set) {
       add("mpq",
           [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
     }
+  }
+  if constexpr (HasAnswerPeer<Row>) {
+    add(AnswerPeer<Row>::name, [=](benchmark::State& s) {
+      time_answers(s, cases_of<Row>(set), [](const Q& q) { return peer_answer<Row>(q); });
+    });
   }
   // Tells which answers hold numbers, for the goals of ratios.py.
   const catalogue::Kind kind = Row::metadata().kind;

@@ -273,8 +273,7 @@ def goals_of_pairs(timed):
 
 def goals(lines, oracle, more):
     """(what, bound, sign, measured by least times, by medians): sign -1 for "at most"; and `more` of them."""
-    median = statistics.median
-    found = []
+    median, found = statistics.median, []
 
     def ratio(what, group, above, below, bound, sign):
         t = lines.get(group)
@@ -308,6 +307,7 @@ def goals(lines, oracle, more):
         if data == "random" and t.labels.get("robust_answer") == "numbers":
             bound = 20 if op in OF_ANGLES else 10
             ratio(f"{op}, random: robust's answer / slide's", group, "robust_answer", "slide_answer", bound, -1)
+    ratio("bounding_sphere, random: robust's answer / miniball", "bounding_sphere/random", "robust_answer", "miniball", 3, -1)
     for group in lines:
         if group.startswith(TRIANGULATION):
             ratio(f"{group}: robust / earcut", group, "robust", "earcut", 1, -1)

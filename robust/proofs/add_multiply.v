@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* + and - of enclosures, and * of settled ones. *)
+(* + and - of enclosures, and * of settled ones and of any. *)
 From Coq Require Import Reals ZArith Lra Lia.
 From Flocq Require Import Core Sterbenz.
 From Filters Require Import arithmetic enclosed nearest enclosures.
@@ -173,5 +173,71 @@ destruct (near_pos choice (z3 + z4)) as [N1 _]; [numbers|].
 names (5 / 4) S6. names (10 * E) S7. apply product_seen in S6; [|numbers]. apply product_seen in S7; [|numbers].
 destruct (near_pos choice (z6 + z7)) as [N2 _]; [numbers|].
 clear X1 X2 X3 Y1 Y2 Y3 BX BY BX1 BY1 SX SY SY' WX WY. bounds. apply le_abs; numbers.
+Qed.
+
+(* any numbers of the format *)
+Theorem in_order_right x r X : encloses x X -> float (value (enclosed_low x)) -> in_order rnd x r ->
+  exists V, pair_of choice r V /\ Rabs (X - V) <= value (enclosed_error x).
+Proof.
+intros (h & Hh & L & _ & B) D (t & (l & z & Sl & Sz & ->) & r' & R & ->). cbn [seen] in Sz. subst z.
+assert (V : rnd (l + 0) = value (enclosed_low x)).
+{ rewrite Rplus_0_r. destruct (enclosed_low x) as [a | a b p]; cbn [seen value] in *.
+  - subst l. now apply nearest_exact.
+  - destruct Sl as [-> | ->]; [now apply nearest_exact|now symmetry]. }
+rewrite V in R. exists (h + value (enclosed_low x)). split.
+- apply (two_sum_right choice symmetric _ _ _ _ _ Hh (exactly_plain _ D) R).
+- apply B; apply seen_value.
+Qed.
+
+Theorem times_right x y r X Y : encloses x X -> encloses y Y -> float (value (enclosed_low x)) ->
+  float (value (enclosed_low y)) -> times rnd x y r -> encloses r (X * Y).
+Proof.
+intros EX EY Dx' Dy' (p & Px & f & Ff & p' & Py & g & Fg & t & P & t5 & -> & t6 & -> & t7 &
+  (z5 & z6 & S5 & S6 & ->) & t8 & -> & t9 & (z7 & z8 & S7 & S8 & ->) & t10 & -> & t11 & -> & t12 &
+  (z10 & z11 & S10 & S11 & ->) & ->).
+destruct (in_order_right _ _ _ EX Dx' Px) as (X0 & OX & BX), (in_order_right _ _ _ EY Dy' Py) as (Y0 & OY & BY).
+pose proof (factor_of_pair_right _ _ _ _ OX Ff) as FX. pose proof (factor_of_pair_right _ _ _ _ OY Fg) as FY.
+pose proof (error_nonneg _ _ _ EX (seen_value _)) as E0. pose proof (error_nonneg _ _ _ EY (seen_value _)) as F0.
+destruct (product_right choice (1 + / 2 ^ 20) (1 + / 2 ^ 20) f g X0 Y0 t ltac:(lra) FX FY P) as (h & Hh & St & Bt).
+exists h. cbn [enclosed_high enclosed_low enclosed_error]. split; [exact Hh|]. split; [exact St|]. split; [easy|].
+intros l e' Sl ->. destruct (Bt l Sl) as [B1 _]. clear Bt.
+destruct FX as (hx & Hx & Dx & X1 & X2 & X3), FY as (hy & Hy & Dy & Y1 & Y2 & Y3).
+destruct P as (p0 & -> & p1 & _ & p2 & _ & p3 & _ & ->). cbn [term2_head term2_tail] in *.
+pose proof (exactly_value _ _ Hh) as Vh.
+rewrite (exactly_value _ _ Hx) in *. rewrite (exactly_value _ _ Hy) in *. cbn [value magnitude seen] in *.
+rewrite Vh in *.
+pose proof (head_product hx hy Dx Dy) as Dxy. rewrite (nearest_exact choice _ Dxy) in Vh. subst h. subst z7.
+rewrite Rabs_mult in *.
+set (wx := value (factor_whole f)) in *. set (wy := value (factor_whole g)) in *.
+set (e := value (enclosed_error x)) in *. set (d := value (enclosed_error y)) in *.
+destruct (size hx) as [A0 A1], (size hy) as [C0 C1]. set (A := Rabs hx) in *. set (C := Rabs hy) in *.
+assert (SX : Rabs X0 <= (1 + / 2 ^ 23) * A) by (clear Y1 Y2 Y3; bounds; apply le_abs; numbers).
+assert (SY : Rabs Y0 <= (1 + / 2 ^ 23) * C) by (clear X1 X2 X3; bounds; apply le_abs; numbers).
+assert (WX : (1 - / 2 ^ 22) * A <= Rabs wx).
+{ pose proof (Rabs_triang_inv hx (hx - wx)) as R. replace (hx - (hx - wx)) with wx in R by ring.
+  assert (Rabs (hx - wx) <= / 2 ^ 22 * A) by (clear Y1 Y2 Y3 R; bounds; apply le_abs; numbers). fold A in R. lra. }
+assert (WY : (1 - / 2 ^ 22) * C <= Rabs wy).
+{ pose proof (Rabs_triang_inv hy (hy - wy)) as R. replace (hy - (hy - wy)) with wy in R by ring.
+  assert (Rabs (hy - wy) <= / 2 ^ 22 * C) by (clear X1 X2 X3 R; bounds; apply le_abs; numbers). fold C in R. lra. }
+assert (BX1 : Rabs (X - X0) <= 1 * e) by lra. assert (BY1 : Rabs (Y - Y0) <= 1 * d) by lra.
+pose proof (prod_le _ _ _ _ _ _ SX BY1) as Q1. pose proof (prod_le _ _ _ _ _ _ BX1 SY) as Q2.
+pose proof (prod_le _ _ _ _ _ _ BX1 BY1) as Q3.
+assert (WX' : (1 - / 2 ^ 22) * (A * d) <= Rabs wx * d) by (rewrite <- Rmult_assoc; now apply Rmult_le_compat_r).
+assert (WY' : (1 - / 2 ^ 22) * (e * C) <= Rabs wy * e).
+{ rewrite (Rmult_comm e), <- Rmult_assoc. now apply Rmult_le_compat_r. }
+assert (P1 : 0 <= A * d) by now apply Rmult_le_pos. assert (P2 : 0 <= e * C) by now apply Rmult_le_pos.
+assert (P3 : 0 <= A * C) by now apply Rmult_le_pos. assert (P4 : 0 <= e * d) by now apply Rmult_le_pos.
+replace (X * Y - (hx * hy + l)) with
+  ((X0 * Y0 - (hx * hy + l)) + X0 * (Y - Y0) + (X - X0) * Y0 + (X - X0) * (Y - Y0)) by ring.
+set (q1 := X0 * (Y - Y0)) in *. set (q2 := (X - X0) * Y0) in *. set (q3 := (X - X0) * (Y - Y0)) in *.
+set (q := X0 * Y0 - (hx * hy + l)) in *.
+apply product_seen in S5; [|numbers]. apply product_seen in S6; [|numbers]. apply product_seen in S8; [|numbers].
+set (xe := Rabs wx * d) in *. set (ye := Rabs wy * e) in *. set (Ad := A * d) in *. set (eC := e * C) in *.
+set (ed := e * d) in *. set (AC := A * C) in *. clearbody q q1 q2 q3 xe ye ed Ad eC AC.
+destruct (near_pos choice (z5 + z6)) as [N1 _]; [numbers|]. set (s1 := rnd (z5 + z6)) in *.
+destruct (near_pos choice (s1 + z8)) as [N2 _]; [numbers|]. set (s2 := rnd (s1 + z8)) in *.
+names (5 / 4) S10. names (10 * E) S11. apply product_seen in S10; [|numbers]. apply product_seen in S11; [|numbers].
+destruct (near_pos choice (z10 + z11)) as [N3 _]; [numbers|]. clearbody s1 s2.
+clear X1 X2 X3 Y1 Y2 Y3 BX BY BX1 BY1 SX SY WX WY. bounds. apply le_abs; numbers.
 Qed.
 End Add.

@@ -21,14 +21,15 @@ NAMES = {
     "sum_minus": ("Sum.operator-=", "Term2"), "sum_plus_number": ("Sum.operator+=", "Float"),
     "sum_value": ("Sum.value", ""), "add": ("operator+", "Enclosed Enclosed"), "negate": ("operator-", "Enclosed"),
     "subtract": ("operator-", "Enclosed Enclosed"), "factor_of_enclosed": ("factor", "Enclosed"),
-    "multiply": ("operator*", "Enclosed Enclosed"), "along_factor": ("along", "Float Factor Float Factor"),
+    "multiply": ("operator*", "Enclosed Enclosed"), "in_order": ("in_order", "Enclosed"),
+    "times": ("times", "Enclosed Enclosed"), "along_factor": ("along", "Float Factor Float Factor"),
     "along": ("along", "Float Enclosed Factor"), "divisor_of": ("Divisor.this", "Enclosed"),
     "divide": ("operator/", "Enclosed Divisor"), "square_root": ("square_root", "Enclosed"),
     "rounded": ("rounded", "Enclosed"), "share_of_number": ("share", "Float"),
     "push": ("along", "Float Share Factor"), "enclosed_push": ("enclosed_push", "Float Share Factor"),
 }
 # Each of these has a theorem about these definitions. The others are parts of these.
-PROVED = {name: [name] for name in "two_sum difference add subtract multiply along rounded".split()} | {
+PROVED = {name: [name] for name in "two_sum difference add subtract multiply in_order times along rounded".split()} | {
     "product": ["factor_of_pair", "factor_of_number", "product"], "divide": ["divisor_of", "divide"],
     "sum": ["sum_first", "sum_plus", "sum_minus", "sum_plus_number", "sum_value"],
     "square_root": ["settled", "square_root"], "enclosed_push": ["share_of_number", "push", "enclosed_push"]}

@@ -98,14 +98,17 @@ Point3d center_of_growing_ball(const Points& points) {
 }
 
 /// Not inlined: a compiler could move its arithmetic to before the control word is set.
-[[gnu::noinline]] Point3d center_of(const Points& points, SphereMethod method) {
+[[gnu::noinline]] Sphere3d ball_of(const Points& points, SphereMethod method) {
+  const auto about = [&points](const Point3d& center) {
+    return Sphere3d{center, kernel::least_radius(center, points)};
+  };
   switch (method) {
-    case SphereMethod::box: return center_of_box(points);
-    case SphereMethod::centroid: return centroid(points);
-    case SphereMethod::ritter: return center_of_growing_ball(points);
+    case SphereMethod::box: return about(center_of_box(points));
+    case SphereMethod::centroid: return about(centroid(points));
+    case SphereMethod::ritter: return about(center_of_growing_ball(points));
     case SphereMethod::smallest: break;
   }
-  return kernel::center_of_smallest_ball(points);
+  return kernel::smallest_ball(points);
 }
 
 }  // namespace
@@ -114,8 +117,7 @@ Sphere3d bounding_sphere(const std::vector<Point3d>& points, SphereMethod method
   const bool valid = std::all_of(points.begin(), points.end(), [](const Point3d& p) { return kernel::valid(p); });
   if (points.empty() || !valid) validation::validate("points", points, rule::points);
   const kernel::ControlWord ieee;
-  const Point3d center = center_of(points, method);
-  return {center, kernel::least_radius(center, points)};
+  return ball_of(points, method);
 }
 
 }  // namespace touchstone::robust

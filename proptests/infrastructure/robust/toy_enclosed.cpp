@@ -123,6 +123,14 @@ void polynomials() {
   });
 }
 
+template <int p>
+void products() {
+  for_draws<p>("products", 1 / 32.0, [](DrawStream& draws, Count& count) {
+    const auto x = drawn_determinant<p>(draws), y = drawn_determinant<p>(draws);
+    count.add(times(x.computed, y.computed), mpq_class(x.exact) * y.exact);
+  });
+}
+
 /// The root of x, in whole units beyond any digit that matters: its own error is below one of them.
 mpq_class root_of(const mpq_class& x) {
   const mpz_class square = (mpz_class(x.get_num() << 400) / x.get_den());
@@ -164,6 +172,7 @@ TEST_CASE("enclosed: their quotients, and points along a line") { quotients<12>(
 TEST_CASE("enclosed: products and differences of such sums") {
   polynomials<12>(), polynomials<13>(), polynomials<20>();
 }
+TEST_CASE("enclosed: products of any such sums") { products<12>(), products<13>(), products<20>(); }
 TEST_CASE("enclosed: their square roots") { roots<12>(), roots<13>(), roots<20>(); }
 TEST_CASE("enclosed: all quotients of two numbers of 10 digits, and all roots") { all_of_a_binade<10>(); }
 

@@ -162,6 +162,25 @@ Enclosed<Float> operator*(const Enclosed<Float>& x, const Enclosed<Float>& y) {
           Format::above(1.25) * carried + Format::above(10 * cut<Float>) * Format::magnitude(term.head)};
 }
 
+/// high is the rounded number; off by no more than x.error. Adding 0 rounds a product that a compiler could contract.
+template <class Float>
+Pair<Float> in_order(const Enclosed<Float>& x) {
+  return two_sum(x.high, x.low + Float());
+}
+
+/// For any two numbers: the bound is that of the product of settled numbers, plus the product of both errors, which is
+/// not small here.
+template <class Float>
+Enclosed<Float> times(const Enclosed<Float>& x, const Enclosed<Float>& y) {
+  using Format = filters::FloatFormat<Float>;
+  const Factor<Float> left = factor(in_order(x)), right = factor(in_order(y));
+  const Term2<Float> term = product(left, right);
+  const Float carried =
+      Format::magnitude(left.whole) * y.error + Format::magnitude(right.whole) * x.error + x.error * y.error;
+  return {term.head, term.tail,
+          Format::above(1.25) * carried + Format::above(10 * cut<Float>) * Format::magnitude(term.head)};
+}
+
 /// start + t v for a t with the error that Sum gives, and that error times |v|. t's tail is at most T of its head, or
 /// beyond that by no more than the error.
 template <class Float>

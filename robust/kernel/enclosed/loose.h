@@ -20,15 +20,8 @@ inline Loose operator+(const Loose& x, const Loose& y) {
 inline Loose operator-(const Loose& x) { return -static_cast<const Enclosed<double>&>(x); }
 inline Loose operator-(const Loose& x, const Loose& y) { return x + -y; }
 
-/// two_sum makes high the rounded number, as `factor` requires; then the bound is that of the product of settled
-/// numbers, plus the product of both errors, which is not small here. Not proved by machine.
 inline Loose operator*(const Loose& x, const Loose& y) {
-  using Format = filters::FloatFormat<double>;
-  const Factor<double> left = factor(two_sum(x.high, x.low)), right = factor(two_sum(y.high, y.low));
-  const Term2<double> term = product(left, right);
-  const double carried =
-      Format::magnitude(left.whole) * y.error + Format::magnitude(right.whole) * x.error + x.error * y.error;
-  return Enclosed<double>{term.head, term.tail, 1.25 * carried + 10 * cut<double> * Format::magnitude(term.head)};
+  return times(static_cast<const Enclosed<double>&>(x), static_cast<const Enclosed<double>&>(y));
 }
 
 /// q - p

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "robust/kernel/enclosed/enclosed_ball.h"
 #include "robust/kernel/integers/rounding.h"
 
 namespace touchstone::robust::kernel {
@@ -15,14 +16,6 @@ using IntegerPoint = Point3<mpz_class>;
 using Displacement = Vector3<mpz_class>;
 
 constexpr double greatest_double = std::numeric_limits<double>::max();
-
-/// A computed squared distance D of two points lies within D 2^-50 + 2^-1070 of the exact one, which is off by five
-/// factors between 1 - 2^-53 and 1 + 2^-53 and by three squares that underflow, less than 2^-1074 each. Not proved by
-/// machine.
-double squared_distance(const Point3d& p, const Point3d& q) {
-  const Vector3d v = q - p;
-  return dot(v, v);
-}
 
 /// The least exponent of any set bit.
 int unit_of(const std::vector<Point3d>& points) {
@@ -124,18 +117,10 @@ class SmallestBall {
   void set(BallThrough ball) {
     ball_ = std::move(ball);
     center_ = ball_->center(unit_);
-    // The rounded center is off by at most 2^-53 of a coordinate, or 2^-1075, on each axis: together by less than twice
-    // that of the greatest. The rounded radius has the same relative error. Four times as much is subtracted from the
-    // radius, and 2^-50 from its square: the result, after a few roundings, is the square of the radius of a ball about
-    // the rounded center within the exact one.
-    const double radius = round_square_root(dot(ball_->n, ball_->n), mpz_class(ball_->d * ball_->d), 2 * unit_);
-    const double least = radius - (0x1p-50 * (radius + greatest_coordinate({center_})) + 0x1p-1070);
-    within_ = least > 0 ? least * least * (1 - 0x1p-50) : 0;
-    if (!(within_ <= greatest_double)) within_ = 0;  // squares overflow: nothing is certain
+    inner_ = {center_, round_square_root(dot(ball_->n, ball_->n), mpz_class(ball_->d * ball_->d), 2 * unit_)};
   }
   bool leaves_out(std::size_t p) const {
-    if (squared_distance(center_, points_[p]) * (1 + 0x1p-49) + 0x1p-1060 <= within_) return false;
-    return ball_->leaves_out(integer(points_[p], unit_));
+    return !inner_.holds(points_[p]) && ball_->leaves_out(integer(points_[p], unit_));
   }
 
   const std::vector<Point3d>& points_;
@@ -144,7 +129,7 @@ class SmallestBall {
   std::vector<IntegerPoint> on_;
   std::optional<BallThrough> ball_;
   Point3d center_{};
-  double within_ = 0;  ///< a point at less than this squared distance from the center is in the ball
+  InnerBall inner_;
 };
 
 }  // namespace
@@ -164,6 +149,8 @@ double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
   std::vector<Point3d> far{center};
   for (const Point3d& p : points)
     if (!(squared_distance(center, p) < nearly)) far.push_back(p);
+  if (far.size() <= 5)
+    if (const auto radius = enclosed_radius(center, std::span(far).subspan(1))) return *radius;
   const int unit = unit_of(far);
   const IntegerPoint from = integer(center, unit);
   mpz_class square = 0;
@@ -182,6 +169,10 @@ double least_radius(const Point3d& center, const std::vector<Point3d>& points) {
   return rounded < exact ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(radius) + 1) : radius;
 }
 
-Point3d center_of_smallest_ball(const std::vector<Point3d>& points) { return SmallestBall(points).center(); }
+Sphere3d smallest_ball(const std::vector<Point3d>& points) {
+  if (const auto certain = enclosed_smallest_ball(points)) return *certain;
+  const Point3d center = SmallestBall(points).center();
+  return {center, least_radius(center, points)};
+}
 
 }  // namespace touchstone::robust::kernel

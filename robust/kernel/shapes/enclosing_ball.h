@@ -17,7 +17,8 @@ double greatest_coordinate(const std::vector<Point3d>& points);
 /// The least double whose closed ball about the finite center contains every point; infinite if there is none.
 double least_radius(const Point3d& center, const std::vector<Point3d>& points);
 
-/// The center of the smallest ball that contains every point, each coordinate correctly rounded.
-Point3d center_of_smallest_ball(const std::vector<Point3d>& points);
+/// The smallest ball that contains every point: each coordinate of its center correctly rounded, and the least radius
+/// about that.
+Sphere3d smallest_ball(const std::vector<Point3d>& points);
 
 }  // namespace touchstone::robust::kernel
