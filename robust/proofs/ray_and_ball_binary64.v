@@ -7,40 +7,20 @@ Import ListNotations.
 Open Scope R_scope.
 #[local] Coercion value : float >-> R.
 
-Section Ray.
-Variables (ox oy oz vx vy vz kx ky kz radius : float) (answer : sign).
-Hypothesis (UP : up radius).
-Let arguments := [ox; oy; oz; vx; vy; vz; kx; ky; kz; radius].
-
-Theorem ray_and_ball_start_binary64 :
-  ray_and_ball_start binary64 float floats ox oy oz vx vy vz kx ky kz radius answer ->
-  correct answer arguments
-    ((ox - kx) * (ox - kx) + (oy - ky) * (oy - ky) + (oz - kz) * (oz - kz) - radius * radius).
+Theorem ray_and_ball_binary64 (ox oy oz vx vy vz kx ky kz radius : float) answer : up radius ->
+  ray_and_ball binary64 float floats ox oy oz vx vy vz kx ky kz radius answer ->
+  let start := (ox - kx) * (ox - kx) + (oy - ky) * (oy - ky) + (oz - kz) * (oz - kz) - radius * radius in
+  let slope := (ox - kx) * vx + (oy - ky) * vy + (oz - kz) * vz in
+  let value := slope * slope - (vx * vx + vy * vy + vz * vz) * start in
+  (answer <> unknown -> Forall finite [ox; oy; oz; vx; vy; vz; kx; ky; kz; radius]) /\
+  (answer = positive -> value > 0 /\ (start < 0 \/ slope < 0)) /\
+  (answer = negative -> value < 0 \/ (start > 0 /\ slope > 0)).
 Proof.
-intros R. unfold ray_and_ball_start in R. float_run R.
-apply (ray_and_ball_start_right binary64 ox oy oz vx vy vz kx ky kz radius);
-  [fits|now apply up_value|unfold ray_and_ball_start; repeat advance; exact R].
+intros UP R start slope value. unfold ray_and_ball in R. unpack.
+match type of R with _ = (if negb ?c then unknown else _) =>
+  destruct c eqn:C; cbn [negb] in R; [|subst; repeat split; congruence] end.
+apply andb_prop in C as [C C']. apply andb_prop in C as [C C'']. subst.
+float_constants. rising. repeat guards. back. split; [intros _; all_finite|].
+apply (ray_and_ball_right binary64 ox oy oz vx vy vz kx ky kz radius);
+  [fits|now apply up_value|unfold ray_and_ball; repeat advance; reflexivity].
 Qed.
-
-Theorem ray_and_ball_slope_binary64 :
-  ray_and_ball_slope binary64 float floats ox oy oz vx vy vz kx ky kz radius answer ->
-  correct answer arguments
-    ((ox - kx) * vx + (oy - ky) * vy + (oz - kz) * vz).
-Proof.
-intros R. unfold ray_and_ball_slope in R. float_run R.
-apply (ray_and_ball_slope_right binary64 ox oy oz vx vy vz kx ky kz radius);
-  [fits|now apply up_value|unfold ray_and_ball_slope; repeat advance; exact R].
-Qed.
-
-Theorem ray_and_ball_enters_binary64 :
-  ray_and_ball_enters binary64 float floats ox oy oz vx vy vz kx ky kz radius answer ->
-  correct answer arguments
-    (((ox - kx) * vx + (oy - ky) * vy + (oz - kz) * vz) * ((ox - kx) * vx + (oy - ky) * vy + (oz - kz) * vz) - (vx *
-    vx + vy * vy + vz * vz) * ((ox - kx) * (ox - kx) + (oy - ky) * (oy - ky) + (oz - kz) * (oz - kz) - radius *
-    radius)).
-Proof.
-intros R. unfold ray_and_ball_enters in R. float_run R.
-apply (ray_and_ball_enters_right binary64 ox oy oz vx vy vz kx ky kz radius);
-  [fits|now apply up_value|unfold ray_and_ball_enters; repeat advance; exact R].
-Qed.
-End Ray.

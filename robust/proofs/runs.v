@@ -124,15 +124,9 @@ Proof. runs ray_beside_bc m. Qed.
 Theorem ray_height_runs (m : mode) a b c d e f g h i j k l o p q : exists answer,
   ray_height binary64 float floats a b c d e f g h i j k l o p q answer.
 Proof. runs ray_height m. Qed.
-Theorem ray_and_ball_start_runs (m : mode) a b c d e f g h i j : exists answer,
-  ray_and_ball_start binary64 float floats a b c d e f g h i j answer.
-Proof. runs ray_and_ball_start m. Qed.
-Theorem ray_and_ball_slope_runs (m : mode) a b c d e f g h i j : exists answer,
-  ray_and_ball_slope binary64 float floats a b c d e f g h i j answer.
-Proof. runs ray_and_ball_slope m. Qed.
-Theorem ray_and_ball_enters_runs (m : mode) a b c d e f g h i j : exists answer,
-  ray_and_ball_enters binary64 float floats a b c d e f g h i j answer.
-Proof. runs ray_and_ball_enters m. Qed.
+Theorem ray_and_ball_runs (m : mode) a b c d e f g h i j : exists answer,
+  ray_and_ball binary64 float floats a b c d e f g h i j answer.
+Proof. runs ray_and_ball m. Qed.
 Theorem spheres_runs (m : mode) a b c d e f g h : exists answer, spheres binary64 float floats a b c d e f g h answer.
 Proof. runs spheres m. Qed.
 Theorem ball_and_box_2_runs (m : mode) a b c d e f g : exists answer,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/passages/line_ball_cases.h"
+#include "catalogue/families/passages/tight_tangents.h"
 #include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/mixed/ray_sphere.h"
@@ -52,7 +53,13 @@ struct ray_sphere : signatures::ray_sphere {
     });
   }
 
-  static void hard_cases(HardCases<Question>& add) { line_ball_cases<ray_sphere>(add); }
+  static void hard_cases(HardCases<Question>& add) {
+    line_ball_cases<ray_sphere>(add);
+    add("tangent_of_all_digits", [](DrawStream& c) -> Question {
+      const auto [p, v, ball] = tight_tangent(c);
+      return of({p, v}, ball, p.z == 0 && v.z == 0);
+    });
+  }
 
   static void repair(Question& question) {
     std::visit([](auto& q) { std::get<1>(q).radius = std::fabs(std::get<1>(q).radius); }, question);

@@ -97,24 +97,14 @@ inline Perhaps<PassageRelation> box_relation(const kernel::Line& line, const ker
   return std::nullopt;
 }
 
-/// A ray, by the signs that ray_filter.h proves. With a certain slope it has a direction, and so it has where its line
-/// certainly enters or passes by. One branch: the answer is unpredictable.
-inline Perhaps<PassageRelation> ball_relation(const RayAndBall<double>& both) {
-  const Sign start = both.start(), slope = both.slope(), enters = both.enters();
-  const int outside = start == Sign::positive, parts = slope == Sign::positive, nears = slope == Sign::negative;
-  const int through = enters == Sign::positive, past = enters == Sign::negative;
-  const int misses = outside & (parts | past);
-  const int meets = ((start == Sign::negative) & (parts | nears | through)) | (outside & nears & through);
-  if (misses + meets == 0) [[unlikely]]
-    return std::nullopt;
-  return meets != 0 ? PassageRelation::hit : PassageRelation::none;
-}
-
-/// Decides by the signs that sweep_filter.h proves, for a point that moves along the line.
+/// Decides rays by ray_filter.h, and segments by the signs that sweep_filter.h proves, for a point that moves along it.
 inline Perhaps<PassageRelation> ball_relation(const kernel::Line& line, const kernel::Ball& ball) {
   if (kernel::sign_bit(ball.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
   const auto& [from, to, ends] = line;
-  if (!ends) return ball_relation(RayAndBall<double>(from, {to.x, to.y, to.z}, ball));
+  if (!ends) {
+    const RayAndBall<double> both(from, {to.x, to.y, to.z}, ball);
+    return by_sign(both.meets(), PassageRelation::hit, PassageRelation::none);
+  }
   const Sweep<double> sweep({from, 0}, ball, {to.x, to.y, to.z}, {from.x, from.y, from.z});
   const Sign start = sweep.start();
   if (start == Sign::unknown) return std::nullopt;

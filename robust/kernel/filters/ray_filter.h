@@ -61,20 +61,29 @@ class RayAndTriangle {
   Float terms_, volume_, size_;
 };
 
-/// With c from the ball's center to the origin, |c + t v|^2 - r^2 is start + 2 slope t + v . v t^2. ec and ev are the
-/// sums of the magnitudes of the coordinates of c and v.
+/// Decides whether a ray meets a ball. Positive: it does, and enters it or starts inside; negative: it does not.
+///
+/// With c from the ball's center to the origin, |c + t v|^2 - r^2 is start + 2 slope t + v . v t^2. The ray meets the
+/// ball if value = slope^2 - v . v start is positive, and start or slope is negative; it misses it if value is
+/// negative, or start and slope are positive. By Cauchy's inequality the units are the squares of the lengths, which
+/// are computed anyway: the sum of all |c_i v_i| is at most |c| |v|.
 ///
 /// start: a product goes through two differences, the product and two sums, and one shared subtraction (4): (1 + u)^5 -
-/// 1 in units of ec^2 + r^2, of which (1 - u)^8 is computed; two operations more. C = 5 u + 128 u^2: at u = 1/16, 2.296
-/// < 2.6 in units of 5 u. slope: as for Sweep, whose C is that of a rounded velocity.
+/// 1 in units of |c|^2 + r^2, of which (1 - u)^5 is computed; two operations more. C = 5 u + 128 u^2: at u = 1/16, 2.02
+/// < 2.6 in units of 5 u.
 ///
-/// enters: a product of v . v start goes through three roundings for v . v, six for start and one, and those of slope^2
-/// through nine; the last subtraction is shared. Both have their products among those of ev^2 (ec^2 + r^2), so twice
-/// these are the units, of which (1 - u)^15 is computed; two operations more. C = 10 u + 640 u^2: at u = 1/16, 4.245 <
-/// 5 in units of 10 u. (Looser than two: by Cauchy's inequality the units are at least v . v (c . c + r^2) twice.)
+/// value: a product of v . v start goes through three roundings for v . v, six for start and one, and those of slope^2
+/// through nine; the last subtraction is shared. Both have their products among |v|^2 (|c|^2 + r^2), so twice these are
+/// the units, of which (1 - u)^9 is computed; two operations more. C = 20 u + 1024 u^2: at u = 1/16, 3.07 < 4.2 in
+/// units of 20 u. (Looser than two: the roundings are taken for independent.)
 ///
-/// Guard and absolute terms: as for Sweep::passage; start and slope are off by less than 512 n G. Proved:
-/// ray_and_ball_start and so on.
+/// slope has no bound: it is off by (1 + u)^4 - 1 in units of |c| |v|, and asked only where value and start are
+/// certainly positive. Then slope^2 is more than a value's bound, 20 u |c|^2 |v|^2, which is more than the square of
+/// what slope is off.
+///
+/// Guard and absolute terms: a sum of squares of at most G^2 holds each number to little more than G; then as for
+/// Sweep::passage, 512 n G^3 for value. start and slope are off by less than 64 n G. The absolute terms are greater, so
+/// that no number that is asked for its sign is read as zero. Proved: ray_and_ball.
 template <class Float, class Format = FloatFormat<Float>>
 class RayAndBall {
   using B = Bounds<Float, Format>;
@@ -82,38 +91,30 @@ class RayAndBall {
  public:
   RayAndBall(const Point3<Float>& origin, const Vector3<Float>& v, const Sphere3<Float>& ball)
       : c_(origin - ball.center),
-        v_(v),
         square_(ball.radius * ball.radius),
-        ec_(extent<Float, Format>(c_.x, c_.y, c_.z)),
-        ev_(extent<Float, Format>(v_.x, v_.y, v_.z)),
-        size_(ec_ + ev_ + ball.radius) {}
+        way_(dot(c_, c_)),
+        speed_(dot(v, v)),
+        slope_(dot(c_, v)),
+        reach_(way_ + square_),
+        size_(reach_ + speed_) {}
 
-  /// Positive: the origin is outside; negative: inside.
-  Sign start() const {
-    return sign(dot(c_, c_) - square_, B::template relative<10, 128>() * (ec_ * ec_ + square_) + least());
-  }
-  /// Positive: the ray parts from the center at its origin; negative: it approaches it.
-  Sign slope() const { return sign(dot(c_, v_), B::template relative<10, 96>() * ec_ * ev_ + least()); }
-  /// Positive: the ray's line enters the ball; negative: it passes by.
-  Sign enters() const {
-    const Float slope = dot(c_, v_), start = dot(c_, c_) - square_, terms = (ev_ + ev_) * ev_ * (ec_ * ec_ + square_);
+  Sign meets() const {
     const int g = Format::max_exponent / 6;
-    const Float absolute = Format::above(power_of_two(12 + Format::min_exponent + 3 * g));
-    return sign(slope * slope - dot(v_, v_) * start, B::template relative<20, 640>() * terms + absolute);
+    const Float start = way_ - square_, value = slope_ * slope_ - speed_ * start;
+    const Float least = Format::above(power_of_two(12 + Format::min_exponent + g)),
+                absolute = Format::above(power_of_two(12 + Format::min_exponent + 3 * g));
+    const int beside = Format::magnitude(start) > B::template relative<10, 128>() * reach_ + least,
+              apart = Format::magnitude(value) > B::template relative<40, 1024>() * (speed_ * reach_) + absolute,
+              guarded = size_ <= Format::above(power_of_two(2 * g));
+    if ((beside & apart & guarded) == 0) [[unlikely]]  // one branch
+      return Sign::unknown;
+    const Float nearest = start < slope_ ? start : slope_;
+    return (value > Float()) & (nearest < Float()) ? Sign::positive : Sign::negative;
   }
 
  private:
-  Sign sign(const Float& value, const Float& error) const {
-    const int g = Format::max_exponent / 6;
-    return certain<Float, Format>(value, error, size_, Format::above(power_of_two(g)));
-  }
-  static Float least() {
-    const int g = Format::max_exponent / 6;
-    return Format::above(power_of_two(9 + Format::min_exponent + g));
-  }
-
-  Vector3<Float> c_, v_;
-  Float square_, ec_, ev_, size_;
+  Vector3<Float> c_;
+  Float square_, way_, speed_, slope_, reach_, size_;
 };
 
 }  // namespace touchstone::robust::filters
