@@ -2,10 +2,12 @@
 #include "robust/kernel/solids/solid_distance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "robust/kernel/enclosed/enclosed_nearest.h"
 #include "robust/kernel/integers/rounding.h"
 #include "robust/kernel/shapes/lowest_vertices.h"
 #include "robust/kernel/shapes/nearest_to_origin.h"
@@ -25,33 +27,28 @@ struct Corners {
 /// Scaled near enough to 1 for products of five.
 std::vector<Point3d> near_one(const Meshd& mesh, int places) {
   std::vector<Point3d> points = mesh.vertices;
-  if (std::abs(places) < 60) return points;
   for (Point3d& p : points) p = {std::ldexp(p.x, -places), std::ldexp(p.y, -places), std::ldexp(p.z, -places)};
   return points;
 }
 
-Index lowest(const std::vector<Point3d>& points, const Vector3d& direction) {
+Index lowest(const std::vector<Point3d>& points, const Vector3d& n) {
+  const auto height = [&](const Point3d& p) { return n.x * p.x + n.y * p.y + n.z * p.z; };
   Index found = 0;
-  double least = dot(direction, points[0] - Point3d{0, 0, 0});
+  double least = height(points[0]);
   for (Index i = 1; i < points.size(); ++i) {
-    const double height = dot(direction, points[i] - Point3d{0, 0, 0});
-    if (height < least) least = height, found = i;
+    const double next = height(points[i]);
+    const bool lower = next < least;
+    least = lower ? next : least, found = lower ? i : found;
   }
   return found;
 }
 
 /// Corners whose displacements probably span the point of the difference that is nearest to 0: the distance of Gilbert,
 /// Johnson and Keerthi in doubles. Rounding may spoil it; the result is checked.
-std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
-  double greatest = 0;
-  for (const Meshd* mesh : {&a, &b}) {
-    for (const Point3d& p : mesh->vertices)
-      greatest = std::max({greatest, __builtin_fabs(p.x), __builtin_fabs(p.y), __builtin_fabs(p.z)});
-  }
-  const int places = greatest > 0 ? std::ilogb(greatest) : 0;
-  const std::vector<Point3d> points_of_a = near_one(a, places), points_of_b = near_one(b, places);
+std::vector<Corners> guessed(const std::vector<Point3d>& points_of_a, const std::vector<Point3d>& points_of_b) {
   std::vector<Corners> corners{{0, 0}};
   std::vector<Vector3d> displacements{points_of_a[0] - points_of_b[0]};
+  corners.reserve(4), displacements.reserve(4);
   Vector3d normal = displacements[0];
   for (int step = 0; step < 64; ++step) {
     const Corners next{lowest(points_of_a, normal), lowest(points_of_b, -1.0 * normal)};
@@ -70,6 +67,105 @@ std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
     if (kept == 4) break;
   }
   return corners;
+}
+
+/// The distinct vertices of one mesh among the corners, up to three.
+struct Used {
+  std::array<Index, 3> at{};
+  std::size_t count = 0;
+
+  bool has(Index i) const { return std::find(at.begin(), at.begin() + count, i) != at.begin() + count; }
+  bool add(Index i) {
+    if (has(i)) return true;
+    if (count == at.size()) return false;
+    at[count++] = i;
+    return true;
+  }
+};
+
+using SizedPoint = filters::Triple<filters::Sized<1>>;
+
+/// Calls with_normal(n) for a certain normal from b to a of the parts that these vertices span: a positive multiple of
+/// the displacement between their nearest points. False if it is not certain.
+template <class Use>
+bool with_normal(const std::vector<Point3d>& a, const Used& of_a, const std::vector<Point3d>& b, const Used& of_b,
+                 const Use& with) {
+  const auto edge = [](const std::vector<Point3d>& points, const Used& used, std::size_t k) {
+    return filters::sized_between(points[used.at[0]], points[used.at[k]]);
+  };
+  const SizedPoint r = filters::sized_between(b[of_b.at[0]], a[of_a.at[0]]);
+  const auto sided = [&](const auto& n) {
+    const auto height = dot(n, r);
+    return height.positive() ? with(n) : height.negative() && with(filters::Triple{-n.x, -n.y, -n.z});
+  };
+  if (of_a.count + of_b.count == 2) return with(r);
+  const SizedPoint v = of_a.count > 1 ? edge(a, of_a, 1) : edge(b, of_b, 1);
+  if (of_a.count + of_b.count == 3) {
+    const auto length = dot(v, v), foot = dot(r, v);
+    return with(filters::Triple{length * r.x - foot * v.x, length * r.y - foot * v.y, length * r.z - foot * v.z});
+  }
+  const SizedPoint w = of_a.count == 3 ? edge(a, of_a, 2) : of_b.count == 3 ? edge(b, of_b, 2) : edge(b, of_b, 1);
+  return sided(cross(v, w));
+}
+
+/// True if all vertices but the used ones are certainly on the side of these where the normal points.
+template <class Normal>
+bool alone(const std::vector<Point3d>& points, const Used& used, const Normal& normal) {
+  const Point3d& first = points[used.at[0]];
+  for (Index i = 0; i < points.size(); ++i)
+    if (!dot(normal, filters::sized_between(first, points[i])).positive() && !used.has(i)) return false;
+  return true;
+}
+
+/// The answer, if certain signs tell that the guessed corners span the nearest parts of the solids, with nearest points
+/// in their interiors, that are the only ones; and all numbers are certain. The coordinates are `moderate`.
+Perhaps<ConvexDistance<double>> certain_distance(const Meshd& a, const Meshd& b, const std::vector<Corners>& corners) {
+  Used of_a, of_b;
+  for (const auto& [i, j] : corners)
+    if (!of_a.add(i) || !of_b.add(j)) return std::nullopt;
+  if (of_a.count + of_b.count > 4) return std::nullopt;
+  const auto at = [](const Meshd& mesh, const Used& used, std::size_t k) { return mesh.vertices[used.at[k]]; };
+  const auto triangle = [&](const Meshd& m, const Used& u) {
+    return Triangle3d{at(m, u, 0), at(m, u, 1), at(m, u, 2)};
+  };
+  const auto segment = [&](const Meshd& m, const Used& u) { return Segment3d{at(m, u, 0), at(m, u, 1)}; };
+  const auto parts = [&](const Meshd& m, const Used& u, const Meshd& n, const Used& w) -> filters::Parts {
+    const Point3d p = at(n, w, 0);
+    if (u.count == 1) return {filters::Part::corner(at(m, u, 0)), filters::Part::corner(p)};
+    if (u.count == 3) return filters::nearest_parts(triangle(m, u), p);
+    return w.count == 1 ? filters::nearest_parts(segment(m, u), p)
+                        : filters::nearest_parts(segment(m, u), segment(n, w));
+  };
+  const bool turned = of_a.count < of_b.count;
+  filters::Parts found = turned ? parts(b, of_b, a, of_a) : parts(a, of_a, b, of_b);
+  if (turned) std::swap(found.of_a, found.of_b);
+  if (found.of_a.corners != static_cast<int>(of_a.count) || found.of_b.corners != static_cast<int>(of_b.count))
+    return std::nullopt;
+  const auto separates = [&](const auto& n) {
+    return alone(a.vertices, of_a, n) && alone(b.vertices, of_b, filters::Triple{-n.x, -n.y, -n.z});
+  };
+  if (!with_normal(a.vertices, of_a, b.vertices, of_b, separates)) return std::nullopt;
+  const auto pair = closest_pair(found);
+  if (!pair) return std::nullopt;
+  const auto& [on_a, on_b, square, distance] = *pair;
+  return ConvexDistance<double>{ConvexRelation::apart, on_a, on_b, square, distance};
+}
+
+bool all_moderate(const Meshd& mesh) {
+  int all = 1;
+  for (const Point3d& p : mesh.vertices) all &= static_cast<int>(filters::moderate(p));
+  return all != 0;
+}
+
+/// For numbers of any size.
+std::vector<Corners> guessed_near_one(const Meshd& a, const Meshd& b) {
+  double greatest = 0;
+  for (const Meshd* mesh : {&a, &b}) {
+    for (const Point3d& p : mesh->vertices)
+      greatest = std::max({greatest, __builtin_fabs(p.x), __builtin_fabs(p.y), __builtin_fabs(p.z)});
+  }
+  const int places = greatest > 0 ? std::ilogb(greatest) : 0;
+  return guessed(near_one(a, places), near_one(b, places));
 }
 
 /// Corners with positive weights only, in integers times 2^exponent.
@@ -174,7 +270,11 @@ ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a,
 
 /// The displacement gets shorter with each vertex found beyond it, and there are finitely many sets of corners.
 ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
-  std::vector<Corners> corners = guessed(a, b);
+  const bool moderate = all_moderate(a) && all_moderate(b);
+  std::vector<Corners> corners = moderate ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b);
+  if (moderate) {
+    if (const auto certain = certain_distance(a, b, corners)) return *certain;
+  }
   for (;;) {
     Nearest nearest = nearest_of(a, b, corners);
     const IntegerVector against = mpz_class(-1) * nearest.normal;
