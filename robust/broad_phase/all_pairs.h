@@ -22,8 +22,8 @@ std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
 
 /// The pairs of boxes, and evidence that none is missing: a tree over the boxes, and the search of it. `certify` and
-/// certify.py check it; oracle/certificates/README.md defines the format. By another tree than all_pairs, for which long
-/// boxes across each other take about n^1.5 (robust/structures/pair_tree.h).
+/// certify.py check it; oracle/certificates/README.md defines the format. By another tree than all_pairs, for which
+/// long boxes across each other take about n^1.5 (robust/structures/pair_tree.h).
 struct PairsWithCertificate {
   std::vector<IndexPair> pairs;     ///< as in all_pairs
   std::vector<Index> order;         ///< the boxes in tree order

@@ -203,8 +203,8 @@ void Curve::sort_by_key(Placed* first, Placed* last) {
   std::copy_n(from, count, first);
 }
 
-/// Many boxes with the same key are arranged again in a frame of their own; if they are more than half, by exponents, in
-/// case that many are close to a corner.
+/// Many boxes with the same key are arranged again in a frame of their own; if they are more than half, by exponents,
+/// in case that many are close to a corner.
 void Curve::arrange(Placed* first, Placed* last, const Frame& frame, const Extents& other_mean, bool by_exponent) {
   if (last - first <= 8 || std::max({frame.spread(0), frame.spread(1), frame.spread(2)}) == 0) return;
   if (by_exponent) set_keys_by_exponent(first, last, frame);

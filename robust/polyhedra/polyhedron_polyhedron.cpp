@@ -81,7 +81,8 @@ std::vector<Index> faces_near(const Meshd& mesh, const SpaceBox& box) {
   return near;
 }
 
-/// A mesh that is searched by a tree: its own, of one that is prepared, or one that is made when a question is worth it.
+/// A mesh that is searched by a tree: its own, of one that is prepared, or one that is made when a question is worth
+/// it.
 class Searched {
  public:
   Searched(const Meshd& of, const SpaceBox& around) : mesh(of), box(around) {}

@@ -16,8 +16,9 @@ namespace touchstone::robust {
 ///
 /// Never changes once it is made, so threads may share it; a copy copies the mesh, and one that was moved from can only
 /// be assigned or destroyed. It keeps a tree of the boxes around its faces, about 32 bytes a face: a point costs the
-/// faces whose boxes a ray from it meets, about log n where these are few, and at worst all n. Right for all finite doubles in every floating-point environment. The constructors throw InvalidInput, which names `field` and
-/// the rule, as the operations do.
+/// faces whose boxes a ray from it meets, about log n where these are few, and at worst all n. Right for all finite
+/// doubles in every floating-point environment. The constructors throw InvalidInput, which names `field` and the rule,
+/// as the operations do.
 class Solid {
  public:
   explicit Solid(Meshd mesh, const std::string& field = "mesh");
@@ -33,8 +34,8 @@ class Solid {
   structures::FaceTree tree_;
 };
 
-/// A solid that is convex, as point_in_convex_polyhedron, convex_distance and swept_convex_polyhedra take it. To make it
-/// costs faces times vertices steps, which each of their calls with a mesh costs.
+/// A solid that is convex, as point_in_convex_polyhedron, convex_distance and swept_convex_polyhedra take it. To make
+/// it costs faces times vertices steps, which each of their calls with a mesh costs.
 class ConvexSolid : public Solid {
  public:
   explicit ConvexSolid(Meshd mesh, const std::string& field = "mesh");

@@ -18,8 +18,8 @@ namespace touchstone::robust::structures {
 /// The boxes around the faces of a valid mesh, in a tree of eight children a node.
 ///
 /// Boxes are rounded to float, to nearest, whatever the host's environment is when the tree is made, and compared like
-/// that: rounding is monotone, and so is taking the least numbers for 0, so boxes that meet still do. Faces are in the order of a space-filling curve; the order
-/// makes boxes small, and no answer depends on it.
+/// that: rounding is monotone, and so is taking the least numbers for 0, so boxes that meet still do. Faces are in the
+/// order of a space-filling curve; the order makes boxes small, and no answer depends on it.
 class FaceTree {
  public:
   explicit FaceTree(const Meshd& mesh);

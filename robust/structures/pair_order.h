@@ -13,8 +13,8 @@
 
 namespace touchstone::robust::structures {
 
-/// A counting sort of pairs i < j < size that arrive in any order: into ranges of i, of which each fits a cache, as they
-/// come; within a range by i, and each row by j, at the end. The memory is reused.
+/// A counting sort of pairs i < j < size that arrive in any order: into ranges of i, of which each fits a cache, as
+/// they come; within a range by i, and each row by j, at the end. The memory is reused.
 class PairOrder {
  public:
   /// Forgets all pairs.
@@ -99,8 +99,8 @@ class PairOrder {
     result.insert(result.end(), sorted_.begin(), sorted_.begin() + static_cast<std::ptrdiff_t>(count));
   }
 
-  /// Sorts pairs with the same i by j: usually few, which are put where so many are before them. Without branches, which
-  /// would be unpredictable.
+  /// Sorts pairs with the same i by j: usually few, which are put where so many are before them. Without branches,
+  /// which would be unpredictable.
   static void sort_row(const IndexPair* row, std::size_t size, IndexPair* to) {
     if (size > few) {
       std::copy_n(row, size, to);

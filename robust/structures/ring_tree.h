@@ -33,8 +33,8 @@ struct PlaneBox {
 /// The boxes around parts of a ring, in a tree of eight children a node. The leaves are parts of sixteen edges in the
 /// order of the ring, so that every node is one chain of edges.
 ///
-/// A vertex belongs to the edge that ends there: a part is the edges that end at vertices `first` to `last` - 1, and its
-/// chain begins at the vertex before `first`, round the ring.
+/// A vertex belongs to the edge that ends there: a part is the edges that end at vertices `first` to `last` - 1, and
+/// its chain begins at the vertex before `first`, round the ring.
 class RingTree {
  public:
   struct Part {
@@ -54,7 +54,8 @@ class RingTree {
   /// of the part's edges, `outside`, or `boundary`; an end on the ray's line counts as below it.
   ///
   /// Parts whose box contains the point are asked. A chain whose box the ray meets from outside has no point on the
-  /// boundary, and its edges cross the ray an odd number of times exactly if its ends are on two sides of the ray's line.
+  /// boundary, and its edges cross the ray an odd number of times exactly if its ends are on two sides of the ray's
+  /// line.
   template <class Locate>
   Location located(const Polygon2d& ring, const Point2d& point, const Locate& locate) const {
     bool odd = false;
@@ -64,8 +65,8 @@ class RingTree {
                                                                      : Location::outside;
   }
 
-  /// Returns whether `wanted` is true for a part here and one there whose boxes meet, and the box of the latter. Stops at
-  /// the first.
+  /// Returns whether `wanted` is true for a part here and one there whose boxes meet, and the box of the latter. Stops
+  /// at the first.
   template <class Wanted>
   bool any_pair(const RingTree& other, const Wanted& wanted) const {
     return any_pair(levels_.size() - 1, 0, other, other.levels_.size() - 1, 0, wanted);

@@ -241,7 +241,9 @@ TEST_CASE("prepared shapes: they may be made and asked in different environments
       for (std::size_t asked = 0; asked < catalogue::environment_count; ++asked) {
         INFO(catalogue::environment_name(made) << ", " << catalogue::environment_name(asked));
         const auto locate = [&solid](const Point3d& p) { return robust::point_in_convex_polyhedron(solid, p); };
-        const auto meet = [&solid](const Meshd& of) { return robust::polyhedron_polyhedron(solid, Solid(of)).relation; };
+        const auto meet = [&solid](const Meshd& of) {
+          return robust::polyhedron_polyhedron(solid, Solid(of)).relation;
+        };
         CHECK(in_environment(asked, at, locate) == location);
         CHECK(in_environment(asked, next, meet) == Contact::touching);
       }
