@@ -33,9 +33,9 @@ PUBLIC = {
     "c": [],
 }
 # Folders that hold no operations; of these a header is copied only where a public one includes it.
-INNER = re.compile("(robust/(kernel|rings|hulls|c)|oracle/(exact|rings|certificates))/")
+INNER = re.compile("(robust/(kernel|rings|hulls|pairs|c)|oracle/(exact|rings|certificates))/")
 # No public header may reach these.
-NEVER_PUBLIC = re.compile("(report|engines|robust/(rings|hulls))/")
+NEVER_PUBLIC = re.compile("(report|engines|robust/(rings|hulls|pairs))/")
 
 
 def write(path, text):

@@ -47,7 +47,7 @@ IMPLEMENTATION_PLACES = {"catalogue/rows"}
 # Folders beside the chapters.
 NO_CHAPTER = {"reference": {"standard"}, "robust": {"kernel", "rings", "hulls", "structures", "pairs", "prepared", "proofs", "batch", "c"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/generate.py refuses to install these.
-NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
+NOT_INSTALLED = ("robust/rings/", "robust/hulls/", "robust/pairs/")
 # Headers that CMake makes.
 MADE = {"audit/version.h", "robust/c/array_forms.h", "touchstone_robust.h"} | {
     f"catalogue/{made}.h" for made in ("rows/all", "rows/declared", "signatures/all")}

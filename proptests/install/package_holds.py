@@ -27,7 +27,7 @@ HELD = [
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/signatures)/{CHAPTER}/\w+\.h",
     r"include/touchstone/reference/standard/\w+\.h",
-    r"include/touchstone/robust/(masked_exceptions|(kernel/\w+|batch|batch/isa|structures)/\w+)\.h",
+    r"include/touchstone/robust/(masked_exceptions|(kernel/\w+|batch|batch/isa|prepared|structures)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact/\w+|rings)/\w+|certificates/(certificate|check))\.h",
     r"include/touchstone/catalogue/((shape|numbers|codec|draw|families(/\w+)?|judge|operation(/\w+)?)/)?\w+\.h",
     r"include/touchstone/catalogue/signatures/(all|signature)\.h",
@@ -52,7 +52,7 @@ ALLOWED = [
     r"share/doc/touchstone/(docs|examples)/.+",
     r"share/(man/man1/touchstone\.1|bash-completion/completions/touchstone|zsh/\S+|fish/\S+)",
 ]
-NEVER = r"include/touchstone/(report|engines|robust/(rings|hulls)|proptests)/|__pycache__|node_modules"
+NEVER = r"include/touchstone/(report|engines|robust/(rings|hulls|pairs)|proptests)/|__pycache__|node_modules"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 
 
