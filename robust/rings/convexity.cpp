@@ -60,7 +60,7 @@ Decided<PolygonConvexity> convexity(const Polygon2d& polygon) {
     const bool strict = found.left + found.right == polygon.size();
     return {{PolygonClass::convex, strict, found.left > 0 ? Winding::ccw : Winding::cw}, found.latest};
   }
-  if (ring_defect(polygon)) return {not_simple, found.latest};
+  if (ring_defect(polygon).has_value()) return {not_simple, found.latest};
   // The lexicographically first vertex is a corner of the convex hull, and its angle is not flat: otherwise one of its
   // neighbours would come before it.
   return {{PolygonClass::concave, false, found.at_first == Side::left ? Winding::ccw : Winding::cw}, found.latest};
