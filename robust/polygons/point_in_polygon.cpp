@@ -244,7 +244,7 @@ class Parts {
 
 /// Validates, and decides the ring part by part.
 Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
-  constexpr std::ptrdiff_t edges_of_a_part = 16;
+  constexpr std::ptrdiff_t edges_of_a_part = structures::RingTree::edges_of_a_part;
   if (validation::fewer_than_three(polygon.vertices)) validate(polygon, point);
   const Part ring = integer(polygon);
   if (ring.last - ring.first <= edges_of_a_part) {

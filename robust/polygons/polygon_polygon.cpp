@@ -10,6 +10,7 @@
 #include "robust/lines/orientation.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/prepared/polygon.h"
+#include "robust/rings/before.h"
 #include "robust/rings/simple.h"
 
 namespace touchstone::robust {
@@ -59,8 +60,6 @@ class Meeting {
   int turn(const Point2d& p, const Point2d& q, const Point2d& r) {
     return 1 - static_cast<int>(stages::orientation::ask(p, q, r).noting(latest_));
   }
-
-  static bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
   static bool apart(const Point2d& p, const Point2d& q, const Point2d& r, const Point2d& s) {
     return std::max(p.x, q.x) < std::min(r.x, s.x) || std::max(r.x, s.x) < std::min(p.x, q.x) ||

@@ -7,6 +7,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/lines/orientation.h"
+#include "robust/rings/before.h"
 #include "robust/rings/convexity.h"
 #include "robust/rings/simple.h"
 
@@ -25,8 +26,6 @@ Polygon2d simple(const std::string& field, const Polygon2d& ring) {
   if (const auto defect = ring_defect(opened)) validation::refuse(field, *defect, opened.size());
   return opened;
 }
-
-bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 /// The first vertex in lexicographic order is convex.
 Polygon2d counter_clockwise(Polygon2d ring) {

@@ -4,13 +4,11 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/lines/orientation.h"
+#include "robust/rings/before.h"
 #include "robust/rings/simple.h"
 
 namespace touchstone::robust {
 namespace {
-
-/// Lexicographic. Only in IEEE arithmetic: a flushed denormal would be 0.
-bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 
 /// Counts from one walk around the ring.
 struct Walk {

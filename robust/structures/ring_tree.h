@@ -41,6 +41,8 @@ class RingTree {
     std::size_t first, last;
   };
 
+  static constexpr std::size_t edges_of_a_part = 16;
+
   /// The ring has at least one vertex and is not closed by a repeated one.
   explicit RingTree(const Polygon2d& ring) : size_(ring.size()) {
     levels_.push_back(parents<edges_of_a_part>(size_, [&ring](std::size_t i) {
@@ -73,7 +75,7 @@ class RingTree {
   }
 
  private:
-  static constexpr std::size_t edges_of_a_part = 16, children = 8;
+  static constexpr std::size_t children = 8;
 
   /// The boxes around every so many of them.
   template <std::size_t together, class BoxAt>

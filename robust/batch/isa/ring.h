@@ -8,7 +8,9 @@
 
 namespace touchstone::robust::batch::isa {
 
-/// The number of vertices from which a tree of the edges is faster than all of them for many points at a time.
+/// The number of vertices from which a tree of the edges is asked instead of all of them for many points at a time. As
+/// measured on one processor with AVX-512, a tree is faster from about 130 vertices of a star on; that of a comb with
+/// slanted teeth is slower at 1,000, too.
 inline constexpr std::size_t many_vertices = 512;
 
 /// Locates each point in a polygon that has been validated.
