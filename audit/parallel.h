@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
-#include <functional>
 
 #include "audit/uses.h"
+#include "robust/structures/parallel.h"
 
 namespace touchstone::audit {
 
-/// Calls work(0) ... work(count - 1), each once, on up to `jobs` threads, or as many as the machine grants. If a call
-/// throws, running calls finish, no new ones begin, and the first exception is rethrown to the caller.
-void in_parallel(int jobs, std::size_t count, const std::function<void(std::size_t)>& work);
+/// robust::in_parallel, on one thread if `jobs` is less.
+template <class Work>
+void in_parallel(int jobs, std::size_t count, const Work& work) {
+  robust::in_parallel(static_cast<std::size_t>(std::max(jobs, 1)), count, work);
+}
 
 /// The number of jobs that the machine can run at once.
-int jobs_of_machine();
+inline int jobs_of_machine() { return static_cast<int>(robust::threads_of_machine()); }
 
 }  // namespace touchstone::audit

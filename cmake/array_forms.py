@@ -113,7 +113,7 @@ def add_decision(parts, shapes, header, name, contract, overloads):
         add(parts,
             functions_in_c=f"{function}\n    size_t count, uint8_t* answers, touchstone_error* error);\n",
             functions=f"\n{function} size_t count, uint8_t* answers, touchstone_error* error) {{\n"
-                      f"  return answered(error, [&] {{ batch::{name}({passed}, count, answers); }});\n}}\n",
+                      f"  return answered(error, [&] {{ batch::{name}({passed}, count, answers, limits()); }});\n}}\n",
             forms=f"  form({name}{suffix}) \\\n")
         forms.append(f'Form("{name}{suffix}", {in_python})')
     return forms, [operand for _, operand in overloads[-1]]
@@ -139,7 +139,7 @@ def add_prepared(parts, shapes, name, raw, overload):
                   f"  return answered(error, [&] {{ *made = new {kind}{{touchstone::robust::{shape}(operand({of}))}}; }});\n}}\n"
                   f"void {kind}_free({kind}* shape) {{ delete shape; }}\n"
                   f"{function} uint8_t* answers, {error}) {{\n"
-                  f"  return answered(error, [&] {{ batch::{name}({operand}->shape, {passed}, count, answers); }});\n}}\n",
+                  f"  return answered(error, [&] {{ batch::{name}({operand}->shape, {passed}, count, answers, limits()); }});\n}}\n",
         prepared_forms=f"  form({name}, {shape}, {kind}) \\\n")
 
 

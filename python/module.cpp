@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -119,6 +120,8 @@ class Operands {
   std::size_t column_ = 0, matrix_ = 0;
 };
 
+std::atomic<std::size_t> threads = 1;  // of each call
+
 /// Calls form(error) while other threads may run, and raises its error.
 template <class Call>
 void call(const Call& form) {
@@ -126,6 +129,7 @@ void call(const Call& form) {
   int code = TOUCHSTONE_OK;
   {
     const py::gil_scoped_release others_may_run;
+    touchstone_use_threads(threads);
     code = form(&error);
   }
   if (code != TOUCHSTONE_OK) raise_error(code, error);
@@ -192,19 +196,19 @@ class Prepared {
 bool decided_of_prepared(const std::string& decision, const py::sequence& arrays, std::size_t count,
                          std::uint8_t* answers) {
   const auto points = [&] { return arrays[py::slice(2, static_cast<py::ssize_t>(arrays.size()), 1)]; };
-#define TOUCHSTONE_DECIDED(name, Shape, shape)                                                                      \
-  if (decision == #name && py::isinstance<Prepared<shape>>(arrays[0])) {                                            \
-    py::cast<const Prepared<shape>&>(arrays[0]).decide(touchstone_##name##_prepared, points(), count, answers);     \
-    return true;                                                                                                    \
+#define TOUCHSTONE_DECIDED(name, Shape, shape)                                                                  \
+  if (decision == #name && py::isinstance<Prepared<shape>>(arrays[0])) {                                        \
+    py::cast<const Prepared<shape>&>(arrays[0]).decide(touchstone_##name##_prepared, points(), count, answers); \
+    return true;                                                                                                \
   }
   TOUCHSTONE_PREPARED_FORMS(TOUCHSTONE_DECIDED)
   return false;
 }
 
 void add_prepared(py::module_& module) {
-#define TOUCHSTONE_ADDED(name, Shape, shape)                                                              \
-  py::class_<Prepared<shape>>(module, #Shape).def(py::init([](const py::sequence& arrays) {               \
-    return std::make_unique<Prepared<shape>>(shape##_make, shape##_free, arrays);                         \
+#define TOUCHSTONE_ADDED(name, Shape, shape)                                                \
+  py::class_<Prepared<shape>>(module, #Shape).def(py::init([](const py::sequence& arrays) { \
+    return std::make_unique<Prepared<shape>>(shape##_make, shape##_free, arrays);           \
   }));
   TOUCHSTONE_PREPARED_FORMS(TOUCHSTONE_ADDED)
 }
@@ -270,6 +274,7 @@ PYBIND11_MODULE(_touchstone, module) {
   touchstone::python::add_prepared(module);
   module.def("decide", touchstone::python::decide);
   module.def("cut", touchstone::python::cut);
+  module.def("use_threads", [](std::size_t count) { touchstone::python::threads = count; });
   module.def("answer", [](const std::string& operation, const std::string& question) {
     return text_of([&](char** result, touchstone_error* error) {
       return touchstone_answer(operation.c_str(), question.c_str(), result, error);

@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "proptests/array_tables.h"
 #include "proptests/catch.h"
+#include "robust/batch/orientation.h"
+#include "robust/batch/point_in_polygon.h"
 
 // Questions over arrays that families draw seldom, with the answers that follow from their definition.
 namespace touchstone::proptests::arrays_tests {
@@ -80,6 +83,45 @@ TEST_CASE("arrays: of two rows that are refused the first is named, also where f
       named = error.field();
     }
     CHECK(named == "questions[5].p1[1]");
+  }
+}
+
+TEST_CASE("arrays: on several threads the answers are the same, and of two rows that are refused the first is named") {
+  const double bad = std::numeric_limits<double>::infinity();
+  std::vector<double> x(100'000), y(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = 0.1 * static_cast<double>(i % 97), y[i] = 0.3 * (i % 101);
+  const double zero = 0, one = 0.1, three = 0.3;
+  const robust::batch::Points2 p0{{&zero, 0}, {&zero, 0}}, p1{{&one, 0}, {&three, 0}}, p{{x.data()}, {y.data()}};
+  Polygon2d star;
+  for (std::size_t i = 0; i < 600; ++i)
+    star.vertices.push_back({(i % 2 + 4) * std::cos(0.01 * i), (i % 2 + 4) * std::sin(0.01 * i)});
+  const auto named = [](const auto& call) -> std::string {
+    try {
+      call();
+    } catch (const InvalidInput& error) {
+      return error.field();
+    }
+    return "";
+  };
+  for (const std::size_t threads : {0U, 2U, 3U, 7U}) {
+    const robust::batch::Limits limits{Instructions::avx512, threads};
+    std::vector<std::uint8_t> alone(x.size()), together(x.size(), 9);
+    robust::batch::orientation(p0, p1, p, x.size(), alone.data());
+    robust::batch::orientation(p0, p1, p, x.size(), together.data(), limits);
+    CHECK(together == alone);
+    robust::batch::point_in_polygon(star, p, x.size(), alone.data());
+    robust::batch::point_in_polygon(star, p, x.size(), together.data(), limits);
+    CHECK(together == alone);
+    for (const auto& [first, second] : {std::pair{99'999, 49'000}, std::pair{17, 99'000}, std::pair{60'000, 60'001}}) {
+      std::vector<double> wrong = x;
+      wrong[first] = wrong[second] = bad;
+      const robust::batch::Points2 q{{wrong.data()}, {y.data()}};
+      const std::string expected = "questions[" + std::to_string(std::min(first, second)) + "].";
+      CHECK(named([&] { robust::batch::orientation(p0, p1, q, x.size(), together.data(), limits); }) ==
+            expected + "p[0]");
+      CHECK(named([&] { robust::batch::point_in_polygon(star, q, x.size(), together.data(), limits); }) ==
+            expected + "point[0]");
+    }
   }
 }
 

@@ -20,6 +20,12 @@ _float64 = numpy.dtype(numpy.float64)
 _whole = -1  # instead of a number of axes: one array for all rows, a polygon or a part of a mesh
 
 
+def use_threads(count: int) -> None:
+    """Lets each later call of a decision over many rows use so many threads; 0 stands for as many as the machine runs at
+    once. The answers are the same. At first it is 1."""
+    _touchstone.use_threads(count)
+
+
 class Prepared:
     """A shape that is validated once and asked many times. It never changes; it cannot be pickled."""
 

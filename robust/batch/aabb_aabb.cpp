@@ -12,13 +12,13 @@ constexpr auto past_filter = [](const auto&... q) { return stages::aabb_aabb::pa
 
 }  // namespace
 
-void aabb_aabb(const Boxes2& a, const Boxes2& b, std::size_t count, std::uint8_t* answers, Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::boxes_in_plane, &isa::Filters::close_boxes_in_plane}, at_most, decide, past_filter,
+void aabb_aabb(const Boxes2& a, const Boxes2& b, std::size_t count, std::uint8_t* answers, const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::boxes_in_plane, &isa::Filters::close_boxes_in_plane}, limits, decide, past_filter,
            count, answers, a, b);
 }
 
-void aabb_aabb(const Boxes3& a, const Boxes3& b, std::size_t count, std::uint8_t* answers, Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::boxes_in_space, &isa::Filters::close_boxes_in_space}, at_most, decide, past_filter,
+void aabb_aabb(const Boxes3& a, const Boxes3& b, std::size_t count, std::uint8_t* answers, const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::boxes_in_space, &isa::Filters::close_boxes_in_space}, limits, decide, past_filter,
            count, answers, a, b);
 }
 

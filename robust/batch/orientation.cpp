@@ -13,9 +13,9 @@ constexpr auto past_filter = [](const auto&... q) { return stages::orientation::
 }  // namespace
 
 void orientation(const Points2& p0, const Points2& p1, const Points2& p, std::size_t count, std::uint8_t* answers,
-                 Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::orientation, &isa::Filters::close_orientation}, at_most, decide, past_filter,
-           count, answers, p0, p1, p);
+                 const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::orientation, &isa::Filters::close_orientation}, limits, decide, past_filter, count,
+           answers, p0, p1, p);
 }
 
 }  // namespace touchstone::robust::batch

@@ -7,6 +7,6 @@ namespace touchstone::robust::batch {
 
 /// robust::orientation of each p0, p1, p, its Side: left 0, on 1, right 2.
 void orientation(const Points2& p0, const Points2& p1, const Points2& p, std::size_t count, std::uint8_t* answers,
-                 Instructions at_most = Instructions::avx512);
+                 const Limits& limits = {});
 
 }  // namespace touchstone::robust::batch

@@ -16,13 +16,13 @@ namespace touchstone::robust::batch {
 
 /// If there are few faces, all are asked for many points at a time, and fifteen numbers of each are kept meanwhile.
 void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
-                                Instructions at_most) {
+                                const Limits& limits) {
   if (count == 0) return;
   validation::validate_numbers("mesh", mesh);
   Stage latest = Stage::filter;
   const int outside = kernel::validate_convex("mesh", mesh, latest);
   if (mesh.faces.size() >= isa::many_faces)
-    return point_in_polyhedron(Solid(Validated{}, mesh), points, count, answers);
+    return point_in_polyhedron(Solid(Validated{}, mesh), points, count, answers, limits);
   std::vector<double> faces;
   faces.reserve(isa::of_face * mesh.faces.size());
   for (const Face& face : mesh.faces) isa::add_face(mesh, face, outside, faces);
@@ -31,12 +31,12 @@ void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::s
     return stages::point_in_convex_polyhedron::of_valid(mesh, point, outside).answer;
   };
   isa::run(isa::Which{&isa::Filters::point_in_convex_solid, &isa::Filters::close_point_in_convex_solid},
-           isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide, decide, count, answers, points);
+           isa::Shared{faces.data(), mesh.faces.size()}, limits, decide, decide, count, answers, points);
 }
 
 void point_in_convex_polyhedron(const ConvexSolid& solid, const Points3& points, std::size_t count,
-                                std::uint8_t* answers) {
-  point_in_polyhedron(solid, points, count, answers);
+                                std::uint8_t* answers, const Limits& limits) {
+  point_in_polyhedron(solid, points, count, answers, limits);
 }
 
 }  // namespace touchstone::robust::batch

@@ -13,9 +13,9 @@ namespace touchstone::robust::batch {
 /// robust::point_in_convex_polyhedron of one mesh and each point, its Location: inside 0, boundary 1, outside 2. The
 /// error of a refused mesh names its field without a row.
 void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
-                                Instructions at_most = Instructions::avx512);
+                                const Limits& limits = {});
 /// The same of a solid that was validated once, by its tree.
 void point_in_convex_polyhedron(const ConvexSolid& solid, const Points3& points, std::size_t count,
-                                std::uint8_t* answers);
+                                std::uint8_t* answers, const Limits& limits = {});
 
 }  // namespace touchstone::robust::batch

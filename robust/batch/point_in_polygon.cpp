@@ -7,15 +7,16 @@
 namespace touchstone::robust::batch {
 
 void point_in_polygon(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
-                      Instructions at_most) {
+                      const Limits& limits) {
   if (count == 0) return;
   validation::validate_numbers("polygon", polygon), validation::validate("polygon", polygon);
-  isa::locate(polygon, points, count, answers, at_most);
+  isa::locate(polygon, points, count, answers, limits);
 }
 
-void point_in_polygon(const Polygon& polygon, const Points2& points, std::size_t count, std::uint8_t* answers) {
+void point_in_polygon(const Polygon& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
+                      const Limits& limits) {
   const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
-  decide_each(decide, count, answers, points);
+  decide_each(limits, decide, count, answers, points);
 }
 
 }  // namespace touchstone::robust::batch

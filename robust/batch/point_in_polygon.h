@@ -13,8 +13,9 @@ namespace touchstone::robust::batch {
 /// robust::point_in_polygon of one polygon and each point, its Location: inside 0, boundary 1, outside 2. The error of
 /// a refused polygon names its field without a row: it is validated once.
 void point_in_polygon(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
-                      Instructions at_most = Instructions::avx512);
+                      const Limits& limits = {});
 /// The same of a polygon that was validated once, by its tree.
-void point_in_polygon(const Polygon& polygon, const Points2& points, std::size_t count, std::uint8_t* answers);
+void point_in_polygon(const Polygon& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
+                      const Limits& limits = {});
 
 }  // namespace touchstone::robust::batch

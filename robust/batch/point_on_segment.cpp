@@ -15,8 +15,8 @@ constexpr auto past_filter = [](const auto&... q) {
 }  // namespace
 
 void point_on_segment(const Points2& points, const Segments2& segments, std::size_t count, std::uint8_t* answers,
-                      Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::point_on_segment, &isa::Filters::close_point_on_segment}, at_most, decide,
+                      const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::point_on_segment, &isa::Filters::close_point_on_segment}, limits, decide,
            past_filter, count, answers, points, segments);
 }
 

@@ -7,6 +7,6 @@ namespace touchstone::robust::batch {
 
 /// robust::point_on_segment_relation of each point and segment, its Incidence: on 0, off 1.
 void point_on_segment(const Points2& points, const Segments2& segments, std::size_t count, std::uint8_t* answers,
-                      Instructions at_most = Instructions::avx512);
+                      const Limits& limits = {});
 
 }  // namespace touchstone::robust::batch

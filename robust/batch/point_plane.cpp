@@ -13,9 +13,9 @@ constexpr auto past_filter = [](const auto&... q) { return stages::point_plane::
 }  // namespace
 
 void point_plane(const Planes& planes, const Points3& points, std::size_t count, std::uint8_t* answers,
-                 Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::point_plane, &isa::Filters::close_point_plane}, at_most, decide, past_filter,
-           count, answers, planes, points);
+                 const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::point_plane, &isa::Filters::close_point_plane}, limits, decide, past_filter, count,
+           answers, planes, points);
 }
 
 }  // namespace touchstone::robust::batch

@@ -7,6 +7,6 @@ namespace touchstone::robust::batch {
 
 /// robust::point_plane_side of each plane and point, its PlaneSide: front 0, on 1, back 2.
 void point_plane(const Planes& planes, const Points3& points, std::size_t count, std::uint8_t* answers,
-                 Instructions at_most = Instructions::avx512);
+                 const Limits& limits = {});
 
 }  // namespace touchstone::robust::batch

@@ -12,13 +12,13 @@ constexpr auto past_filter = [](const auto&... q) { return stages::ray_aabb::dec
 
 }  // namespace
 
-void ray_aabb(const Rays2& rays, const Boxes2& boxes, std::size_t count, std::uint8_t* answers, Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::ray_and_box_in_plane, &isa::Filters::close_ray_and_box_in_plane}, at_most, decide,
+void ray_aabb(const Rays2& rays, const Boxes2& boxes, std::size_t count, std::uint8_t* answers, const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::ray_and_box_in_plane, &isa::Filters::close_ray_and_box_in_plane}, limits, decide,
            past_filter, count, answers, rays, boxes);
 }
 
-void ray_aabb(const Rays3& rays, const Boxes3& boxes, std::size_t count, std::uint8_t* answers, Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::ray_and_box_in_space, &isa::Filters::close_ray_and_box_in_space}, at_most, decide,
+void ray_aabb(const Rays3& rays, const Boxes3& boxes, std::size_t count, std::uint8_t* answers, const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::ray_and_box_in_space, &isa::Filters::close_ray_and_box_in_space}, limits, decide,
            past_filter, count, answers, rays, boxes);
 }
 

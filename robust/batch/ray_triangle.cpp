@@ -13,8 +13,8 @@ constexpr auto past_filter = [](const auto&... q) { return stages::ray_triangle:
 }  // namespace
 
 void ray_triangle(const Rays3& rays, const Triangles3& triangles, std::size_t count, std::uint8_t* answers,
-                  Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::ray_triangle, &isa::Filters::close_ray_triangle}, at_most, decide, past_filter,
+                  const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::ray_triangle, &isa::Filters::close_ray_triangle}, limits, decide, past_filter,
            count, answers, rays, triangles);
 }
 

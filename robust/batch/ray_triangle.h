@@ -7,6 +7,6 @@ namespace touchstone::robust::batch {
 
 /// robust::ray_triangle_relation of each ray and triangle, its SegmentTriangleRelation: none 0, point 1, segment 2.
 void ray_triangle(const Rays3& rays, const Triangles3& triangles, std::size_t count, std::uint8_t* answers,
-                  Instructions at_most = Instructions::avx512);
+                  const Limits& limits = {});
 
 }  // namespace touchstone::robust::batch

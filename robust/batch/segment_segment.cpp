@@ -15,8 +15,8 @@ constexpr auto past_filter = [](const auto&... q) {
 }  // namespace
 
 void segment_segment(const Segments2& a, const Segments2& b, std::size_t count, std::uint8_t* answers,
-                     Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::segment_segment, &isa::Filters::close_segment_segment}, at_most, decide,
+                     const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::segment_segment, &isa::Filters::close_segment_segment}, limits, decide,
            past_filter, count, answers, a, b);
 }
 

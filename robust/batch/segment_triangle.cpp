@@ -15,8 +15,8 @@ constexpr auto past_filter = [](const auto&... q) {
 }  // namespace
 
 void segment_triangle(const Segments3& segments, const Triangles3& triangles, std::size_t count, std::uint8_t* answers,
-                      Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::segment_triangle, &isa::Filters::close_segment_triangle}, at_most, decide,
+                      const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::segment_triangle, &isa::Filters::close_segment_triangle}, limits, decide,
            past_filter, count, answers, segments, triangles);
 }
 

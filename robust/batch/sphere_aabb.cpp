@@ -13,14 +13,14 @@ constexpr auto past_filter = [](const auto&... q) { return stages::sphere_aabb::
 }  // namespace
 
 void sphere_aabb(const Spheres2& spheres, const Boxes2& boxes, std::size_t count, std::uint8_t* answers,
-                 Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::sphere_and_box_in_plane, &isa::Filters::close_sphere_and_box_in_plane}, at_most,
+                 const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::sphere_and_box_in_plane, &isa::Filters::close_sphere_and_box_in_plane}, limits,
            decide, past_filter, count, answers, spheres, boxes);
 }
 
 void sphere_aabb(const Spheres3& spheres, const Boxes3& boxes, std::size_t count, std::uint8_t* answers,
-                 Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::sphere_and_box_in_space, &isa::Filters::close_sphere_and_box_in_space}, at_most,
+                 const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::sphere_and_box_in_space, &isa::Filters::close_sphere_and_box_in_space}, limits,
            decide, past_filter, count, answers, spheres, boxes);
 }
 

@@ -13,14 +13,14 @@ constexpr auto past_filter = [](const auto&... q) { return stages::sphere_sphere
 }  // namespace
 
 void sphere_sphere(const Spheres2& a, const Spheres2& b, std::size_t count, std::uint8_t* answers,
-                   Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::spheres_in_plane, &isa::Filters::close_spheres_in_plane}, at_most, decide,
+                   const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::spheres_in_plane, &isa::Filters::close_spheres_in_plane}, limits, decide,
            past_filter, count, answers, a, b);
 }
 
 void sphere_sphere(const Spheres3& a, const Spheres3& b, std::size_t count, std::uint8_t* answers,
-                   Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::spheres_in_space, &isa::Filters::close_spheres_in_space}, at_most, decide,
+                   const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::spheres_in_space, &isa::Filters::close_spheres_in_space}, limits, decide,
            past_filter, count, answers, a, b);
 }
 

@@ -13,8 +13,8 @@ constexpr auto past_filter = [](const auto&... q) { return stages::triangle_tria
 }  // namespace
 
 void triangle_triangle(const Triangles3& a, const Triangles3& b, std::size_t count, std::uint8_t* answers,
-                       Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::triangle_triangle, &isa::Filters::close_triangle_triangle}, at_most, decide,
+                       const Limits& limits) {
+  isa::run(isa::Which{&isa::Filters::triangle_triangle, &isa::Filters::close_triangle_triangle}, limits, decide,
            past_filter, count, answers, a, b);
 }
 

@@ -2,21 +2,27 @@
 #include "robust/broad_phase/all_pairs.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "robust/kernel/shapes/spheres.h"
 #include "robust/kernel/shapes/valid.h"
 #include "robust/pairs/forest.h"
 #include "robust/structures/pair_tree.h"
+#include "robust/structures/parallel.h"
 #include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
 namespace {
 
 template <class Solid>
-void validate(const char* field, const std::vector<Solid>& solids) {
-  if (std::all_of(solids.begin(), solids.end(), [](const Solid& solid) { return kernel::valid(solid); })) return;
-  validation::validate(field, solids);
+void validate(const char* field, const std::vector<Solid>& solids, std::size_t threads = 1) {
+  std::atomic<bool> valid = true;
+  structures::Parts(threads, solids.size(), 1U << 16).each([&](std::size_t, std::size_t first, std::size_t last) {
+    const Solid* const own = solids.data();
+    if (!std::all_of(own + first, own + last, [](const Solid& solid) { return kernel::valid(solid); })) valid = false;
+  });
+  if (!valid) validation::validate(field, solids);
 }
 
 }  // namespace
@@ -31,15 +37,19 @@ Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Sphere3
   return {std::move(pairs), latest};
 }
 
-Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Aabb3d>& boxes) {
-  validate("boxes", boxes);
-  return {pairs::forest_pairs(boxes), Stage::filter};
+Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Aabb3d>& boxes, std::size_t threads) {
+  if (threads == 0) threads = threads_of_machine();
+  validate("boxes", boxes, threads);
+  return {pairs::forest_pairs(boxes, threads), Stage::filter};
 }
 
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres) {
   return stages::all_pairs::ask(spheres).answer;
 }
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes) { return stages::all_pairs::ask(boxes).answer; }
+std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes, std::size_t threads) {
+  return stages::all_pairs::ask(boxes, threads).answer;
+}
 
 PairsWithCertificate pairs_with_certificate(const std::vector<Aabb3d>& boxes) {
   validate("boxes", boxes);

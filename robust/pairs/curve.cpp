@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "robust/kernel/filters/ordered_bits.h"
+#include "robust/structures/large_pages.h"
 
 namespace touchstone::robust::pairs {
 namespace {
@@ -83,19 +84,33 @@ Extents widths(const Aabb3d& box) {
 
 Frame Curve::frame(const Placed* first, const Placed* last) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Frame frame{
-      {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, {}, static_cast<std::size_t>(last - first)};
-  const double share = 1.0 / static_cast<double>(frame.count);
-  for (; first != last; ++first) {
-    const Aabb3d& box = boxes_[first->body];
-    const Extents at = middles(box), wide = widths(box);
+  const auto count = static_cast<std::size_t>(last - first);
+  const Frame none{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, {}, count};
+  const double share = 1.0 / static_cast<double>(count);
+  const structures::Parts parts = this->parts(first, last);
+  std::vector<Frame> frames(parts.size(), none);
+  parts.each([&](std::size_t part, std::size_t from, std::size_t end) {
+    Frame own = none;
+    for (std::size_t i = from; i < end; ++i) {
+      const Aabb3d& box = boxes_[first[i].body];
+      const Extents at = middles(box), wide = widths(box);
+      for (std::size_t k = 0; k < 3; ++k) {
+        own.low[k] = at[k] < own.low[k] ? at[k] : own.low[k];
+        own.high[k] = at[k] > own.high[k] ? at[k] : own.high[k];
+        own.mean[k] += share * wide[k];
+      }
+    }
+    frames[part] = own;
+  });
+  Frame all = frames[0];
+  for (std::size_t part = 1; part < parts.size(); ++part) {
     for (std::size_t k = 0; k < 3; ++k) {
-      frame.low[k] = at[k] < frame.low[k] ? at[k] : frame.low[k];
-      frame.high[k] = at[k] > frame.high[k] ? at[k] : frame.high[k];
-      frame.mean[k] += share * wide[k];
+      all.low[k] = std::min(all.low[k], frames[part].low[k]);
+      all.high[k] = std::max(all.high[k], frames[part].high[k]);
+      all.mean[k] += frames[part].mean[k];
     }
   }
-  return frame;
+  return all;
 }
 
 Extents Frame::units(const Extents& other_mean) const {
@@ -143,16 +158,18 @@ void Curve::set_keys(Placed* first, Placed* last, const Frame& frame, const Exte
     const double spread = up[k] * frame.spread(k);
     if (share[k] > 0) scale[k] = 0.999 * cells * (share[k] / most) / spread;
   }
-  for (; first != last; ++first) {
-    const Extents at = middles(boxes_[first->body]);
-    std::uint32_t key = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto cell =
-          static_cast<std::uint32_t>(static_cast<std::int32_t>((at[k] - frame.low[k]) * up[k] * scale[k]));
-      key |= spread_out(cell) << k;
+  parts(first, last).each([&](std::size_t, std::size_t from, std::size_t end) {
+    for (Placed* placed = first + from; placed != first + end; ++placed) {
+      const Extents at = middles(boxes_[placed->body]);
+      std::uint32_t key = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto cell =
+            static_cast<std::uint32_t>(static_cast<std::int32_t>((at[k] - frame.low[k]) * up[k] * scale[k]));
+        key |= spread_out(cell) << k;
+      }
+      placed->key = along_hilbert(key);
     }
-    first->key = along_hilbert(key);
-  }
+  });
 }
 
 void Curve::set_keys_by_exponent(Placed* first, Placed* last, const Frame& frame) const {
@@ -188,16 +205,22 @@ void Curve::sort_by_key(Placed* first, Placed* last) {
       return a.key < b.key || (a.key == b.key && a.body < b.body);
     });
   }
-  sorted_.resize(std::max(sorted_.size(), count));
-  std::array<std::array<std::uint32_t, cells>, 3> starts{};
-  for (const Placed* placed = first; placed != last; ++placed)
-    for (std::size_t digit = 0; digit < 3; ++digit) ++starts[digit][placed->key >> (digits * digit) & (cells - 1)];
+  if (sorted_.size() < count) sorted_ = structures::zeros_in_large_pages<Placed>(count);
+  const structures::Parts parts = this->parts(first, last);
+  std::vector<std::array<std::uint32_t, cells>> starts(parts.size());
   Placed *from = first, *to = sorted_.data();
-  for (std::size_t digit = 0; digit < 3; ++digit) {
+  for (int digit = 0; digit < 3; ++digit) {
+    const auto value = [digit](const Placed& placed) { return placed.key >> (digits * digit) & (cells - 1); };
+    parts.each([&](std::size_t part, std::size_t begin, std::size_t end) {
+      starts[part].fill(0);
+      for (std::size_t i = begin; i < end; ++i) ++starts[part][value(from[i])];
+    });
     std::uint32_t start = 0;
-    for (std::uint32_t& here : starts[digit]) start += std::exchange(here, start);
-    for (const Placed *placed = from, *end = from + count; placed != end; ++placed)
-      to[starts[digit][placed->key >> (digits * digit) & (cells - 1)]++] = *placed;
+    for (std::size_t cell = 0; cell < cells; ++cell)
+      for (auto& own : starts) start += std::exchange(own[cell], start);
+    parts.each([&](std::size_t part, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) to[starts[part][value(from[i])]++] = from[i];
+    });
     std::swap(from, to);
   }
   std::copy_n(from, count, first);

@@ -7,6 +7,7 @@
 
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/strict_math.h"
+#include "robust/structures/parallel.h"
 
 /// The order of boxes along a curve that fills space, so that most neighbours in space are neighbours in order. All of
 /// it is estimated: no answer depends on it. Requires a guard in scope.
@@ -38,9 +39,12 @@ struct Frame {
   Extents nearest_to_zero() const;
 };
 
+/// The parts of so many boxes that threads work on at the same time: a thread is made in about the time of a thousand.
+inline structures::Parts parts_of(std::size_t threads, std::size_t boxes) { return {threads, boxes, 1U << 14}; }
+
 class Curve {
  public:
-  explicit Curve(const Aabb3d* boxes) : boxes_(boxes) {}
+  Curve(const Aabb3d* boxes, std::size_t threads) : boxes_(boxes), threads_(threads) {}
 
   Frame frame(const Placed* first, const Placed* last) const;
   void arrange(Placed* first, Placed* last, const Frame& frame, const Extents& other_mean, bool by_exponent = false);
@@ -49,8 +53,12 @@ class Curve {
   void set_keys(Placed* first, Placed* last, const Frame& frame, const Extents& other_mean) const;
   void set_keys_by_exponent(Placed* first, Placed* last, const Frame& frame) const;
   void sort_by_key(Placed* first, Placed* last);
+  structures::Parts parts(const Placed* first, const Placed* last) const {
+    return parts_of(threads_, static_cast<std::size_t>(last - first));
+  }
 
   const Aabb3d* boxes_;
+  std::size_t threads_;
   std::vector<Placed> sorted_;
 };
 

@@ -3,22 +3,27 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "robust/batch/isa/filters.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/pairs/curve.h"
+#include "robust/structures/box_order.h"
+#include "robust/structures/large_pages.h"
 #include "robust/structures/pair_leaf.h"
 #include "robust/structures/pair_order.h"
+#include "robust/structures/parallel.h"
 
 namespace touchstone::robust::pairs {
 namespace {
 
-using batch::isa::EightBoxes, batch::isa::EightTree, batch::isa::PairSink;
+using batch::isa::EightBoxes, batch::isa::EightTree, batch::isa::PairSink, batch::isa::Turns;
 using structures::Coarse, structures::PairOrder;
 
 constexpr std::size_t eight = EightBoxes::places;
@@ -39,6 +44,13 @@ class Integers {
     return integer;
   }
   bool exact() const { return exact_; }
+
+  /// Those that another thread has seen of the same boxes are distinct from these, too.
+  void add(const Integers& other) {
+    exact_ = exact_ && other.exact_;
+    for (std::size_t k = 0; exact_ && k < other.seen_.size(); ++k)
+      if (other.seen_[k].taken) note(other.seen_[k].value, other.seen_[k].integer, k / (seen_.size() / 3));
+  }
 
  private:
   struct Seen {
@@ -68,13 +80,17 @@ class Integers {
 class Tree {
  public:
   Tree() = default;
-  Tree(const Aabb3d* boxes, const Placed* placed, std::size_t count, Integers& integers) {
+  Tree(const Aabb3d* boxes, const Placed* placed, std::size_t count, std::vector<Integers>& integers) {
     const std::size_t leaves = (count + eight - 1) / eight;
     std::size_t nodes = leaves;
     for (std::size_t level = leaves; level > 1;) nodes += level = (level + eight - 1) / eight;
     nodes_.reset(new EightBoxes[nodes]);
+    structures::in_large_pages(nodes_.get(), nodes * sizeof(EightBoxes));
     body_.reset(new Index[eight * leaves]);
-    for (std::size_t k = 0; k < leaves; ++k) fill_leaf(boxes, placed, count, k, integers);
+    const structures::Parts parts(integers.size(), leaves, 1U << 11);
+    parts.each([&](std::size_t part, std::size_t from, std::size_t end) {
+      for (std::size_t k = from; k < end; ++k) fill_leaf(boxes, placed, count, k, integers[part]);
+    });
     view_.body = body_.get(), view_.levels = 1, view_.level[0] = nodes_.get();
     for (std::size_t below = leaves; below > 1; below = (below + eight - 1) / eight, ++view_.levels)
       view_.level[view_.levels] = add_level(view_.level[view_.levels - 1], below);
@@ -159,13 +175,14 @@ std::size_t size_class(const Aabb3d& box, const Extents& most_of_small) {
 /// A tree for each class of boxes of like size: otherwise a large box among small ones would make their node large.
 class Forest {
  public:
-  Forest(const std::vector<Aabb3d>& boxes, batch::isa::JoinPairs& join_pairs)
+  Forest(const std::vector<Aabb3d>& boxes, std::size_t threads, batch::isa::JoinPairs& join_pairs)
       : join_pairs_(join_pairs),
         boxes_(boxes.data()),
+        parts_(parts_of(threads, boxes.size())),
         placed_(in_list_order(boxes.size())),
-        curve_(boxes_),
+        curve_(boxes_, parts_.size()),
         all_(frame_of(0, placed_.size())),
-        integers_({all_.nearest_to_zero()}, placed_.size()) {
+        integers_(parts_.size(), Integers({all_.nearest_to_zero()}, placed_.size())) {
     if (placed_.size() <= 2 * eight) {
       classes_.push_back({0, all_, {boxes_, placed_.data(), placed_.size(), integers_}});
       return;
@@ -178,20 +195,18 @@ class Forest {
   }
 
   std::vector<IndexPair> pairs() {
-    PairOrder order;
-    order.reset(placed_.size());
-    Sink sink(order);
+    std::vector<PairOrder> orders(parts_.size());
+    for (PairOrder& order : orders) order.reset(placed_.size());
     for (std::size_t a = 0; a < classes_.size(); ++a) {
-      join(classes_[a].tree, classes_[a].tree, sink);
+      join(classes_[a].tree, classes_[a].tree, orders);
       for (std::size_t b = a + 1; b < classes_.size(); ++b) {
         if (are_across(classes_[a].frame, classes_[b].frame))
-          join(made(classes_[a], classes_[b].frame.mean), made(classes_[b], classes_[a].frame.mean), sink);
-        else join(classes_[a].tree, classes_[b].tree, sink);
+          join(made(classes_[a], classes_[b].frame.mean), made(classes_[b], classes_[a].frame.mean), orders);
+        else join(classes_[a].tree, classes_[b].tree, orders);
       }
     }
-    Sink::empty(sink);
     std::vector<IndexPair> result;
-    order.finish(result);
+    PairOrder::finish(orders, result);
     return result;
   }
 
@@ -203,7 +218,7 @@ class Forest {
   };
 
   static std::vector<Placed> in_list_order(std::size_t count) {
-    std::vector<Placed> placed(count);
+    auto placed = structures::zeros_in_large_pages<Placed>(count);
     for (std::size_t i = 0; i < count; ++i) placed[i].body = static_cast<Index>(i);
     return placed;
   }
@@ -228,8 +243,17 @@ class Forest {
     return a.turns_among(b) || b.turns_among(a);
   }
 
-  void join(const Tree& one, const Tree& other, Sink& sink) const {
-    join_pairs_(one.view(), other.view(), integers_.exact() ? nullptr : boxes_, sink);
+  void join(const Tree& one, const Tree& other, std::vector<PairOrder>& orders) {
+    for (std::size_t part = 1; part < integers_.size(); ++part) integers_[0].add(integers_[part]);
+    const Aabb3d* const boxes = integers_[0].exact() ? nullptr : boxes_;
+    std::atomic<std::size_t> next = 0;
+    in_parallel(orders.size(), orders.size(), [&](std::size_t thread) {
+      const kernel::ControlWord guard;
+      Sink sink(orders[thread]);
+      Turns turns(next);
+      join_pairs_(one.view(), other.view(), boxes, sink, orders.size() > 1 ? &turns : nullptr);
+      Sink::empty(sink);
+    });
   }
 
   /// Parts the boxes into classes; returns their ends.
@@ -240,31 +264,49 @@ class Forest {
     const double apart = axes == 0 ? 1 : std::pow(static_cast<double>(placed_.size()), -1.0 / axes);
     for (std::size_t k = 0; k < 3; ++k) most_of_small[k] = std::min(5 * apart, 1.0) * all_.spread(k);
     std::vector<std::uint8_t> of(placed_.size());
-    std::array<std::size_t, size_classes + 1> start{};
-    for (std::size_t i = 0; i < placed_.size(); ++i)
-      ++start[1 + (of[i] = static_cast<std::uint8_t>(size_class(boxes_[i], most_of_small)))];
-    for (std::size_t c = 0; c < size_classes; ++c) start[c + 1] += start[c];
-    for (std::size_t i = 0; i < placed_.size(); ++i) placed_[start[of[i]]++].body = static_cast<Index>(i);
-    std::array<std::size_t, size_classes> ends{};
-    std::copy_n(start.begin(), size_classes, ends.begin());
-    return ends;
+    std::vector<std::array<std::size_t, size_classes>> starts(parts_.size());
+    parts_.each([&](std::size_t part, std::size_t first, std::size_t last) {
+      std::array<std::size_t, size_classes> counts{};
+      for (std::size_t i = first; i < last; ++i)
+        ++counts[of[i] = static_cast<std::uint8_t>(size_class(boxes_[i], most_of_small))];
+      starts[part] = counts;
+    });
+    std::size_t start = 0;
+    for (std::size_t c = 0; c < size_classes; ++c)
+      for (auto& own : starts) start += std::exchange(own[c], start);
+    parts_.each([&](std::size_t part, std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) placed_[starts[part][of[i]]++].body = static_cast<Index>(i);
+    });
+    return starts.back();
   }
 
   batch::isa::JoinPairs& join_pairs_;
   const Aabb3d* boxes_;
+  structures::Parts parts_;
   std::vector<Placed> placed_;
   Curve curve_;
   Frame all_;
-  Integers integers_;
+  std::vector<Integers> integers_;  ///< of each thread
   std::vector<Class> classes_;
 };
 
+constexpr std::size_t few = 4;
+
+std::vector<IndexPair> pairs_of_few(const std::vector<Aabb3d>& boxes) {
+  std::vector<IndexPair> pairs;
+  for (Index i = 0; i < boxes.size(); ++i)
+    for (Index j = i + 1; j < boxes.size(); ++j)
+      if (structures::meet(boxes[i], boxes[j])) pairs.push_back({i, j});
+  return pairs;
+}
+
 }  // namespace
 
-std::vector<IndexPair> forest_pairs(const std::vector<Aabb3d>& boxes, batch::Instructions at_most) {
-  if (boxes.size() < 2) return {};
+std::vector<IndexPair> forest_pairs(const std::vector<Aabb3d>& boxes, std::size_t threads,
+                                    batch::Instructions at_most) {
   const kernel::ControlWord guard;
-  return Forest(boxes, joiner(at_most)).pairs();
+  if (boxes.size() <= few) return pairs_of_few(boxes);
+  return Forest(boxes, threads, joiner(at_most)).pairs();
 }
 
 }  // namespace touchstone::robust::pairs

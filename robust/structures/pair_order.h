@@ -2,14 +2,18 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/strict_math.h"
+#include "robust/structures/large_pages.h"
+#include "robust/structures/parallel.h"
 
 namespace touchstone::robust::structures {
 
@@ -33,12 +37,25 @@ class PairOrder {
     }
   }
 
-  /// Sorts them, and forgets them.
-  void finish(std::vector<IndexPair>& result) {
-    std::size_t count = 0;
-    for (const Range& range : ranges_) count += size_of(range);
-    result.clear(), result.reserve(count);
-    for (std::size_t k = 0; k < ranges_.size(); ++k) append(ranges_[k], static_cast<Index>(k << shift_), result);
+  /// Sorts them.
+  void finish(std::vector<IndexPair>& result) { finish({this, 1}, result); }
+
+  /// Sorts the pairs of all of several, which were reset to the same size, on as many threads.
+  static void finish(std::span<PairOrder> orders, std::vector<IndexPair>& result) {
+    const std::size_t ranges = orders[0].ranges_.size();
+    std::vector<std::size_t> starts(ranges + 1);
+    for (std::size_t k = 0; k < ranges; ++k) {
+      starts[k + 1] = starts[k];
+      for (const PairOrder& order : orders) starts[k + 1] += size_of(order.ranges_[k]);
+    }
+    result.clear(), result.reserve(starts[ranges]);
+    in_large_pages(result.data(), starts[ranges] * sizeof(IndexPair));
+    result.resize(starts[ranges]);
+    std::atomic<std::size_t> next = 0;
+    in_parallel(orders.size(), orders.size(), [&](std::size_t thread) {
+      for (std::size_t k; (k = next.fetch_add(1, std::memory_order_relaxed)) < ranges;)
+        orders[thread].sort(orders, k, {result.data() + starts[k], starts[k + 1] - starts[k]});
+    });
   }
 
  private:
@@ -61,8 +78,9 @@ class PairOrder {
   void grow(Range& range) {
     if (free_ == last_) {
       if (used_ == slabs_.size()) {
-        const std::size_t size = slabs_.empty() ? 1 : std::min<std::size_t>(512, 2 * slabs_.back().size);
+        const std::size_t size = slabs_.empty() ? 1 : std::min<std::size_t>(4096, 2 * slabs_.back().size);
         slabs_.push_back({std::unique_ptr<Block[]>(new Block[size]), size});
+        in_large_pages(slabs_.back().blocks.get(), size * sizeof(Block));
       }
       free_ = slabs_[used_].blocks.get(), last_ = free_ + slabs_[used_].size, ++used_;
     }
@@ -86,17 +104,19 @@ class PairOrder {
     }
   }
 
-  void append(const Range& range, Index first, std::vector<IndexPair>& result) {
-    const std::size_t count = size_of(range);
-    if (count == 0) return;
+  /// Sorts the pairs of one range of all orders.
+  void sort(std::span<const PairOrder> orders, std::size_t k, std::span<IndexPair> result) {
+    if (result.empty()) return;
+    const auto first = static_cast<Index>(k << shift_);
     rows_.assign((std::size_t{1} << shift_) + 2, 0);
-    by_row_.resize(std::max(by_row_.size(), count)), sorted_.resize(by_row_.size());
-    each(range, [&](const IndexPair& pair) { ++rows_[pair.i - first + 2]; });
+    by_row_.resize(std::max(by_row_.size(), result.size()));
+    for (const PairOrder& order : orders)
+      each(order.ranges_[k], [&](const IndexPair& pair) { ++rows_[pair.i - first + 2]; });
     for (std::size_t r = 2; r < rows_.size(); ++r) rows_[r] += rows_[r - 1];
-    each(range, [&](const IndexPair& pair) { by_row_[rows_[pair.i - first + 1]++] = pair; });
+    for (const PairOrder& order : orders)
+      each(order.ranges_[k], [&](const IndexPair& pair) { by_row_[rows_[pair.i - first + 1]++] = pair; });
     for (std::size_t r = 0; r + 1 < rows_.size(); ++r)
-      sort_row(by_row_.data() + rows_[r], rows_[r + 1] - rows_[r], sorted_.data() + rows_[r]);
-    result.insert(result.end(), sorted_.begin(), sorted_.begin() + static_cast<std::ptrdiff_t>(count));
+      sort_row(by_row_.data() + rows_[r], rows_[r + 1] - rows_[r], result.data() + rows_[r]);
   }
 
   /// Sorts pairs with the same i by j: usually few, which are put where so many are before them. Without branches,
@@ -117,7 +137,7 @@ class PairOrder {
   std::vector<Range> ranges_;
   std::vector<Slab> slabs_;
   std::vector<std::size_t> rows_;
-  std::vector<IndexPair> by_row_, sorted_;
+  std::vector<IndexPair> by_row_;
   std::size_t used_ = 0;  ///< slabs
   Block *free_ = nullptr, *last_ = nullptr;
 };

@@ -189,8 +189,19 @@ TEST_CASE("pairs of boxes: every instruction set finds those that brute force fi
       for (const auto most : {robust::batch::Instructions::portable, robust::batch::Instructions::avx2,
                               robust::batch::Instructions::avx512}) {
         CAPTURE(set, n, most);
-        CHECK(robust::pairs::forest_pairs(boxes, most) == truth);
+        CHECK(robust::pairs::forest_pairs(boxes, 1, most) == truth);
       }
+    }
+  }
+}
+
+TEST_CASE("pairs of boxes: threads change nothing") {
+  for (const char* set : {"uniform", "clustered", "six_orders", "one_huge", "lattice", "sticks", "duplicates"}) {
+    const Boxes boxes = box_set(set, 70'000, 11);
+    const Pairs alone = robust::all_pairs(boxes);
+    for (const std::size_t threads : {0U, 2U, 3U, 4U}) {
+      CAPTURE(set, threads);
+      CHECK(robust::all_pairs(boxes, threads) == alone);
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/filters/strict_math.h"
+#include "robust/batch/isa/limits.h"
 
 /// Decisions over columns of millions of rows.
 ///
@@ -17,8 +17,8 @@
 /// "questions[17].p1[0]". Some answers may have been written by then. A row count of 0 asks nothing, and refuses
 /// nothing.
 ///
-/// Several threads may call at the same time. Nothing is allocated unless a row needs integers of arbitrary length, and
-/// nothing is kept between calls.
+/// Several threads may call at the same time, and one call may use several threads (`Limits`). Nothing is allocated
+/// unless a row needs integers of arbitrary length or threads are used, and nothing is kept between calls.
 namespace touchstone::robust::batch {
 
 /// One number of each row, that of row i at data[i * stride]. The stride is 1 for an array of its own, 2 or 3 for
@@ -79,9 +79,5 @@ struct Rays3 {
 struct Triangles3 {
   Points3 a, b, c;
 };
-
-/// The instructions that a call may use. It uses the widest of these that the processor has; the answers are the same.
-/// On 64-bit Arm NEON takes the place of AVX2, and SVE with registers of 256 bits that of AVX-512.
-enum class Instructions { portable, avx2, avx512, neon = avx2, sve = avx512 };
 
 }  // namespace touchstone::robust::batch

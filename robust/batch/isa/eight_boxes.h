@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -34,8 +35,25 @@ struct PairSink {
   void (*flush)(PairSink&);
 };
 
+/// The parts of one search that several threads share: each comes to all parts, in the same order, and does the one
+/// whose turn it took, then takes another.
+class Turns {
+ public:
+  explicit Turns(std::atomic<std::size_t>& next) : next_(next), own_(next.fetch_add(1)) {}
+  [[gnu::always_inline]] bool own() {
+    if (seen_++ != own_) return false;
+    own_ = next_.fetch_add(1);
+    return true;
+  }
+
+ private:
+  std::atomic<std::size_t>& next_;
+  std::size_t own_, seen_ = 0;
+};
+
 /// Puts the pairs i < j of the boxes of two trees that meet, in any order; for one tree given twice, each pair once.
 /// Where integers are equal, the doubles of the list `boxes` are compared; nullptr if the integers tell all apart.
-using JoinPairs = void(const EightTree& one, const EightTree& other, const Aabb3d* boxes, PairSink& sink);
+/// `turns` is nullptr if it is alone.
+using JoinPairs = void(const EightTree& one, const EightTree& other, const Aabb3d* boxes, PairSink& sink, Turns* turns);
 
 }  // namespace touchstone::robust::batch::isa

@@ -154,12 +154,15 @@ constexpr EightBoxes boundless() {
 constexpr EightBoxes everywhere = boundless();
 
 /// Compares nodes with nodes of the same level; opens the higher one first. `exact` if integers are equal only where
-/// coordinates are.
+/// coordinates are. With turns, what is to be done of nodes on one level is a part.
 template <bool exact>
 class Join {
  public:
-  Join(const EightTree& one, const EightTree& other, const Aabb3d* boxes, PairSink& sink)
-      : one_(one), other_(other), boxes_(boxes), sink_(sink) {}
+  Join(const EightTree& one, const EightTree& other, const Aabb3d* boxes, PairSink& sink, Turns* turns)
+      : one_(one), other_(other), boxes_(boxes), sink_(sink), turns_(turns) {
+    const std::size_t highest = (one.levels > other.levels ? one.levels : other.levels) - 1;
+    if (turns != nullptr) level_of_parts_ = highest < 3 ? highest : 3;
+  }
 
   void whole() {
     if (one_.body == other_.body) return within(one_.levels - 1, 0);
@@ -179,7 +182,11 @@ class Join {
     return first;
   }
 
+  /// Returns whether this level is one of parts, and another thread does this one.
+  bool left_to_others(std::size_t level) { return level == level_of_parts_ && !turns_->own(); }
+
   void within(std::size_t level, std::size_t place) {
+    if (left_to_others(level)) return;
     const EightBoxes& eight = one_.level[level][place];
     const Probes probes(eight);
     if (level == 0) {
@@ -201,6 +208,7 @@ class Join {
   }
 
   void between(const Node& a, const Probe& around_a, const Node& b, const Probe& around_b) {
+    if (left_to_others(a.level > b.level ? a.level : b.level)) return;
     const EightBoxes &left = one_.level[a.level][a.place], &right = other_.level[b.level][b.place];
     if (a.level < b.level) {
       const Probes probes(right);
@@ -259,11 +267,13 @@ class Join {
   const EightTree &one_, &other_;
   const Aabb3d* boxes_;
   PairSink& sink_;
+  Turns* turns_;
+  std::size_t level_of_parts_ = EightTree::most_levels;
 };
 
-void join_pairs(const EightTree& one, const EightTree& other, const Aabb3d* boxes, PairSink& sink) {
-  if (boxes == nullptr) Join<true>(one, other, boxes, sink).whole();
-  else Join<false>(one, other, boxes, sink).whole();
+void join_pairs(const EightTree& one, const EightTree& other, const Aabb3d* boxes, PairSink& sink, Turns* turns) {
+  if (boxes == nullptr) Join<true>(one, other, boxes, sink, turns).whole();
+  else Join<false>(one, other, boxes, sink, turns).whole();
 }
 
 }  // namespace

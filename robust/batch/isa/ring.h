@@ -15,16 +15,16 @@ inline constexpr std::size_t many_vertices = 512;
 
 /// Locates each point in a polygon that has been validated.
 inline void locate(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
-                   Instructions at_most) {
+                   const Limits& limits) {
   static_assert(sizeof(Point2d) == 2 * sizeof(double));
   if (polygon.size() >= many_vertices) {
     const Polygon prepared(Validated{}, *validation::OpenRing(polygon));
     const auto by_tree = [&](const Point2d& point) { return robust::point_in_polygon(prepared, point); };
-    return decide_each(by_tree, count, answers, points);
+    return decide_each(limits, by_tree, count, answers, points);
   }
   const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
   run(Which{&Filters::point_in_ring, &Filters::close_point_in_ring},
-      Shared{&polygon.vertices.data()->x, polygon.size() - validation::closed(polygon.vertices)}, at_most, decide,
+      Shared{&polygon.vertices.data()->x, polygon.size() - validation::closed(polygon.vertices)}, limits, decide,
       decide, count, answers, points);
 }
 

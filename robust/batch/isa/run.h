@@ -134,36 +134,38 @@ struct Which {
 /// Filters all rows if the filter is valid here, then applies the second stage and past_filter(operands...) to the
 /// undecided rows; otherwise calls decide(operands...) for each row.
 template <class Decide, class PastFilter, class... Operands>
-void run(Which which, const Shared& shared, Instructions at_most, const Decide& decide, const PastFilter& past_filter,
+void run(Which which, const Shared& shared, const Limits& limits, const Decide& decide, const PastFilter& past_filter,
          std::size_t count, std::uint8_t* answers, const Operands&... operands) {
   if (count == 0) return;
-  const Filters* const filters = filters_here(static_cast<int>(at_most));
-  if (filters == nullptr) return decide_each(decide, count, answers, operands...);
+  const Filters* const filters = filters_here(static_cast<int>(limits.at_most));
+  if (filters == nullptr) return decide_each(limits, decide, count, answers, operands...);
   Filter* const filter = filters->*which.filter;
-  Feed<Flat<Operands...>::size> feed(Flat<Operands...>(operands...).columns);
-  Left<PastFilter, Operands...> left(filters->*which.close, shared, past_filter, answers, operands...);
-  std::uint64_t unknown[most_chunks];
-  for (std::size_t first = 0; first < count;) {
-    const std::size_t rows = feed.take(first, count - first), chunks = (rows + chunk - 1) / chunk;
-    const std::size_t full = rows / chunk * chunk;
-    if (full == rows) {
-      filter(feed.starts(), feed.steps(), chunks, shared, answers + first, unknown);
-    } else {  // nothing is written past the last answer
-      std::uint8_t all[copied_chunks * chunk];
-      filter(feed.starts(), feed.steps(), chunks, shared, all, unknown);
-      std::memcpy(answers + first, all, rows);
-      unknown[chunks - 1] &= (std::uint64_t{1} << (rows - full)) - 1;
+  parts_of(limits, count).each([&](std::size_t, std::size_t first, std::size_t end) {
+    Feed<Flat<Operands...>::size> feed(Flat<Operands...>(operands...).columns);
+    Left<PastFilter, Operands...> left(filters->*which.close, shared, past_filter, answers, operands...);
+    std::uint64_t unknown[most_chunks];
+    while (first < end) {
+      const std::size_t rows = feed.take(first, end - first), chunks = (rows + chunk - 1) / chunk;
+      const std::size_t full = rows / chunk * chunk;
+      if (full == rows) {
+        filter(feed.starts(), feed.steps(), chunks, shared, answers + first, unknown);
+      } else {  // nothing is written past the last answer
+        std::uint8_t all[copied_chunks * chunk];
+        filter(feed.starts(), feed.steps(), chunks, shared, all, unknown);
+        std::memcpy(answers + first, all, rows);
+        unknown[chunks - 1] &= (std::uint64_t{1} << (rows - full)) - 1;
+      }
+      for (std::size_t n = 0; n < chunks; ++n)
+        if (unknown[n] != 0) left.add(feed, n, first + n * chunk, unknown[n]);
+      first += rows;
     }
-    for (std::size_t n = 0; n < chunks; ++n)
-      if (unknown[n] != 0) left.add(feed, n, first + n * chunk, unknown[n]);
-    first += rows;
-  }
-  left.flush();
+    left.flush();
+  });
 }
 template <class Decide, class PastFilter, class... Operands>
-void run(Which which, Instructions at_most, const Decide& decide, const PastFilter& past_filter, std::size_t count,
+void run(Which which, const Limits& limits, const Decide& decide, const PastFilter& past_filter, std::size_t count,
          std::uint8_t* answers, const Operands&... operands) {
-  run(which, Shared{}, at_most, decide, past_filter, count, answers, operands...);
+  run(which, Shared{}, limits, decide, past_filter, count, answers, operands...);
 }
 
 }  // namespace touchstone::robust::batch::isa
