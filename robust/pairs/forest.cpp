@@ -21,7 +21,6 @@
 #include "robust/structures/parallel.h"
 
 namespace touchstone::robust::pairs {
-namespace {
 
 using batch::isa::EightBoxes, batch::isa::EightTree, batch::isa::PairSink, batch::isa::Turns;
 using structures::Coarse, structures::PairOrder;
@@ -157,7 +156,7 @@ class Sink : public PairSink {
   PairOrder& order_;
 };
 
-batch::isa::JoinPairs& joiner(batch::Instructions at_most) {
+static batch::isa::JoinPairs& joiner(batch::Instructions at_most) {
   const batch::isa::Filters* const here = batch::isa::filters_here(static_cast<int>(at_most));
   return here != nullptr ? *here->join_pairs : *batch::isa::portable_filters.join_pairs;
 }
@@ -165,7 +164,7 @@ batch::isa::JoinPairs& joiner(batch::Instructions at_most) {
 constexpr std::size_t size_classes = 27;
 
 /// On each axis small, large, or longer than that.
-std::size_t size_class(const Aabb3d& box, const Extents& most_of_small) {
+static std::size_t size_class(const Aabb3d& box, const Extents& most_of_small) {
   const auto level = [](double wide, double small) { return wide <= small ? 0U : wide <= 8 * small ? 1U : 2U; };
   return level(width(box.min.x, box.max.x), most_of_small[0]) +
          3 * level(width(box.min.y, box.max.y), most_of_small[1]) +
@@ -194,7 +193,16 @@ class Forest {
     }
   }
 
-  std::vector<IndexPair> pairs() {
+  /// Keeps the order, and the classes, for the same number of boxes at new positions.
+  void refit(const std::vector<Aabb3d>& boxes) {
+    boxes_ = boxes.data(), curve_ = Curve(boxes_, parts_.size());
+    integers_.assign(parts_.size(), Integers({all_.nearest_to_zero()}, placed_.size()));
+    for (Class& of : classes_) of.tree = {boxes_, placed_.data() + of.from, of.frame.count, integers_};
+  }
+
+  std::size_t size() const { return placed_.size(); }
+
+  void find_pairs(std::vector<IndexPair>& result) {
     std::vector<PairOrder> orders(parts_.size());
     for (PairOrder& order : orders) order.reset(placed_.size());
     for (std::size_t a = 0; a < classes_.size(); ++a) {
@@ -205,9 +213,7 @@ class Forest {
         else join(classes_[a].tree, classes_[b].tree, orders);
       }
     }
-    std::vector<IndexPair> result;
     PairOrder::finish(orders, result);
-    return result;
   }
 
  private:
@@ -292,21 +298,41 @@ class Forest {
 
 constexpr std::size_t few = 4;
 
-std::vector<IndexPair> pairs_of_few(const std::vector<Aabb3d>& boxes) {
-  std::vector<IndexPair> pairs;
+static void find_pairs_of_few(const std::vector<Aabb3d>& boxes, std::vector<IndexPair>& pairs) {
+  pairs.clear();
   for (Index i = 0; i < boxes.size(); ++i)
     for (Index j = i + 1; j < boxes.size(); ++j)
       if (structures::meet(boxes[i], boxes[j])) pairs.push_back({i, j});
-  return pairs;
 }
-
-}  // namespace
 
 std::vector<IndexPair> forest_pairs(const std::vector<Aabb3d>& boxes, std::size_t threads,
                                     batch::Instructions at_most) {
   const kernel::ControlWord guard;
-  if (boxes.size() <= few) return pairs_of_few(boxes);
-  return Forest(boxes, threads, joiner(at_most)).pairs();
+  std::vector<IndexPair> pairs;
+  if (boxes.size() <= few) find_pairs_of_few(boxes, pairs);
+  else Forest(boxes, threads, joiner(at_most)).find_pairs(pairs);
+  return pairs;
+}
+
+KeptForest::KeptForest() = default;
+KeptForest::KeptForest(KeptForest&&) noexcept = default;
+KeptForest& KeptForest::operator=(KeptForest&&) noexcept = default;
+KeptForest::~KeptForest() = default;
+
+const std::vector<IndexPair>& KeptForest::pairs(const std::vector<Aabb3d>& boxes) {
+  constexpr unsigned most_refits = 3;
+  const kernel::ControlWord guard;
+  if (boxes.size() <= few) {
+    find_pairs_of_few(boxes, pairs_);
+    return pairs_;
+  }
+  if (forest_ && forest_->size() == boxes.size() && refits_ < most_refits) {
+    forest_->refit(boxes), ++refits_;
+  } else {
+    forest_ = std::make_unique<Forest>(boxes, 1, joiner(batch::Instructions::avx512)), refits_ = 0;
+  }
+  forest_->find_pairs(pairs_);
+  return pairs_;
 }
 
 }  // namespace touchstone::robust::pairs

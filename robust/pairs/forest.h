@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "geometry/volumes.h"
@@ -16,5 +17,25 @@ namespace touchstone::robust::pairs {
 /// whose nodes are compared eight at a time by integers of 32 bits (robust/batch/isa/eight_boxes.h).
 std::vector<IndexPair> forest_pairs(const std::vector<Aabb3d>& boxes, std::size_t threads = 1,
                                     batch::Instructions at_most = batch::Instructions::avx512);
+
+class Forest;
+
+/// The same pairs for a list that is queried repeatedly while its boxes move: the order is kept, and made anew now and
+/// then.
+class KeptForest {
+ public:
+  KeptForest();
+  KeptForest(KeptForest&&) noexcept;
+  KeptForest& operator=(KeptForest&&) noexcept;
+  ~KeptForest();
+
+  /// The result of forest_pairs(boxes), valid until the next call.
+  const std::vector<IndexPair>& pairs(const std::vector<Aabb3d>& boxes);
+
+ private:
+  std::unique_ptr<Forest> forest_;
+  unsigned refits_ = 0;  ///< since the order was made
+  std::vector<IndexPair> pairs_;
+};
 
 }  // namespace touchstone::robust::pairs

@@ -23,7 +23,7 @@ class PairTree {
  public:
   explicit PairTree(PairProof* proof = nullptr) : proof_(proof) {}
 
-  /// The boxes must stay valid until the next call of `make` or `refit`.
+  /// The boxes must stay valid until the next call.
   void make(const std::vector<Aabb3d>& boxes) {
     boxes_ = boxes.data(), size_ = boxes.size();
     cut_ = PairCut(boxes), coarse_ = {cut_.origin()};
@@ -35,22 +35,6 @@ class PairTree {
     for (const Node& node : nodes_) proof_->cuts.push_back(node.cut);
   }
 
-  std::size_t size() const { return size_; }
-
-  /// Keeps the tree for the same number of boxes at new positions: each node becomes the least box around its own.
-  void refit(const std::vector<Aabb3d>& boxes) {
-    boxes_ = boxes.data();
-    for (std::size_t place = nodes_.size(); place-- > 0;) {
-      Node& node = nodes_[place];
-      node.box =
-          node.leaf() ? refilled(leaves_[node.right]) : least_around(nodes_[place + 1].box, nodes_[node.right].box);
-      node.size = cut_.size(node.box);
-    }
-  }
-
-  /// The number of pairs of nodes compared for the last list: tells how much refitting has degraded the tree.
-  std::size_t compared() const { return compared_; }
-
   void find_pairs(std::vector<IndexPair>& result) {
     const std::vector<IndexPair>& pairs = unsorted_pairs();
     order_.reset(size_);
@@ -60,7 +44,7 @@ class PairTree {
 
   /// Valid until the next list.
   std::vector<IndexPair>& unsorted_pairs() {
-    met_.clear(), compared_ = 0;
+    met_.clear();
     if (!nodes_.empty()) {
       if (proof_) within<true>(0);
       else within<false>(0);
@@ -105,13 +89,6 @@ class PairTree {
     PairLeaf& leaf = leaves_.emplace_back();
     for (Index i = begin; i < end; ++i) leaf.body[i - begin] = cut_.body(i);
     return filled(leaf, end - begin);
-  }
-  /// An occupied place has ordered ends.
-  Aabb3d refilled(PairLeaf& leaf) {
-    std::size_t taken = 0;
-    while (taken < PairLeaf::places && leaf.low[0][taken] <= leaf.high[0][taken]) ++taken;
-    leaf.around = PairLeaf().around;
-    return filled(leaf, taken);
   }
   /// The ends of that many boxes, and the least box around them.
   Aabb3d filled(PairLeaf& leaf, std::size_t taken) {
@@ -171,7 +148,6 @@ class PairTree {
 
   template <bool proved>
   void between(Place one, Place other) {
-    ++compared_;
     const Node &a = nodes_[one], &b = nodes_[other];
     const auto taken = [&](Step what) {
       if constexpr (proved) step(what);
@@ -201,7 +177,7 @@ class PairTree {
   std::vector<PairLeaf> leaves_;
   std::vector<IndexPair> met_;
   PairOrder order_;
-  std::size_t steps_ = 0, compared_ = 0;
+  std::size_t steps_ = 0;
 };
 
 std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* proof) {
@@ -219,23 +195,6 @@ std::vector<IndexPair> unsorted_tree_pairs(const std::vector<Aabb3d>& boxes) {
   PairTree tree;
   tree.make(boxes);
   return std::move(tree.unsorted_pairs());
-}
-
-KeptPairTree::KeptPairTree() = default;
-KeptPairTree::KeptPairTree(KeptPairTree&&) noexcept = default;
-KeptPairTree& KeptPairTree::operator=(KeptPairTree&&) noexcept = default;
-KeptPairTree::~KeptPairTree() = default;
-
-const std::vector<IndexPair>& KeptPairTree::pairs(const std::vector<Aabb3d>& boxes) {
-  const kernel::ControlWord guard;
-  if (!tree_) tree_ = std::make_unique<PairTree>();
-  // No answer depends on the time of rebuilding. Measured on 10,000 falling balls: a later time was no faster.
-  const bool made = tree_->size() != boxes.size() || 8 * tree_->compared() > 9 * at_first_;
-  if (made) tree_->make(boxes);
-  else tree_->refit(boxes);
-  tree_->find_pairs(pairs_);
-  if (made) at_first_ = tree_->compared();
-  return pairs_;
 }
 
 }  // namespace touchstone::robust::structures

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "geometry/volumes.h"
@@ -26,25 +25,5 @@ std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* p
 
 /// The same pairs in any order, which costs less.
 std::vector<IndexPair> unsorted_tree_pairs(const std::vector<Aabb3d>& boxes);
-
-class PairTree;
-
-/// The same pairs for a list that is queried repeatedly while its boxes move: the tree is kept, with all memory, and
-/// refitted to the new positions of the boxes; it is rebuilt when it has degraded.
-class KeptPairTree {
- public:
-  KeptPairTree();
-  KeptPairTree(KeptPairTree&&) noexcept;
-  KeptPairTree& operator=(KeptPairTree&&) noexcept;
-  ~KeptPairTree();
-
-  /// The result of tree_pairs(boxes), valid until the next call.
-  const std::vector<IndexPair>& pairs(const std::vector<Aabb3d>& boxes);
-
- private:
-  std::unique_ptr<PairTree> tree_;
-  std::size_t at_first_ = 0;  ///< comparisons after it was built
-  std::vector<IndexPair> pairs_;
-};
 
 }  // namespace touchstone::robust::structures

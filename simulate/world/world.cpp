@@ -31,18 +31,20 @@ bool all_finite(const std::vector<Aabb3d>& boxes) {
 
 /// False only where n . p + d > 0 for every p of the box, by so much that float's formula for a sphere or a corner in
 /// it says so too: their distances from 0 are wrong by less than 2^-20 of the sum of the absolute values of their
-/// terms (their contracts: fewer than 16 roundings of 2^-24), and `size` is at least that sum. Where something is
+/// terms (their contracts: fewer than 16 roundings of 2^-24), and `error` is twice that at least. Where something is
 /// beyond the range the comparison is false, and the answer true.
-bool may_reach(const Aabb3d& box, const Plane3d& wall) {
-  double low = wall.offset, size = std::abs(wall.offset);
-  const auto add = [&](double n, double least, double most) {
-    low += n > 0 ? n * least : n * most;
-    size += std::abs(n) * std::max(std::abs(least), std::abs(most));
-  };
-  add(wall.normal.x, box.min.x, box.max.x);
-  add(wall.normal.y, box.min.y, box.max.y);
-  add(wall.normal.z, box.min.z, box.max.z);
-  return !(low > 0x1p-19 * size + 0x1p-100);
+bool may_reach(const Aabb3d& box, const Plane3d& wall, double error) {
+  const auto least = [](double n, double low, double high) { return std::min(n * low, n * high); };
+  const Vector3d& n = wall.normal;
+  const double low = wall.offset + least(n.x, box.min.x, box.max.x) + least(n.y, box.min.y, box.max.y) +
+                     least(n.z, box.min.z, box.max.z);
+  return !(low > error);
+}
+
+/// The error that may_reach allows every box of which no end is larger.
+double error_of_height(const Plane3d& wall, double largest_end) {
+  const Vector3d& n = wall.normal;
+  return 0x1p-19 * (std::abs(wall.offset) + (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * largest_end) + 0x1p-100;
 }
 
 template <class Real>
@@ -103,15 +105,17 @@ const std::vector<Touch>& World<By>::touches(const State<Real>& from, const Stat
 template <class By>
 const std::vector<Touch>& World<By>::touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
                                              BroadPhase broad_phase, const Vector3d& sag) const {
-  auto& [boxes, planes, tree, touches] = nearby;
+  auto& [boxes, planes, errors, forest, touches] = nearby;
   if (broad_phase == BroadPhase::all_pairs) return touches = all_touches();
-  boxes.clear(), planes.clear(), touches.clear();
+  boxes.clear(), planes.clear(), errors.clear(), touches.clear();
+  double largest_end = 0;
   for (std::size_t i = 0; i < bodies(); ++i) {
     Aabb3d box{};
     const auto take = [&](double Point3d::*axis, const Real& a, const Real& b, const Real& half, double off) {
       const double x = in_double(a), y = in_double(b), reach = in_double(solids_[i].radius) + in_double(half) + off;
       const double wider = reach + 0x1p-20 * (std::max(std::abs(x), std::abs(y)) + reach) + 0x1p-140;
       box.min.*axis = std::min(x, y) - wider, box.max.*axis = std::max(x, y) + wider;
+      largest_end = std::max({largest_end, -(box.min.*axis), box.max.*axis});
     };
     const Point3<Real>&a = from[i].position, &b = to[i].position;
     const Vector3<Real>& half = solids_[i].half_extents;
@@ -123,14 +127,17 @@ const std::vector<Touch>& World<By>::touches(const State<Real>& from, const Stat
     if (!solids_[i].fixed || !solids_[j].fixed) list.push_back({false, i, j});
   };
   if (broad_phase == BroadPhase::tree && all_finite(boxes)) {
-    for (const auto& [i, j] : tree.pairs(boxes)) add(i, j);
+    for (const auto& [i, j] : forest.pairs(boxes)) add(i, j);
   } else {
     for (const auto& [i, j] : near_pairs(boxes)) add(i, j);
   }
-  for (const Plane<Real>& wall : walls_) planes.push_back(catalogue::converted<double>(wall, in_double<Real>));
+  for (const Plane<Real>& wall : walls_) {
+    planes.push_back(catalogue::converted<double>(wall, in_double<Real>));
+    errors.push_back(error_of_height(planes.back(), largest_end));
+  }
   for (std::size_t i = 0; i < bodies(); ++i)
     for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w)
-      if (may_reach(boxes[i], planes[w])) touches.push_back({true, i, w});
+      if (may_reach(boxes[i], planes[w], errors[w])) touches.push_back({true, i, w});
   return touches;
 }
 

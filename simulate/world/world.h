@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "catalogue/shape/walk.h"
-#include "robust/structures/pair_tree.h"
+#include "robust/pairs/forest.h"
 #include "simulate/world/log.h"
 #include "simulate/world/scene.h"
 
@@ -19,11 +19,12 @@ struct Solid {
   Vector3<Real> half_extents;
 };
 
-/// The data that a broad phase keeps from one step to the next: memory, and a tree of boxes. No answer depends on it.
+/// The data that a broad phase keeps from one step to the next: memory, and trees of boxes. No answer depends on it.
 struct Nearby {
   std::vector<Aabb3d> boxes;
   std::vector<Plane3d> planes;
-  robust::structures::KeptPairTree tree;
+  std::vector<double> errors;  ///< of heights over each
+  robust::pairs::KeptForest forest;
   std::vector<Touch> touches;
 };
 

@@ -3,13 +3,14 @@
 #include <random>
 
 #include "proptests/catch.h"
+#include "robust/pairs/forest.h"
 #include "robust/structures/pair_tree.h"
 
-/// A tree that is kept while boxes move lists what comparing all pairs does.
+/// A forest that is kept while boxes move lists what comparing all pairs does.
 namespace touchstone::proptests::kept_pairs_tests {
 namespace {
 
-using robust::structures::KeptPairTree;
+using robust::pairs::KeptForest;
 using Pairs = std::vector<IndexPair>;
 
 Pairs by_comparing_all(const std::vector<Aabb3d>& boxes) {
@@ -63,7 +64,7 @@ TEST_CASE("kept pairs: while boxes move a little, or leap, the pairs are those o
       Boxes draw(static_cast<std::uint64_t>(far) + 1, unit);
       std::vector<Aabb3d> boxes;
       for (int i = 0; i < 150; ++i) boxes.push_back(draw.one(60, i % 10 == 0 ? 40 : 12));
-      KeptPairTree kept;
+      KeptForest kept;
       for (int round = 0; round < 30; ++round) {
         const Pairs right = by_comparing_all(boxes);
         REQUIRE(kept.pairs(boxes) == right);
@@ -78,7 +79,7 @@ TEST_CASE("kept pairs: while boxes move a little, or leap, the pairs are those o
 
 TEST_CASE("kept pairs: another number of boxes, none, all in one place, and back again") {
   Boxes draw(7, 0.5);
-  KeptPairTree kept;
+  KeptForest kept;
   for (const std::size_t many : {20U, 21U, 0U, 0U, 1U, 8U, 9U, 200U, 200U, 20U}) {
     std::vector<Aabb3d> boxes;
     for (std::size_t i = 0; i < many; ++i) boxes.push_back(draw.one(20, 8));
@@ -93,7 +94,7 @@ TEST_CASE("kept pairs: from one end of the range to the other") {
   Boxes draw(3, 1);
   std::vector<Aabb3d> boxes;
   for (int i = 0; i < 60; ++i) boxes.push_back(draw.one(10, 3));
-  KeptPairTree kept;
+  KeptForest kept;
   CHECK(kept.pairs(boxes) == by_comparing_all(boxes));
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const double side = i % 2 == 0 ? most : -most;
