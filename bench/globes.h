@@ -63,6 +63,13 @@ inline Meshd mesh_of(const std::string& set, Index n) {
 
 inline constexpr const char* sets[] = {"sphere", "bumps", "turned_cube"};
 
+/// About how many faces a globe has, and its n.
+struct Size {
+  std::size_t faces;
+  Index n;
+};
+inline constexpr Size sizes[] = {{1000, 16}, {10000, 50}, {100000, 158}, {1000000, 500}};
+
 inline Surface theirs(const Meshd& mesh) {
   Surface surface;
   std::vector<Surface::Vertex_index> at;

@@ -8,7 +8,7 @@ import tables
 OF_ANGLES = {"parametric_circle", "interior_angles"}  # whose formulas call the library's cosine or arc tangent
 TRIANGULATION = "triangulate_polygon_10000"
 HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
-MESH = "polyhedron_complexity_100000"
+MESH = "polyhedron_complexity_100000/"
 PAIRS = "all_pairs_"
 PREPARED = "prepared_"
 ARRAYS = "arrays_"

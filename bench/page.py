@@ -194,6 +194,11 @@ def of_pairs(group):
     return found and (found[2], int(found[1]))
 
 
+def of_faces(group):
+    found = re.fullmatch(r"(\w+)_(\d+)/(\w+)", group)
+    return found and (f"{found[1]}, {found[3]}", int(found[2]))
+
+
 def of_rows(group):
     found = re.fullmatch(rf"{ARRAYS}(\w+)/(?:rows_(\d+)|from_memory)", group)
     return found and (found[1], int(found[2] or MORE_THAN_ANY_CACHE))
@@ -231,7 +236,11 @@ def page(circumstances, command, repetitions, load, processors, timed, tables):
                       "rows", "ns a row") +
         curve_section("All pairs of boxes: cost against their number", "Nanoseconds a box; a level line is growth in proportion.",
                       series_by(timed.get("pairs", {}), of_pairs, ["robust", "certificate", "check", "cgal"], lambda n, time: time / n),
-                      "boxes", "ns a box"))
+                      "boxes", "ns a box") +
+        curve_section("Is a mesh embedded? Cost against the number of its faces", "Nanoseconds a face; a level line is growth in proportion.",
+                      series_by(timed.get("meshes", {}), of_faces, ["robust", "epick"], lambda n, time: time / n), "faces", "ns a face") +
+        curve_section("A ray on a mesh: cost against the number of its faces", "Nanoseconds a ray, the tree made before.",
+                      series_by(timed.get("mesh_rays", {}), of_faces, ["robust", "epick"]), "faces", "ns a ray"))
     if "<svg" not in body:
         body += "<p>Nothing was measured of which this page has a picture.</p>"
     return ("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width,"
@@ -286,6 +295,8 @@ def self_check():
     heights = re.findall(r'<circle class="dot robust" cx="([\d.]+)" cy="([\d.]+)"', level)
     assert len(heights) == 2 and heights[0][1] == heights[1][1] and float(heights[0][0]) == CURVE_LEFT, heights
     assert float(heights[1][0]) == CURVE_WIDE - CURVE_RIGHT
+    faces = made({"mesh_rays": {f"ray_mesh_{n}/bumps": Made(robust=[1.0], epick=[2.0]) for n in (1000, 10000)}})
+    assert faces.count('class="dot robust"') == faces.count('class="dot epick"') == 2 and "ray mesh, bumps" in faces
     # A single length is no curve.
     alone = {"pairs": {"all_pairs_10000/uniform": Made(robust=[1.0])}, "arrays": {"arrays_orientation/rows_1024": Made(read=[1.0])}}
     assert "Nothing was measured" in made(alone)

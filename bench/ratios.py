@@ -246,7 +246,7 @@ def main():
                             {name: {group: types.SimpleNamespace(of=of) for group, of in groups.items()} for name, groups in kept["timed"].items()})
     load = os.getloadavg()[0]
     timed = {}
-    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "prepared", "pairs", "arrays", "oracle"]:
+    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "mesh_rays", "prepared", "pairs", "arrays", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         if options.ops and not pathlib.Path(program).exists():
