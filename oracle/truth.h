@@ -15,9 +15,9 @@ namespace touchstone::oracle {
 /// Every number of the oracle: an exact rational, canonical. (Never `auto` on an expression of these.)
 using Rational = mpq_class;
 
-/// Every operation takes doubles, and rationals too: a template that deduces them, so that braces mean doubles.
+/// Every operation takes doubles, and rationals too: `template <Exact Number = double>`, so that braces mean doubles.
 template <class Number>
-concept Exact = std::same_as<Number, Rational>;
+concept Exact = std::same_as<Number, double> || std::same_as<Number, Rational>;
 
 /// A proof of one answer in named lists of rationals, for a checker that knows no geometry algorithm: it only
 /// multiplies, adds and compares. `kind` determines which inequalities must hold; each kind is described where it is

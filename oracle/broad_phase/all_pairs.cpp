@@ -212,11 +212,6 @@ Truth<std::vector<IndexPair>> truth_all_pairs(Scaled<Solid> scaled) {
 
 }  // namespace
 
-Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres) {
-  return truth_all_pairs(validated(spheres));
-}
-Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes) { return truth_all_pairs(validated(boxes)); }
-
 template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Number>>& spheres) {
   return truth_all_pairs(validated(spheres));
@@ -225,6 +220,8 @@ template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes) {
   return truth_all_pairs(validated(boxes));
 }
+template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>&);
+template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>&);
 template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Rational>>&);
 template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Rational>>&);
 

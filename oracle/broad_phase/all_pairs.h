@@ -17,11 +17,9 @@ namespace touchstone::oracle {
 /// they are apart and the shortest if they meet. Fewer than two solids have no other answer however they change: there
 /// is no margin. Time: of n solids n log n, and the pairs that are near each other on the axis where these are fewest;
 /// n^2 at worst.
-Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres);
-Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes);
-template <Exact Number>
+template <Exact Number = double>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Number>>& spheres);
-template <Exact Number>
+template <Exact Number = double>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes);
 
 }  // namespace touchstone::oracle

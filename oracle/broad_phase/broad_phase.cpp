@@ -123,24 +123,16 @@ struct Proofs {
   }
 };
 
-template <class Number>
-Truth<Replies> truth_broad_phase(const std::vector<Aabb3<Number>>& boxes,
-                                 const std::vector<Command<Number>>& commands) {
+}  // namespace
+
+template <Exact Number>
+Truth<Replies> broad_phase(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands) {
   validation::validate_program(boxes, commands);
   Answers found = carried_out<Number, Answers>(boxes, commands);
   return {std::move(found.replies), std::move(found.margin),
           [boxes, commands] { return carried_out<Number, Proofs>(boxes, commands).certificate(); }};
 }
-
-}  // namespace
-
-Truth<Replies> broad_phase(const std::vector<Aabb3d>& boxes, const std::vector<Command<double>>& commands) {
-  return truth_broad_phase(boxes, commands);
-}
-template <Exact Number>
-Truth<Replies> broad_phase(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands) {
-  return truth_broad_phase(boxes, commands);
-}
+template Truth<Replies> broad_phase(const std::vector<Aabb3d>&, const std::vector<Command<double>>&);
 template Truth<Replies> broad_phase(const std::vector<Aabb3<Rational>>&, const std::vector<Command<Rational>>&);
 
 }  // namespace touchstone::oracle

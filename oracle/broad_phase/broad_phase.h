@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 /// Margin: the least of all queries, a squared length; for pairs, the margin of all_pairs. Where no query of pairs sees
 /// two bodies, and no other query sees one, there is no margin. Certificate: a proof for each reply. For at most 16
 /// bodies, one for each of them; for more, along a tree that follows `replies`.
-Truth<Replies> broad_phase(const std::vector<Aabb3d>& boxes, const std::vector<Command<double>>& commands);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Replies> broad_phase(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands);
 
 }  // namespace touchstone::oracle

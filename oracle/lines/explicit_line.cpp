@@ -5,10 +5,9 @@
 #include "oracle/exact/numbers/decode.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Height> truth_explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
+template <Exact Number>
+Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
   validation::validate("slope", slope), validation::validate("intercept", intercept),
       validation::validate("point", point);
   const Rational e(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
@@ -19,17 +18,7 @@ Truth<Height> truth_explicit_line(const Number& slope, const Number& intercept, 
             return Certificate{"height", {{"height", {e}}}};
           }};
 }
-
-}  // namespace
-
-Truth<Height> explicit_line(double slope, double intercept, const Point2d& point) {
-  return truth_explicit_line(slope, intercept, point);
-}
-
-template <Exact Number>
-Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
-  return truth_explicit_line(slope, intercept, point);
-}
+template Truth<Height> explicit_line(const double&, const double&, const Point2d&);
 template Truth<Height> explicit_line(const Rational&, const Rational&, const Point2<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -7,8 +7,7 @@
 namespace touchstone::oracle {
 
 /// Truth: sign of the rational y - (slope x + intercept). Margin: its absolute value (the vertical distance).
-Truth<Height> explicit_line(double slope, double intercept, const Point2d& point);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point);
 
 }  // namespace touchstone::oracle

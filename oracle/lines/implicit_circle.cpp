@@ -34,22 +34,14 @@ Truth<Location> truth_implicit_circle(const ImplicitCircleScale<Number>& n) {
           }};
 }
 
-template <class Number>
-Truth<Location> truth_of_implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
-  const ImplicitCircleScale<Number> n = validated_implicit_circle(circle, point);
-  return n.bits() <= most_bits_in_words ? truth_implicit_circle<Int128>(n) : truth_implicit_circle<Integer>(n);
-}
-
 }  // namespace
-
-Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) {
-  return truth_of_implicit_circle(circle, point);
-}
 
 template <Exact Number>
 Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
-  return truth_of_implicit_circle(circle, point);
+  const ImplicitCircleScale<Number> n = validated_implicit_circle(circle, point);
+  return n.bits() <= most_bits_in_words ? truth_implicit_circle<Int128>(n) : truth_implicit_circle<Integer>(n);
 }
+template Truth<Location> implicit_circle(const Circle2d&, const Point2d&);
 template Truth<Location> implicit_circle(const Circle2<Rational>&, const Point2<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -108,20 +108,14 @@ Truth<LineLine<Rational>> truth_line_line(const LineLineScale<Number>& n) {
   return found;
 }
 
-template <class Number>
-Truth<LineLine<Rational>> truth_of_line_line(const Line2<Number>& a, const Line2<Number>& b) {
-  const LineLineScale<Number> n = validated_line_line(a, b);
-  return n.bits() <= most_bits_in_words ? truth_line_line<Int128>(n) : truth_line_line<Integer>(n);
-}
-
 }  // namespace
-
-Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b) { return truth_of_line_line(a, b); }
 
 template <Exact Number>
 Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>& b) {
-  return truth_of_line_line(a, b);
+  const LineLineScale<Number> n = validated_line_line(a, b);
+  return n.bits() <= most_bits_in_words ? truth_line_line<Int128>(n) : truth_line_line<Integer>(n);
 }
+template Truth<LineLine<Rational>> line_line(const Line2d&, const Line2d&);
 template Truth<LineLine<Rational>> line_line(const Line2<Rational>&, const Line2<Rational>&);
 
 }  // namespace touchstone::oracle

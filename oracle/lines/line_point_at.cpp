@@ -46,14 +46,11 @@ Truth<Point2<Rational>> truth_line_point_at(Travelled<Number> s) {
 
 }  // namespace
 
-Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t) {
-  return truth_line_point_at(Travelled<double>(line, t));
-}
-
 template <Exact Number>
 Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const Number& t) {
   return truth_line_point_at(Travelled<Number>(line, t));
 }
+template Truth<Point2<Rational>> line_point_at(const ParametricLine2d&, const double&);
 template Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>&, const Rational&);
 
 }  // namespace touchstone::oracle

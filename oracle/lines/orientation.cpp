@@ -30,22 +30,14 @@ Truth<Side> truth_orientation(const CommonScale<Number, 6>& n) {
           }};
 }
 
-template <class Number>
-Truth<Side> truth_of_orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  const CommonScale<Number, 6> n = validated_orientation(p0, p1, p);
-  return n.bits() <= most_bits_in_words ? truth_orientation<Int128>(n) : truth_orientation<Integer>(n);
-}
-
 }  // namespace
-
-Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  return truth_of_orientation(p0, p1, p);
-}
 
 template <Exact Number>
 Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  return truth_of_orientation(p0, p1, p);
+  const CommonScale<Number, 6> n = validated_orientation(p0, p1, p);
+  return n.bits() <= most_bits_in_words ? truth_orientation<Int128>(n) : truth_orientation<Integer>(n);
 }
+template Truth<Side> orientation(const Point2d&, const Point2d&, const Point2d&);
 template Truth<Side> orientation(const Point2<Rational>&, const Point2<Rational>&, const Point2<Rational>&);
 
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {

@@ -9,8 +9,7 @@ namespace touchstone::oracle {
 
 /// Truth: sign of the 3x3 determinant of the homogeneous points. Margin: its absolute value (twice the triangle's
 /// area).
-Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p);
 
 /// The answer of `orientation` alone by elimination (oracle/exact/systems/elimination.h), in 128-bit integers if the

@@ -80,8 +80,10 @@ Certificate certificate_parametric_circle(double u, const CosineAndSine& turn) {
            {"bits", {Rational(bits)}}}};
 }
 
-template <class Number>
-Truth<Point2<Rational>> truth_parametric_circle(const Circle2<Number>& circle, const Number& u) {
+}  // namespace
+
+template <Exact Number>
+Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u) {
   const CommonScale<Number, 3> n = validated_parametric_circle(circle, u);
   Truth<Point2<Rational>> result;
   if (validation::zero(u) || validation::zero(circle.radius)) {
@@ -96,17 +98,7 @@ Truth<Point2<Rational>> truth_parametric_circle(const Circle2<Number>& circle, c
   result.margin = std::min(rounding_margin(result.answer.x), rounding_margin(result.answer.y));
   return result;
 }
-
-}  // namespace
-
-Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u) {
-  return truth_parametric_circle(circle, u);
-}
-
-template <Exact Number>
-Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u) {
-  return truth_parametric_circle(circle, u);
-}
+template Truth<Point2<Rational>> parametric_circle(const Circle2d&, const double&);
 template Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>&, const Rational&);
 
 }  // namespace touchstone::oracle

@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// coordinate of the answer is then a rational with the same nearest double (and sign) as the true coordinate, and
 /// within 2^-60 of its unit in the last place. Margin: the smaller of the two coordinates' distances, in units in the
 /// last place, to the nearest tie between doubles (computed from that rational).
-Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u);
 
 }  // namespace touchstone::oracle

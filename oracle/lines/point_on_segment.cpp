@@ -75,23 +75,14 @@ Truth<PointOnSegment<Rational>> truth_point_on_segment(const PointOnSegmentScale
   return found;
 }
 
-template <class Number>
-Truth<PointOnSegment<Rational>> truth_of_point_on_segment(const Point2<Number>& point,
-                                                          const Segment2<Number>& segment) {
-  const PointOnSegmentScale<Number> n = validated_point_on_segment(point, segment);
-  return n.bits() <= most_bits_in_words ? truth_point_on_segment<Int128>(n) : truth_point_on_segment<Integer>(n);
-}
-
 }  // namespace
-
-Truth<PointOnSegment<Rational>> point_on_segment(const Point2d& point, const Segment2d& segment) {
-  return truth_of_point_on_segment(point, segment);
-}
 
 template <Exact Number>
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
-  return truth_of_point_on_segment(point, segment);
+  const PointOnSegmentScale<Number> n = validated_point_on_segment(point, segment);
+  return n.bits() <= most_bits_in_words ? truth_point_on_segment<Int128>(n) : truth_point_on_segment<Integer>(n);
 }
+template Truth<PointOnSegment<Rational>> point_on_segment(const Point2d&, const Segment2d&);
 template Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 
 }  // namespace touchstone::oracle

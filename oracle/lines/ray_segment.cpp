@@ -88,23 +88,15 @@ Truth<RaySegment<Rational>> truth_ray_segment(const CommonScale<Number, 8>& n) {
   return found;
 }
 
-template <class Number>
-Truth<RaySegment<Rational>> truth_of_ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+}  // namespace
+
+template <Exact Number>
+Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
   const CommonScale<Number, 8> n = validated_ray_segment(ray, segment);
   return n.bits() < most_bits_in_words ? truth_ray_segment<Int128>(n)
                                        : truth_ray_segment<Integer>(n);  // origin + direction: one bit more
 }
-
-}  // namespace
-
-Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) {
-  return truth_of_ray_segment(ray, segment);
-}
-
-template <Exact Number>
-Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
-  return truth_of_ray_segment(ray, segment);
-}
+template Truth<RaySegment<Rational>> ray_segment(const Ray2d&, const Segment2d&);
 template Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>&, const Segment2<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -10,8 +10,7 @@ namespace touchstone::oracle {
 /// separating line, the least and the greatest t are the ends of what is common. Margin: the least squared distance of
 /// the origin from the segment and of the segment's ends from the ray. For `none` that is the squared distance of the
 /// two; 0 for every contact at an end and for `overlap`.
-Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment);
-template <Exact Number>
+template <Exact Number = double>
 Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment);
 
 }  // namespace touchstone::oracle

@@ -81,22 +81,14 @@ Truth<SegmentSegment<Rational>> truth_segment_segment(const CommonScale<Number, 
   return found;
 }
 
-template <class Number>
-Truth<SegmentSegment<Rational>> truth_of_segment_segment(const Segment2<Number>& a, const Segment2<Number>& b) {
-  const CommonScale<Number, 8> n = validated_segment_segment(a, b);
-  return n.bits() <= most_bits_in_words ? truth_segment_segment<Int128>(n) : truth_segment_segment<Integer>(n);
-}
-
 }  // namespace
-
-Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) {
-  return truth_of_segment_segment(a, b);
-}
 
 template <Exact Number>
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b) {
-  return truth_of_segment_segment(a, b);
+  const CommonScale<Number, 8> n = validated_segment_segment(a, b);
+  return n.bits() <= most_bits_in_words ? truth_segment_segment<Int128>(n) : truth_segment_segment<Integer>(n);
 }
+template Truth<SegmentSegment<Rational>> segment_segment(const Segment2d&, const Segment2d&);
 template Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>&, const Segment2<Rational>&);
 
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {

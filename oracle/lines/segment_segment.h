@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// line, the least and the greatest ta are the ends of what is common. Margin: the least squared distance of an end of
 /// one segment from the other segment. For `disjoint` that is the squared distance of the two segments, for a crossing
 /// it says how far the nearest end is from touching; 0 for every contact at an end and for `overlap`.
-Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b);
 
 /// The relation alone, by another method: elimination (oracle/exact/systems/elimination.h), in 128-bit integers if the

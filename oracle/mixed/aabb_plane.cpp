@@ -34,8 +34,10 @@ Certificate common_interior_point(const AabbPlanePoint& center, const AabbPlaneP
   return at("common_interior_point", lowest + back * (center - lowest));
 }
 
-template <class Number>
-Truth<Contact> truth_aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& plane) {
+}  // namespace
+
+template <Exact Number>
+Truth<Contact> aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& plane) {
   validation::validate_numbers("aabb", aabb), validation::validate_numbers("plane", plane);
   validation::validate("aabb", aabb), validation::validate("plane", plane);
   const Aabb3<Rational> box{exact(aabb.min), exact(aabb.max)};
@@ -57,15 +59,7 @@ Truth<Contact> truth_aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& 
             return {"flat_axis", {{"point", {lowest.x, lowest.y, lowest.z}}, {"axis", {axis}}}};
           }};
 }
-
-}  // namespace
-
-Truth<Contact> aabb_plane(const Aabb3d& aabb, const Plane3d& plane) { return truth_aabb_plane(aabb, plane); }
-
-template <Exact Number>
-Truth<Contact> aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& plane) {
-  return truth_aabb_plane(aabb, plane);
-}
+template Truth<Contact> aabb_plane(const Aabb3d&, const Plane3d&);
 template Truth<Contact> aabb_plane(const Aabb3<Rational>&, const Plane<Rational>&);
 
 }  // namespace touchstone::oracle

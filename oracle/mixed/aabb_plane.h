@@ -16,8 +16,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "lowest_point" (`point` of the box, above which all of the box lies, and above 0). touching:
 /// the same at 0; or "flat_axis" (`point` of both, and the `axis` on which the box is flat). overlapping:
 /// "common_interior_point" (`point`).
-Truth<Contact> aabb_plane(const Aabb3d& aabb, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& plane);
 
 }  // namespace touchstone::oracle

@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> capsule_aabb(const Capsule3d& capsule, const Aabb3d& aabb) {
-  return contact_of_round("capsule", capsule, "aabb", aabb);
-}
-
 template <Exact Number>
 Truth<Contact> capsule_aabb(const Capsule3<Number>& capsule, const Aabb3<Number>& aabb) {
   return contact_of_round("capsule", capsule, "aabb", aabb);
 }
+template Truth<Contact> capsule_aabb(const Capsule3d&, const Aabb3d&);
 template Truth<Contact> capsule_aabb(const Capsule3<Rational>&, const Aabb3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -16,8 +16,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: as that of capsule_capsule, with `on_a`, weights of the segment's ends, and `on_b`, the point of the
 /// box. A flat box has no interior either.
-Truth<Contact> capsule_aabb(const Capsule3d& capsule, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> capsule_aabb(const Capsule3<Number>& capsule, const Aabb3<Number>& aabb);
 
 }  // namespace touchstone::oracle

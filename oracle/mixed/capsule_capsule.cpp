@@ -5,12 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> capsule_capsule(const Capsule3d& a, const Capsule3d& b) { return contact_of_round("a", a, "b", b); }
-
 template <Exact Number>
 Truth<Contact> capsule_capsule(const Capsule3<Number>& a, const Capsule3<Number>& b) {
   return contact_of_round("a", a, "b", b);
 }
+template Truth<Contact> capsule_capsule(const Capsule3d&, const Capsule3d&);
 template Truth<Contact> capsule_capsule(const Capsule3<Rational>&, const Capsule3<Rational>&);
 
 }  // namespace touchstone::oracle

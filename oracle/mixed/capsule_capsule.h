@@ -17,8 +17,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "nearest_points" (`on_a` and `on_b`, weights of the ends, which give the nearest points; they
 /// are farther from each other than the sum of the radii). touching: "tangent" (as far as that) or "no_interior" (a
 /// radius is 0). overlapping: "near_points" (nearer than that).
-Truth<Contact> capsule_capsule(const Capsule3d& a, const Capsule3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> capsule_capsule(const Capsule3<Number>& a, const Capsule3<Number>& b);
 
 }  // namespace touchstone::oracle

@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> capsule_obb(const Capsule3d& capsule, const Obb3d& obb) {
-  return contact_of_round("capsule", capsule, "obb", obb);
-}
-
 template <Exact Number>
 Truth<Contact> capsule_obb(const Capsule3<Number>& capsule, const Obb3<Number>& obb) {
   return contact_of_round("capsule", capsule, "obb", obb);
 }
+template Truth<Contact> capsule_obb(const Capsule3d&, const Obb3d&);
 template Truth<Contact> capsule_obb(const Capsule3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 /// Margin: |S - r^2|, S being the squared distance: 0 for a tangent capsule, and for a segment that meets the box.
 ///
 /// Certificate: as that of sphere_obb, with `on_a`, weights of the segment's ends, and `on_b`, coefficients.
-Truth<Contact> capsule_obb(const Capsule3d& capsule, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> capsule_obb(const Capsule3<Number>& capsule, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

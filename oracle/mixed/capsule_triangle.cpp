@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> capsule_triangle(const Capsule3d& capsule, const Triangle3d& triangle) {
-  return contact_of_round("capsule", capsule, "triangle", triangle);
-}
-
 template <Exact Number>
 Truth<Contact> capsule_triangle(const Capsule3<Number>& capsule, const Triangle3<Number>& triangle) {
   return contact_of_round("capsule", capsule, "triangle", triangle);
 }
+template Truth<Contact> capsule_triangle(const Capsule3d&, const Triangle3d&);
 template Truth<Contact> capsule_triangle(const Capsule3<Rational>&, const Triangle3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 /// Margin: |S - r^2|, S being the squared distance: 0 for a tangent capsule, and for a segment that meets the triangle.
 ///
 /// Certificate: as that of sphere_triangle, with `on_a`, weights of the segment's ends, and `on_b`, of the corners.
-Truth<Contact> capsule_triangle(const Capsule3d& capsule, const Triangle3d& triangle);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> capsule_triangle(const Capsule3<Number>& capsule, const Triangle3<Number>& triangle);
 
 }  // namespace touchstone::oracle

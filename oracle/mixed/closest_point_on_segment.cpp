@@ -13,38 +13,22 @@ NearestPair solved_closest_point_on_segment(const Point& point, const Segment& s
   return nearest_pair({exact_in_space(segment.a), exact_in_space(segment.b)}, {exact_in_space(point)});
 }
 
-template <class Number>
-Truth<ClosestPoint2<Surd>> truth_of_closest_point_on_segment(const Point2<Number>& point,
-                                                             const Segment2<Number>& segment) {
+}  // namespace
+
+template <Exact Number>
+Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
   const NearestPair nearest = solved_closest_point_on_segment(point, segment);
   return truth_of_distance(ClosestPoint2<Surd>{in_plane(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
-template <class Number>
-Truth<ClosestPoint3<Surd>> truth_of_closest_point_on_segment(const Point3<Number>& point,
-                                                             const Segment3<Number>& segment) {
+template <Exact Number>
+Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment) {
   const NearestPair nearest = solved_closest_point_on_segment(point, segment);
   return truth_of_distance(ClosestPoint3<Surd>{in_space(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
-
-}  // namespace
-
-Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2d& point, const Segment2d& segment) {
-  return truth_of_closest_point_on_segment(point, segment);
-}
-Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3d& point, const Segment3d& segment) {
-  return truth_of_closest_point_on_segment(point, segment);
-}
-
-template <Exact Number>
-Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
-  return truth_of_closest_point_on_segment(point, segment);
-}
-template <Exact Number>
-Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment) {
-  return truth_of_closest_point_on_segment(point, segment);
-}
+template Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2d&, const Segment2d&);
+template Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3d&, const Segment3d&);
 template Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 template Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Rational>&, const Segment3<Rational>&);
 

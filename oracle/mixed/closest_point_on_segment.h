@@ -15,11 +15,9 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "root": `weights` of the segment's ends, which give the point; the conditions hold with it. Where the
 /// distance is not rational the same, called "irrational_root".
-Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2d& point, const Segment2d& segment);
-Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3d& point, const Segment3d& segment);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ClosestPoint2<Surd>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ClosestPoint3<Surd>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment);
 
 }  // namespace touchstone::oracle

@@ -5,27 +5,15 @@
 #include "oracle/exact/shapes/nearest_pair.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<ClosestPoint3<Surd>> truth_of_closest_point_on_triangle(const Point3<Number>& point,
-                                                              const Triangle3<Number>& triangle) {
+template <Exact Number>
+Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3<Number>& point, const Triangle3<Number>& triangle) {
   validation::validate_numbers("point", point), validation::validate_numbers("triangle", triangle);
   const NearestPair nearest = nearest_pair({exact(triangle.a), exact(triangle.b), exact(triangle.c)}, {exact(point)});
   return truth_of_distance(ClosestPoint3<Surd>{in_space(nearest.on_a), {}, {}}, nearest.squared_distance,
                            {{"weights", nearest.weights_of_a}});
 }
-
-}  // namespace
-
-Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle) {
-  return truth_of_closest_point_on_triangle(point, triangle);
-}
-
-template <Exact Number>
-Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3<Number>& point, const Triangle3<Number>& triangle) {
-  return truth_of_closest_point_on_triangle(point, triangle);
-}
+template Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3d&, const Triangle3d&);
 template Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3<Rational>&, const Triangle3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 /// there is no margin.
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `weights` of the three corners.
-Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ClosestPoint3<Surd>> closest_point_on_triangle(const Point3<Number>& point, const Triangle3<Number>& triangle);
 
 }  // namespace touchstone::oracle

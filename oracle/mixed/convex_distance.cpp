@@ -44,16 +44,6 @@ Truth<ConvexDistance<Surd>> apart(const Motion& m, const IntegerSolid& a, const 
   return truth;
 }
 
-template <class Number>
-Truth<ConvexDistance<Surd>> truth_of_convex_distance(const Mesh<Number>& a, const Mesh<Number>& b) {
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
-  const ConvexMesh first("a", a), second("b", b);
-  const Motion m = motion(first, second, {});
-  Meeting found(m);
-  if (found.program().feasible()) return meeting(m, found);
-  return apart(m, solid(first, m.a), solid(second, m.b));
-}
-
 }  // namespace
 
 ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistance<Surd>& truth, const Point3d& on_a) {
@@ -71,12 +61,16 @@ ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistanc
           truth.distance};
 }
 
-Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b) { return truth_of_convex_distance(a, b); }
-
 template <Exact Number>
 Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Number>& a, const Mesh<Number>& b) {
-  return truth_of_convex_distance(a, b);
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  const ConvexMesh first("a", a), second("b", b);
+  const Motion m = motion(first, second, {});
+  Meeting found(m);
+  if (found.program().feasible()) return meeting(m, found);
+  return apart(m, solid(first, m.a), solid(second, m.b));
 }
+template Truth<ConvexDistance<Surd>> convex_distance(const Meshd&, const Meshd&);
 template Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Rational>&, const Mesh<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -21,8 +21,7 @@ namespace touchstone::oracle {
 /// points nothing of the other solid is nearer to; and `first`, a vector that no vertex of a comes before, seen from
 /// the nearest point, while none of b comes before the rest of the displacement from a.vertices[0]: a nearest pair at a
 /// smaller distance from a.vertices[0] would have to.
-Truth<ConvexDistance<Surd>> convex_distance(const Meshd& a, const Meshd& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Number>& a, const Mesh<Number>& b);
 
 /// Among all pairs of points of disjoint solids that are as near as those of the truth, the one whose point of a is

@@ -16,9 +16,6 @@ Truth<Passage<Rational>> truth_ray_aabb(const Ray& ray, const Box& aabb) {
 
 }  // namespace
 
-Truth<Passage<Rational>> ray_aabb(const Ray2d& ray, const Aabb2d& aabb) { return truth_ray_aabb(ray, aabb); }
-Truth<Passage<Rational>> ray_aabb(const Ray3d& ray, const Aabb3d& aabb) { return truth_ray_aabb(ray, aabb); }
-
 template <Exact Number>
 Truth<Passage<Rational>> ray_aabb(const Ray2<Number>& ray, const Aabb2<Number>& aabb) {
   return truth_ray_aabb(ray, aabb);
@@ -27,6 +24,8 @@ template <Exact Number>
 Truth<Passage<Rational>> ray_aabb(const Ray3<Number>& ray, const Aabb3<Number>& aabb) {
   return truth_ray_aabb(ray, aabb);
 }
+template Truth<Passage<Rational>> ray_aabb(const Ray2d&, const Aabb2d&);
+template Truth<Passage<Rational>> ray_aabb(const Ray3d&, const Aabb3d&);
 template Truth<Passage<Rational>> ray_aabb(const Ray2<Rational>&, const Aabb2<Rational>&);
 template Truth<Passage<Rational>> ray_aabb(const Ray3<Rational>&, const Aabb3<Rational>&);
 

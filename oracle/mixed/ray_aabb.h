@@ -11,11 +11,9 @@ namespace touchstone::oracle {
 /// contradicts it. Margin: a length, how far the ray has to be moved in the maximum norm until the relation changes.
 /// Certificate: hit: none is needed ("passage"), the answer is checked alone. none: a `normal` along which all of the
 /// ray is beyond the box ("separating_plane").
-Truth<Passage<Rational>> ray_aabb(const Ray2d& ray, const Aabb2d& aabb);
-Truth<Passage<Rational>> ray_aabb(const Ray3d& ray, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Rational>> ray_aabb(const Ray2<Number>& ray, const Aabb2<Number>& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Rational>> ray_aabb(const Ray3<Number>& ray, const Aabb3<Number>& aabb);
 
 }  // namespace touchstone::oracle

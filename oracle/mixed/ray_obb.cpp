@@ -5,12 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Passage<Rational>> ray_obb(const Ray3d& ray, const Obb3d& obb) { return passage_of_obb("ray", ray, obb); }
-
 template <Exact Number>
 Truth<Passage<Rational>> ray_obb(const Ray3<Number>& ray, const Obb3<Number>& obb) {
   return passage_of_obb("ray", ray, obb);
 }
+template Truth<Passage<Rational>> ray_obb(const Ray3d&, const Obb3d&);
 template Truth<Passage<Rational>> ray_obb(const Ray3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

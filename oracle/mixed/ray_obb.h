@@ -17,8 +17,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: hit: none is needed ("passage"), the answer is checked alone. none: a `normal` along which all of the
 /// ray is beyond the box ("separating_plane").
-Truth<Passage<Rational>> ray_obb(const Ray3d& ray, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Rational>> ray_obb(const Ray3<Number>& ray, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

@@ -8,10 +8,9 @@
 #include "oracle/exact/shapes/line_plane.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<LinePlane<Rational>> truth_ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
+template <Exact Number>
+Truth<LinePlane<Rational>> ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
   validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
   validation::validate("ray", ray), validation::validate("plane", plane);
   const auto& [x, y, z] = ray.direction;
@@ -21,15 +20,7 @@ Truth<LinePlane<Rational>> truth_ray_plane(const Ray3<Number>& ray, const Plane<
   return {heights.common(false), std::min(heights.squared_distance(heights.at_start()), heights.squared_distance(rise)),
           [=] { return heights.certificate(); }};
 }
-
-}  // namespace
-
-Truth<LinePlane<Rational>> ray_plane(const Ray3d& ray, const Plane3d& plane) { return truth_ray_plane(ray, plane); }
-
-template <Exact Number>
-Truth<LinePlane<Rational>> ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
-  return truth_ray_plane(ray, plane);
-}
+template Truth<LinePlane<Rational>> ray_plane(const Ray3d&, const Plane3d&);
 template Truth<LinePlane<Rational>> ray_plane(const Ray3<Rational>&, const Plane<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -10,8 +10,7 @@ namespace touchstone::oracle {
 /// point. Margin: the lesser of the squared distance of the origin from the plane and the square of how far origin +
 /// direction is from the parallel plane through the origin: what has to change until the ray leads along the plane.
 /// Certificate: both heights.
-Truth<LinePlane<Rational>> ray_plane(const Ray3d& ray, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<LinePlane<Rational>> ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane);
 
 }  // namespace touchstone::oracle

@@ -16,9 +16,6 @@ Truth<Passage<Surd>> truth_ray_sphere(const Ray& ray, const Ball& sphere) {
 
 }  // namespace
 
-Truth<Passage<Surd>> ray_sphere(const Ray2d& ray, const Circle2d& sphere) { return truth_ray_sphere(ray, sphere); }
-Truth<Passage<Surd>> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) { return truth_ray_sphere(ray, sphere); }
-
 template <Exact Number>
 Truth<Passage<Surd>> ray_sphere(const Ray2<Number>& ray, const Circle2<Number>& sphere) {
   return truth_ray_sphere(ray, sphere);
@@ -27,6 +24,8 @@ template <Exact Number>
 Truth<Passage<Surd>> ray_sphere(const Ray3<Number>& ray, const Sphere3<Number>& sphere) {
   return truth_ray_sphere(ray, sphere);
 }
+template Truth<Passage<Surd>> ray_sphere(const Ray2d&, const Circle2d&);
+template Truth<Passage<Surd>> ray_sphere(const Ray3d&, const Sphere3d&);
 template Truth<Passage<Surd>> ray_sphere(const Ray2<Rational>&, const Circle2<Rational>&);
 template Truth<Passage<Surd>> ray_sphere(const Ray3<Rational>&, const Sphere3<Rational>&);
 

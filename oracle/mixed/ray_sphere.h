@@ -12,11 +12,9 @@ namespace touchstone::oracle {
 /// forwards and backwards, count its zeros, and the first and the last are its roots. Margin: |f(t)| where it is least.
 /// Certificate: "passage", where the answer is checked alone; of `none` why f is positive: it grows ("receding"), its
 /// discriminant is negative ("no_root").
-Truth<Passage<Surd>> ray_sphere(const Ray2d& ray, const Circle2d& sphere);
-Truth<Passage<Surd>> ray_sphere(const Ray3d& ray, const Sphere3d& sphere);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Surd>> ray_sphere(const Ray2<Number>& ray, const Circle2<Number>& sphere);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Surd>> ray_sphere(const Ray3<Number>& ray, const Sphere3<Number>& sphere);
 
 }  // namespace touchstone::oracle

@@ -54,14 +54,11 @@ Truth<RayTriangle<Rational>> truth_of_ray_triangle(const Ray3<Number>& ray, cons
 
 }  // namespace
 
-Truth<RayTriangle<Rational>> ray_triangle(const Ray3d& ray, const Triangle3d& triangle) {
-  return truth_of_ray_triangle(ray, triangle);
-}
-
 template <Exact Number>
 Truth<RayTriangle<Rational>> ray_triangle(const Ray3<Number>& ray, const Triangle3<Number>& triangle) {
   return truth_of_ray_triangle(ray, triangle);
 }
+template Truth<RayTriangle<Rational>> ray_triangle(const Ray3d&, const Triangle3d&);
 template Truth<RayTriangle<Rational>> ray_triangle(const Ray3<Rational>&, const Triangle3<Rational>&);
 
 }  // namespace touchstone::oracle

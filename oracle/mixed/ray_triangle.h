@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 /// or on the boundary and for `segment`. Certificate: `until`, a t from which on the ray is farther ahead than all
 /// corners, with a plane that separates the triangle from what comes before; of what is common, weights of the first
 /// and of another point, and planes that keep the triangle from what comes before and after.
-Truth<RayTriangle<Rational>> ray_triangle(const Ray3d& ray, const Triangle3d& triangle);
-template <Exact Number>
+template <Exact Number = double>
 Truth<RayTriangle<Rational>> ray_triangle(const Ray3<Number>& ray, const Triangle3<Number>& triangle);
 
 }  // namespace touchstone::oracle

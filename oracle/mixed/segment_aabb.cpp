@@ -16,13 +16,6 @@ Truth<Passage<Rational>> truth_segment_aabb(const Segment& segment, const Box& a
 
 }  // namespace
 
-Truth<Passage<Rational>> segment_aabb(const Segment2d& segment, const Aabb2d& aabb) {
-  return truth_segment_aabb(segment, aabb);
-}
-Truth<Passage<Rational>> segment_aabb(const Segment3d& segment, const Aabb3d& aabb) {
-  return truth_segment_aabb(segment, aabb);
-}
-
 template <Exact Number>
 Truth<Passage<Rational>> segment_aabb(const Segment2<Number>& segment, const Aabb2<Number>& aabb) {
   return truth_segment_aabb(segment, aabb);
@@ -31,6 +24,8 @@ template <Exact Number>
 Truth<Passage<Rational>> segment_aabb(const Segment3<Number>& segment, const Aabb3<Number>& aabb) {
   return truth_segment_aabb(segment, aabb);
 }
+template Truth<Passage<Rational>> segment_aabb(const Segment2d&, const Aabb2d&);
+template Truth<Passage<Rational>> segment_aabb(const Segment3d&, const Aabb3d&);
 template Truth<Passage<Rational>> segment_aabb(const Segment2<Rational>&, const Aabb2<Rational>&);
 template Truth<Passage<Rational>> segment_aabb(const Segment3<Rational>&, const Aabb3<Rational>&);
 

@@ -11,11 +11,9 @@ namespace touchstone::oracle {
 /// Farkas' lemma contradicts it. Margin: a length, how far the segment has to be moved in the maximum norm until the
 /// relation changes. Certificate: hit: none is needed ("passage"), the answer is checked alone. none: a `normal` along
 /// which all of the segment is beyond the box ("separating_plane").
-Truth<Passage<Rational>> segment_aabb(const Segment2d& segment, const Aabb2d& aabb);
-Truth<Passage<Rational>> segment_aabb(const Segment3d& segment, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Rational>> segment_aabb(const Segment2<Number>& segment, const Aabb2<Number>& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Rational>> segment_aabb(const Segment3<Number>& segment, const Aabb3<Number>& aabb);
 
 }  // namespace touchstone::oracle

@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Passage<Rational>> segment_obb(const Segment3d& segment, const Obb3d& obb) {
-  return passage_of_obb("segment", segment, obb);
-}
-
 template <Exact Number>
 Truth<Passage<Rational>> segment_obb(const Segment3<Number>& segment, const Obb3<Number>& obb) {
   return passage_of_obb("segment", segment, obb);
 }
+template Truth<Passage<Rational>> segment_obb(const Segment3d&, const Obb3d&);
 template Truth<Passage<Rational>> segment_obb(const Segment3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: hit: none is needed ("passage"), the answer is checked alone. none: a `normal` along which all of the
 /// segment is beyond the box ("separating_plane").
-Truth<Passage<Rational>> segment_obb(const Segment3d& segment, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Rational>> segment_obb(const Segment3<Number>& segment, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

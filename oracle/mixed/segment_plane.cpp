@@ -8,10 +8,9 @@
 #include "oracle/exact/shapes/line_plane.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<LinePlane<Rational>> truth_segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
+template <Exact Number>
+Truth<LinePlane<Rational>> segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
   validation::validate_numbers("segment", segment), validation::validate_numbers("plane", plane);
   validation::validate("plane", plane);
   const LinePlaneHeights heights(exact(segment.a), exact(segment.b), exact(plane));
@@ -19,17 +18,7 @@ Truth<LinePlane<Rational>> truth_segment_plane(const Segment3<Number>& segment, 
           std::min(heights.squared_distance(heights.at_start()), heights.squared_distance(heights.at_end())),
           [=] { return heights.certificate(); }};
 }
-
-}  // namespace
-
-Truth<LinePlane<Rational>> segment_plane(const Segment3d& segment, const Plane3d& plane) {
-  return truth_segment_plane(segment, plane);
-}
-
-template <Exact Number>
-Truth<LinePlane<Rational>> segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
-  return truth_segment_plane(segment, plane);
-}
+template Truth<LinePlane<Rational>> segment_plane(const Segment3d&, const Plane3d&);
 template Truth<LinePlane<Rational>> segment_plane(const Segment3<Rational>&, const Plane<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -8,8 +8,7 @@ namespace touchstone::oracle {
 
 /// Truth: the heights of both ends over the plane are the weights that give the common point. Margin: the squared
 /// distance of the nearer end from the plane. Certificate: both heights.
-Truth<LinePlane<Rational>> segment_plane(const Segment3d& segment, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<LinePlane<Rational>> segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane);
 
 }  // namespace touchstone::oracle

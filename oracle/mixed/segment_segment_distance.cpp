@@ -19,17 +19,6 @@ Truth<Answer> proved(Answer answer, const NearestPair& nearest) {
                            {{"on_a", nearest.weights_of_a}, {"on_b", nearest.weights_of_b}});
 }
 
-template <class Number>
-Truth<ClosestPair2<Surd>> truth_of_segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
-  const NearestPair nearest = solved_segment_segment_distance(a, b);
-  return proved(ClosestPair2<Surd>{in_plane(nearest.on_a), in_plane(nearest.on_b), {}, {}}, nearest);
-}
-template <class Number>
-Truth<ClosestPair3<Surd>> truth_of_segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
-  const NearestPair nearest = solved_segment_segment_distance(a, b);
-  return proved(ClosestPair3<Surd>{in_space(nearest.on_a), in_space(nearest.on_b), {}, {}}, nearest);
-}
-
 /// The point of a; the displacement to that of b is the same for all.
 template <class Segment, class Pair, class Point>
 std::pair<Point3<Rational>, Vector3<Rational>> moved_along(const Segment& a, const Segment& b, const Pair& truth,
@@ -54,21 +43,18 @@ ClosestPair3<Surd> as_near(const Segment3d& a, const Segment3d& b, const Closest
   return {in_space(point), in_space(point + displacement), truth.squared_distance, truth.distance};
 }
 
-Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b) {
-  return truth_of_segment_segment_distance(a, b);
-}
-Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d& a, const Segment3d& b) {
-  return truth_of_segment_segment_distance(a, b);
-}
-
 template <Exact Number>
 Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
-  return truth_of_segment_segment_distance(a, b);
+  const NearestPair nearest = solved_segment_segment_distance(a, b);
+  return proved(ClosestPair2<Surd>{in_plane(nearest.on_a), in_plane(nearest.on_b), {}, {}}, nearest);
 }
 template <Exact Number>
 Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
-  return truth_of_segment_segment_distance(a, b);
+  const NearestPair nearest = solved_segment_segment_distance(a, b);
+  return proved(ClosestPair3<Surd>{in_space(nearest.on_a), in_space(nearest.on_b), {}, {}}, nearest);
 }
+template Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d&, const Segment2d&);
+template Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d&, const Segment3d&);
 template Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Rational>&, const Segment2<Rational>&);
 template Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Rational>&, const Segment3<Rational>&);
 

@@ -15,11 +15,9 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `on_a` and `on_b`, the weights of
 /// the ends. That no pair with a smaller parameter on a is as near follows from the directions.
-Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2d& a, const Segment2d& b);
-Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3d& a, const Segment3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ClosestPair2<Surd>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ClosestPair3<Surd>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b);
 
 /// Among all pairs of points that are as near as those of the truth, the one whose point of a is nearest to `on_a`. No

@@ -16,13 +16,6 @@ Truth<Passage<Surd>> truth_segment_sphere(const Segment& segment, const Ball& sp
 
 }  // namespace
 
-Truth<Passage<Surd>> segment_sphere(const Segment2d& segment, const Circle2d& sphere) {
-  return truth_segment_sphere(segment, sphere);
-}
-Truth<Passage<Surd>> segment_sphere(const Segment3d& segment, const Sphere3d& sphere) {
-  return truth_segment_sphere(segment, sphere);
-}
-
 template <Exact Number>
 Truth<Passage<Surd>> segment_sphere(const Segment2<Number>& segment, const Circle2<Number>& sphere) {
   return truth_segment_sphere(segment, sphere);
@@ -31,6 +24,8 @@ template <Exact Number>
 Truth<Passage<Surd>> segment_sphere(const Segment3<Number>& segment, const Sphere3<Number>& sphere) {
   return truth_segment_sphere(segment, sphere);
 }
+template Truth<Passage<Surd>> segment_sphere(const Segment2d&, const Circle2d&);
+template Truth<Passage<Surd>> segment_sphere(const Segment3d&, const Sphere3d&);
 template Truth<Passage<Surd>> segment_sphere(const Segment2<Rational>&, const Circle2<Rational>&);
 template Truth<Passage<Surd>> segment_sphere(const Segment3<Rational>&, const Sphere3<Rational>&);
 

@@ -12,11 +12,9 @@ namespace touchstone::oracle {
 /// forwards and backwards, count its zeros, and the first and the last are its roots. Margin: |f(t)| where it is least.
 /// Certificate: "passage", where the answer is checked alone; of `none` why f is positive: it grows ("receding"), it
 /// falls to the end ("too_late"), its discriminant is negative ("no_root").
-Truth<Passage<Surd>> segment_sphere(const Segment2d& segment, const Circle2d& sphere);
-Truth<Passage<Surd>> segment_sphere(const Segment3d& segment, const Sphere3d& sphere);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Surd>> segment_sphere(const Segment2<Number>& segment, const Circle2<Number>& sphere);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Passage<Surd>> segment_sphere(const Segment3<Number>& segment, const Sphere3<Number>& sphere);
 
 }  // namespace touchstone::oracle

@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
-  return contact_of_round("sphere", sphere, "capsule", capsule);
-}
-
 template <Exact Number>
 Truth<Contact> sphere_capsule(const Sphere3<Number>& sphere, const Capsule3<Number>& capsule) {
   return contact_of_round("sphere", sphere, "capsule", capsule);
 }
+template Truth<Contact> sphere_capsule(const Sphere3d&, const Capsule3d&);
 template Truth<Contact> sphere_capsule(const Sphere3<Rational>&, const Capsule3<Rational>&);
 
 }  // namespace touchstone::oracle

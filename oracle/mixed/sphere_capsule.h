@@ -17,8 +17,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "nearest_points" (`weights` of the segment's ends, which give the nearest point; it is
 /// farther than the sum of the radii). touching: "tangent" (as far as that) or "no_interior" (a radius is 0).
 /// overlapping: "near_points" (nearer than that).
-Truth<Contact> sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_capsule(const Sphere3<Number>& sphere, const Capsule3<Number>& capsule);
 
 }  // namespace touchstone::oracle

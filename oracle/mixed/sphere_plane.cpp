@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> sphere_plane(const Sphere3d& sphere, const Plane3d& plane) {
-  return contact_over_plane("sphere", sphere, plane);
-}
-
 template <Exact Number>
 Truth<Contact> sphere_plane(const Sphere3<Number>& sphere, const Plane<Number>& plane) {
   return contact_over_plane("sphere", sphere, plane);
 }
+template Truth<Contact> sphere_plane(const Sphere3d&, const Plane3d&);
 template Truth<Contact> sphere_plane(const Sphere3<Rational>&, const Plane<Rational>&);
 
 }  // namespace touchstone::oracle

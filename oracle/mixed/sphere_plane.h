@@ -16,8 +16,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: disjoint: "nearest_point" (`point` of the half-space, farther than the radius). touching: "tangent"
 /// (the nearest `point`, as far as the radius). overlapping: "common_interior_point" (`point`).
-Truth<Contact> sphere_plane(const Sphere3d& sphere, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_plane(const Sphere3<Number>& sphere, const Plane<Number>& plane);
 
 }  // namespace touchstone::oracle

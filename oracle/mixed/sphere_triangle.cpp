@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {
-  return contact_of_round("sphere", sphere, "triangle", triangle);
-}
-
 template <Exact Number>
 Truth<Contact> sphere_triangle(const Sphere3<Number>& sphere, const Triangle3<Number>& triangle) {
   return contact_of_round("sphere", sphere, "triangle", triangle);
 }
+template Truth<Contact> sphere_triangle(const Sphere3d&, const Triangle3d&);
 template Truth<Contact> sphere_triangle(const Sphere3<Rational>&, const Triangle3<Rational>&);
 
 }  // namespace touchstone::oracle

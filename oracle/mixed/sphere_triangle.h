@@ -16,8 +16,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "nearest_points" (`weights` of the corners, which give the nearest point; it is farther than
 /// the radius). touching: "tangent" (as far as the radius) or "no_interior" (the radius is 0). overlapping:
 /// "near_points" (nearer than the radius).
-Truth<Contact> sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_triangle(const Sphere3<Number>& sphere, const Triangle3<Number>& triangle);
 
 }  // namespace touchstone::oracle

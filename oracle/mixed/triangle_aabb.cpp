@@ -109,14 +109,11 @@ Truth<Contact> truth_triangle_aabb(const Triangle3<Number>& triangle, const Aabb
 
 }  // namespace
 
-Truth<Contact> triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {
-  return truth_triangle_aabb(triangle, aabb);
-}
-
 template <Exact Number>
 Truth<Contact> triangle_aabb(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb) {
   return truth_triangle_aabb(triangle, aabb);
 }
+template Truth<Contact> triangle_aabb(const Triangle3d&, const Aabb3d&);
 template Truth<Contact> triangle_aabb(const Triangle3<Rational>&, const Aabb3<Rational>&);
 
 }  // namespace touchstone::oracle

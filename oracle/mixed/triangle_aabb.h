@@ -18,8 +18,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "separating_plane" (`normal`, `offset`), the triangle below it and the box above. Otherwise
 /// the `weights` of a common point: "supporting_plane", or "flat_axis" (the `axis` on which the box is flat), where
 /// they touch; "common_interior_point" where they overlap.
-Truth<Contact> triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> triangle_aabb(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb);
 
 }  // namespace touchstone::oracle

@@ -36,8 +36,10 @@ Certificate certificate_triangle_obb(const Zonotope::Held& held, const PointsFro
   return found;
 }
 
-template <class Number>
-Truth<Contact> truth_triangle_obb(const Triangle3<Number>& triangle, const Obb3<Number>& obb) {
+}  // namespace
+
+template <Exact Number>
+Truth<Contact> triangle_obb(const Triangle3<Number>& triangle, const Obb3<Number>& obb) {
   validation::validate_numbers("triangle", triangle), validation::validate_numbers("obb", obb);
   validate_parallelepiped("obb", obb);
   const auto& [a, b, c] = triangle;
@@ -62,15 +64,7 @@ Truth<Contact> truth_triangle_obb(const Triangle3<Number>& triangle, const Obb3<
             return certificate_triangle_obb(held, corners, of_box);
           }};
 }
-
-}  // namespace
-
-Truth<Contact> triangle_obb(const Triangle3d& triangle, const Obb3d& obb) { return truth_triangle_obb(triangle, obb); }
-
-template <Exact Number>
-Truth<Contact> triangle_obb(const Triangle3<Number>& triangle, const Obb3<Number>& obb) {
-  return truth_triangle_obb(triangle, obb);
-}
+template Truth<Contact> triangle_obb(const Triangle3d&, const Obb3d&);
 template Truth<Contact> triangle_obb(const Triangle3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -17,8 +17,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: as that of obb_obb, with `on_a`, weights of the corners, and `on_b`, coefficients; `normal` leads from
 /// the triangle to the box.
-Truth<Contact> triangle_obb(const Triangle3d& triangle, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> triangle_obb(const Triangle3<Number>& triangle, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> capsule_plane(const Capsule3d& capsule, const Plane3d& plane) {
-  return contact_over_plane("capsule", capsule, plane);
-}
-
 template <Exact Number>
 Truth<Contact> capsule_plane(const Capsule3<Number>& capsule, const Plane<Number>& plane) {
   return contact_over_plane("capsule", capsule, plane);
 }
+template Truth<Contact> capsule_plane(const Capsule3d&, const Plane3d&);
 template Truth<Contact> capsule_plane(const Capsule3<Rational>&, const Plane<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -15,8 +15,7 @@ namespace touchstone::oracle {
 /// Certificate, with the `weights` of the ends, which give the lowest point of the segment, and a `point` of the
 /// half-space: disjoint: "nearest_point" (farther from that than the radius). touching: "tangent" (as far as the
 /// radius). overlapping: "common_interior_point".
-Truth<Contact> capsule_plane(const Capsule3d& capsule, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> capsule_plane(const Capsule3<Number>& capsule, const Plane<Number>& plane);
 
 }  // namespace touchstone::oracle

@@ -7,10 +7,9 @@
 #include "oracle/exact/shapes/half_space.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Contact> truth_obb_plane(const Obb3<Number>& obb, const Plane<Number>& plane) {
+template <Exact Number>
+Truth<Contact> obb_plane(const Obb3<Number>& obb, const Plane<Number>& plane) {
   validate_over_plane("obb", obb, plane);
   const Hull corners = round_solid(obb).core;
   const Plane<Rational> exactly = exact(plane);
@@ -29,15 +28,7 @@ Truth<Contact> truth_obb_plane(const Obb3<Number>& obb, const Plane<Number>& pla
             return {inside ? "common_interior_point" : "lowest_point", {{"coefficients", std::move(coefficients)}}};
           }};
 }
-
-}  // namespace
-
-Truth<Contact> obb_plane(const Obb3d& obb, const Plane3d& plane) { return truth_obb_plane(obb, plane); }
-
-template <Exact Number>
-Truth<Contact> obb_plane(const Obb3<Number>& obb, const Plane<Number>& plane) {
-  return truth_obb_plane(obb, plane);
-}
+template Truth<Contact> obb_plane(const Obb3d&, const Plane3d&);
 template Truth<Contact> obb_plane(const Obb3<Rational>&, const Plane<Rational>&);
 
 }  // namespace touchstone::oracle

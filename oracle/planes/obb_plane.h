@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate, `coefficients` of the half axes: disjoint: "lowest_point" (above which all of the box lies, and above
 /// 0). touching: the same at 0. overlapping: "common_interior_point".
-Truth<Contact> obb_plane(const Obb3d& obb, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> obb_plane(const Obb3<Number>& obb, const Plane<Number>& plane);
 
 }  // namespace touchstone::oracle

@@ -9,8 +9,10 @@ namespace {
 
 const Plane<Rational> ground{{0, 1, 0}, 0};
 
-template <class Number>
-Truth<Height> truth_point_ground_plane(const Point3<Number>& point) {
+}  // namespace
+
+template <Exact Number>
+Truth<Height> point_ground_plane(const Point3<Number>& point) {
   validation::validate("point", point);
   const Rational e = height_over(ground, exact(point));
   return {sgn(e) > 0   ? Height::above
@@ -20,15 +22,7 @@ Truth<Height> truth_point_ground_plane(const Point3<Number>& point) {
             return Certificate{"height", {{"height", {e}}}};
           }};
 }
-
-}  // namespace
-
-Truth<Height> point_ground_plane(const Point3d& point) { return truth_point_ground_plane(point); }
-
-template <Exact Number>
-Truth<Height> point_ground_plane(const Point3<Number>& point) {
-  return truth_point_ground_plane(point);
-}
+template Truth<Height> point_ground_plane(const Point3d&);
 template Truth<Height> point_ground_plane(const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -5,10 +5,9 @@
 #include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<PointPlane<Surd>> truth_point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
+template <Exact Number>
+Truth<PointPlane<Surd>> point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
   validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
       validation::validate("plane", plane), validation::validate("point", point);
   const Plane<Rational> exactly = exact(plane);
@@ -20,17 +19,7 @@ Truth<PointPlane<Surd>> truth_point_plane(const Plane<Number>& plane, const Poin
   const char* const kind = distance.rational() ? "root" : "irrational_root";
   return {{side, distance}, square, [kind] { return Certificate{kind, {}}; }};
 }
-
-}  // namespace
-
-Truth<PointPlane<Surd>> point_plane(const Plane3d& plane, const Point3d& point) {
-  return truth_point_plane(plane, point);
-}
-
-template <Exact Number>
-Truth<PointPlane<Surd>> point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
-  return truth_point_plane(plane, point);
-}
+template Truth<PointPlane<Surd>> point_plane(const Plane3d&, const Point3d&);
 template Truth<PointPlane<Surd>> point_plane(const Plane<Rational>&, const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

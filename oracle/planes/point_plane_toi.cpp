@@ -48,15 +48,12 @@ Truth<PointPlaneToi<Rational>> truth_point_plane_toi(const Step& step) {
 
 }  // namespace
 
-Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  return truth_point_plane_toi(examine(plane, start, end));
-}
-
 template <Exact Number>
 Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start,
                                                const Point3<Number>& end) {
   return truth_point_plane_toi(examine(plane, start, end));
 }
+template Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane3d&, const Point3d&, const Point3d&);
 template Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Rational>&, const Point3<Rational>&,
                                                         const Point3<Rational>&);
 

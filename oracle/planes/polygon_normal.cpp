@@ -37,12 +37,11 @@ Truth<PolygonNormal<Surd>> truth_polygon_normal(const Vector3<Rational>& normal)
 
 }  // namespace
 
-Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3d& polygon) { return truth_polygon_normal(area_of(polygon)); }
-
 template <Exact Number>
 Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Number>& polygon) {
   return truth_polygon_normal(area_of(polygon));
 }
+template Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3d&);
 template Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// zero. The unit normal is the sum over the root of its squared length. Margin: the greatest coordinate of the sum, in
 /// magnitude. Certificate: "no_area", "root" or, where a coordinate of the unit normal is not rational,
 /// "irrational_root"; the checker adds up the sum itself.
-Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3d& polygon);
-template <Exact Number>
+template <Exact Number = double>
 Truth<PolygonNormal<Surd>> polygon_normal(const Polygon3<Number>& polygon);
 
 }  // namespace touchstone::oracle

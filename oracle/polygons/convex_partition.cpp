@@ -49,13 +49,6 @@ IndexLists partition(const IntegerRing& ring) {
   return pieces;
 }
 
-template <class Number>
-Truth<IndexLists> truth_convex_partition(const Polygon2<Number>& polygon) {
-  IntegerRing ring = simple_ring(polygon);
-  IndexLists pieces = partition(ring);
-  return cut(std::move(ring), std::move(pieces));
-}
-
 std::size_t reflex_vertices(const IntegerRing& ring) {
   const int direction = sgn(ring.area());
   std::size_t count = 0;
@@ -65,12 +58,13 @@ std::size_t reflex_vertices(const IntegerRing& ring) {
 
 }  // namespace
 
-Truth<IndexLists> convex_partition(const Polygon2d& polygon) { return truth_convex_partition(polygon); }
-
 template <Exact Number>
 Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
-  return truth_convex_partition(polygon);
+  IntegerRing ring = simple_ring(polygon);
+  IndexLists pieces = partition(ring);
+  return cut(std::move(ring), std::move(pieces));
 }
+template Truth<IndexLists> convex_partition(const Polygon2d&);
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
 
 std::string convex_partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {

@@ -59,8 +59,10 @@ Certificate certificate_interior_angles(const std::vector<AngleBetween>& angles)
   return {"enclosure", {{"low", low}, {"high", high}, {"bits", {Rational(bits)}}}};
 }
 
-template <class Number>
-Truth<std::vector<Rational>> truth_interior_angles(const Polygon2<Number>& polygon) {
+}  // namespace
+
+template <Exact Number>
+Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon) {
   Truth<std::vector<Rational>> result{{}, Rational(1, 2)};
   std::vector<AngleBetween> angles = enclosures(polygon);
   for (const auto& [low, high] : angles) {
@@ -70,15 +72,7 @@ Truth<std::vector<Rational>> truth_interior_angles(const Polygon2<Number>& polyg
   result.certificate = [angles = std::move(angles)] { return certificate_interior_angles(angles); };
   return result;
 }
-
-}  // namespace
-
-Truth<std::vector<Rational>> interior_angles(const Polygon2d& polygon) { return truth_interior_angles(polygon); }
-
-template <Exact Number>
-Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon) {
-  return truth_interior_angles(polygon);
-}
+template Truth<std::vector<Rational>> interior_angles(const Polygon2d&);
 template Truth<std::vector<Rational>> interior_angles(const Polygon2<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 /// are the same double and less than 2^-60 units in the last place apart. Angles are irrational: pi times a fraction,
 /// or else transcendental (Lindemann), so no tie is possible. Margin: the least distance of an angle, in units in the
 /// last place, to the nearest tie between doubles (computed from that rational).
-Truth<std::vector<Rational>> interior_angles(const Polygon2d& polygon);
-template <Exact Number>
+template <Exact Number = double>
 Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon);
 
 }  // namespace touchstone::oracle

@@ -130,14 +130,11 @@ Truth<Location> truth_of_point_in_convex_polygon(const Polygon2<Number>& polygon
 
 }  // namespace
 
-Truth<Location> point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point) {
-  return truth_of_point_in_convex_polygon(polygon, point);
-}
-
 template <Exact Number>
 Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   return truth_of_point_in_convex_polygon(polygon, point);
 }
+template Truth<Location> point_in_convex_polygon(const Polygon2d&, const Point2d&);
 template Truth<Location> point_in_convex_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
 
 }  // namespace touchstone::oracle

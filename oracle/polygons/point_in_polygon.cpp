@@ -126,14 +126,11 @@ Truth<Location> truth_of_point_in_polygon(const Polygon2<Number>& polygon, const
 
 }  // namespace
 
-Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point) {
-  return truth_of_point_in_polygon(polygon, point);
-}
-
 template <Exact Number>
 Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   return truth_of_point_in_polygon(polygon, point);
 }
+template Truth<Location> point_in_polygon(const Polygon2d&, const Point2d&);
 template Truth<Location> point_in_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
 
 Location point_in_polygon_location(const Polygon2d& polygon, const Point2d& point) {

@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// Truth: `boundary` by definition, every edge asked. Otherwise the parity of the crossings of a ray in a direction
 /// that is parallel to no line through the point and a vertex; two such rays have to agree. Margin: the least squared
 /// distance of the point from an edge.
-Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point);
 
 /// The answer of `point_in_polygon` alone by the winding number, counted in quarter turns without an angle: its parity

@@ -191,12 +191,11 @@ Truth<PolygonConvexity> truth_polygon_convexity(const Polygon2<Number>& given) {
 
 }  // namespace
 
-Truth<PolygonConvexity> polygon_convexity(const Polygon2d& polygon) { return truth_polygon_convexity(polygon); }
-
 template <Exact Number>
 Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon) {
   return truth_polygon_convexity(polygon);
 }
+template Truth<PolygonConvexity> polygon_convexity(const Polygon2d&);
 template Truth<PolygonConvexity> polygon_convexity(const Polygon2<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 /// of a vertex from an edge that it does not end, and from the line through its neighbours - for a concave ring only
 /// the greatest of those that make it concave. Rings that are not simple: of all pairs of edges that meet, the one that
 /// is furthest from coming apart (the least distance of an end of one from the other). Degenerate: 0.
-Truth<PolygonConvexity> polygon_convexity(const Polygon2d& polygon);
-template <Exact Number>
+template <Exact Number = double>
 Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon);
 
 }  // namespace touchstone::oracle

@@ -6,23 +6,14 @@
 #include "geometry/validation.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<IndexLists> truth_triangulate_polygon(const Polygon2<Number>& polygon) {
+template <Exact Number>
+Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
   IntegerRing ring = simple_ring(polygon);
   IndexLists triangles = triangulated(ring);
   return cut(std::move(ring), std::move(triangles));
 }
-
-}  // namespace
-
-Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon) { return truth_triangulate_polygon(polygon); }
-
-template <Exact Number>
-Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
-  return truth_triangulate_polygon(polygon);
-}
+template Truth<IndexLists> triangulate_polygon(const Polygon2d&);
 template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
 
 std::string triangulate_polygon_defect(const Polygon2d& polygon, const IndexLists& triangles) {

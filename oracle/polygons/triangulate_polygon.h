@@ -9,8 +9,7 @@ namespace touchstone::oracle {
 /// Truth: one triangulation of many, diagonal by diagonal on integers. Margin: the least size of twice the area of
 /// three consecutive vertices, which is 0 if one is flat: how far the vertices are from changing between convex and
 /// reflex.
-Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon);
-template <Exact Number>
+template <Exact Number = double>
 Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon);
 
 /// The defect of a triangulation of a simple polygon; "" if it is right, ours or not.

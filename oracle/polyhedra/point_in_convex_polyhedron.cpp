@@ -111,14 +111,11 @@ Truth<Location> truth_of_point_in_convex_polyhedron(const Mesh<Number>& mesh, co
 
 }  // namespace
 
-Truth<Location> point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) {
-  return truth_of_point_in_convex_polyhedron(mesh, point);
-}
-
 template <Exact Number>
 Truth<Location> point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
   return truth_of_point_in_convex_polyhedron(mesh, point);
 }
+template Truth<Location> point_in_convex_polyhedron(const Meshd&, const Point3d&);
 template Truth<Location> point_in_convex_polyhedron(const Mesh<Rational>&, const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// a negative one in every tetrahedron is outside, one of the solid in the plane of a face is on the boundary. Margin:
 /// the squared distance of the point from a face's plane: inside, from the nearest; outside, from the farthest of those
 /// that it lies beyond (so the solid is no nearer than that).
-Truth<Location> point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Location> point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point);
 
 }  // namespace touchstone::oracle

@@ -10,10 +10,9 @@
 #include "oracle/exact/solids/solid.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Location> truth_of_point_in_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
+template <Exact Number>
+Truth<Location> point_in_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
   validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
   validation::validate("mesh", mesh), validate_polygons("mesh", mesh), validation::validate_triangles("mesh", mesh);
   validate_closed("mesh", mesh);
@@ -28,17 +27,7 @@ Truth<Location> truth_of_point_in_polyhedron(const Mesh<Number>& mesh, const Poi
   if (found.answer != Location::boundary) found.margin = Rational(solid.squared_distance(p) * cloud.unit * cloud.unit);
   return found;
 }
-
-}  // namespace
-
-Truth<Location> point_in_polyhedron(const Meshd& mesh, const Point3d& point) {
-  return truth_of_point_in_polyhedron(mesh, point);
-}
-
-template <Exact Number>
-Truth<Location> point_in_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
-  return truth_of_point_in_polyhedron(mesh, point);
-}
+template Truth<Location> point_in_polyhedron(const Meshd&, const Point3d&);
 template Truth<Location> point_in_polyhedron(const Mesh<Rational>&, const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: boundary: "on_face" (the `face` and the `weights` of its corners). inside, outside: "crossings" (the
 /// ray's `direction`, the `faces` that it crosses, and `t`, at which it does).
-Truth<Location> point_in_polyhedron(const Meshd& mesh, const Point3d& point);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Location> point_in_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point);
 
 }  // namespace touchstone::oracle

@@ -327,14 +327,11 @@ Truth<PolyhedronComplexityAnswer> truth_of_polyhedron_complexity(const Mesh<Numb
 
 }  // namespace
 
-Truth<PolyhedronComplexityAnswer> polyhedron_complexity(const Meshd& mesh) {
-  return truth_of_polyhedron_complexity(mesh);
-}
-
 template <Exact Number>
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Number>& mesh) {
   return truth_of_polyhedron_complexity(mesh);
 }
+template Truth<PolyhedronComplexityAnswer> polyhedron_complexity(const Meshd&);
 template Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -19,8 +19,7 @@ namespace touchstone::oracle {
 /// faces' own planes hold apart. common_point: six weights of the corners of the meeting faces.
 /// directions: of a ray that misses all edges, for each two components of which the first vertex of the one is in the
 /// box of the other.
-Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Meshd& mesh);
-template <Exact Number>
+template <Exact Number = double>
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Number>& mesh);
 
 }  // namespace touchstone::oracle

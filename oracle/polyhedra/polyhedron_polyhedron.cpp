@@ -305,14 +305,11 @@ PolyhedronPolyhedronAnswer truth_of_polyhedron_polyhedron(const Mesh<Number>& a,
 
 }  // namespace
 
-Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Meshd& a, const Meshd& b) {
-  return truth_of_polyhedron_polyhedron(a, b);
-}
-
 template <Exact Number>
 Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Number>& a, const Mesh<Number>& b) {
   return truth_of_polyhedron_polyhedron(a, b);
 }
+template Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Meshd&, const Meshd&);
 template Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Rational>&, const Mesh<Rational>&);
 
 }  // namespace touchstone::oracle

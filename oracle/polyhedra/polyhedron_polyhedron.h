@@ -18,8 +18,7 @@ namespace touchstone::oracle {
 /// proofs that it is `outside`); of touching ones "touching" (such a partition, and a common point); of overlapping
 /// ones "common_interior_point". A common point has a proof for each solid, `in_a` and `in_b`. With both kinds goes the
 /// step: a `vertex` that is inside with its proof in `vertices`, or proofs there that no vertex is.
-Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Meshd& a, const Meshd& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Number>& a, const Mesh<Number>& b);
 
 }  // namespace touchstone::oracle

@@ -101,12 +101,11 @@ Truth<RayMesh<Rational>> truth_of_ray_mesh(const Ray3<Number>& given, const Mesh
 
 }  // namespace
 
-Truth<RayMesh<Rational>> ray_mesh(const Ray3d& ray, const Meshd& mesh) { return truth_of_ray_mesh(ray, mesh); }
-
 template <Exact Number>
 Truth<RayMesh<Rational>> ray_mesh(const Ray3<Number>& ray, const Mesh<Number>& mesh) {
   return truth_of_ray_mesh(ray, mesh);
 }
+template Truth<RayMesh<Rational>> ray_mesh(const Ray3d&, const Meshd&);
 template Truth<RayMesh<Rational>> ray_mesh(const Ray3<Rational>&, const Mesh<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 /// ray is farther ahead than all corners of faces; parts `missed`, planes, each with the `faces` that it keeps from
 /// what comes before; parts `met`, for each `face` that the ray meets, t and weights of the first point, and the plane
 /// `before`, as in ray_triangle.h.
-Truth<RayMesh<Rational>> ray_mesh(const Ray3d& ray, const Meshd& mesh);
-template <Exact Number>
+template <Exact Number = double>
 Truth<RayMesh<Rational>> ray_mesh(const Ray3<Number>& ray, const Mesh<Number>& mesh);
 
 }  // namespace touchstone::oracle

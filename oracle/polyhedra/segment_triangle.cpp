@@ -87,14 +87,11 @@ Truth<SegmentTriangle<Rational>> truth_of_segment_triangle(const Segment3<Number
 
 }  // namespace
 
-Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3d& segment, const Triangle3d& triangle) {
-  return truth_of_segment_triangle(segment, triangle);
-}
-
 template <Exact Number>
 Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3<Number>& segment, const Triangle3<Number>& triangle) {
   return truth_of_segment_triangle(segment, triangle);
 }
+template Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3d&, const Triangle3d&);
 template Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3<Rational>&, const Triangle3<Rational>&);
 
 }  // namespace touchstone::oracle

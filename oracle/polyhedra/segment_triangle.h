@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// of the segment from one of its edges. For `none` that is the squared distance of the two; 0 for every contact at an
 /// end or an edge and for `segment`. Certificate: the Farkas vector is a separating plane; of what is common, weights
 /// of the first and of the last point, and planes that keep the triangle from what comes before and after.
-Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3d& segment, const Triangle3d& triangle);
-template <Exact Number>
+template <Exact Number = double>
 Truth<SegmentTriangle<Rational>> segment_triangle(const Segment3<Number>& segment, const Triangle3<Number>& triangle);
 
 }  // namespace touchstone::oracle

@@ -77,10 +77,6 @@ Truth<TriangleTriangleRelation> truth_of_triangle_triangle(const Triangle3<Numbe
 
 }  // namespace
 
-Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
-  return truth_of_triangle_triangle(a, b);
-}
-
 TriangleTriangleRelation triangle_triangle_relation(const Triangle3d& a, const Triangle3d& b) {
   return relation_of(solved(a, b).common.dimension);
 }
@@ -93,6 +89,7 @@ template <Exact Number>
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b) {
   return truth_of_triangle_triangle(a, b);
 }
+template Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d&, const Triangle3d&);
 template Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Rational>&, const Triangle3<Rational>&);
 
 }  // namespace touchstone::oracle

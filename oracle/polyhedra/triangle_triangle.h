@@ -15,8 +15,7 @@ namespace touchstone::oracle {
 /// distance of a corner from the other triangle, or of two edges. For `none` that is the squared distance of the two; 0
 /// if they only touch, and for `area`. Certificate: those planes, and one to three common points, by weights of the
 /// corners of each, of the dimension in the truth.
-Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b);
 
 /// The same relation alone; of integers below 2^13 in size without linear programs.

@@ -42,16 +42,12 @@ Truth<ContactState> truth_contact_state(const MovingBody<Number>& a, const Movin
 
 }  // namespace
 
-Truth<ContactState> contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
-                                  const Vector3d& normal) {
-  return truth_contact_state(a, b, point, normal);
-}
-
 template <Exact Number>
 Truth<ContactState> contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
                                   const Vector3<Number>& normal) {
   return truth_contact_state(a, b, point, normal);
 }
+template Truth<ContactState> contact_state(const MovingBodyd&, const MovingBodyd&, const Point3d&, const Vector3d&);
 template Truth<ContactState> contact_state(const MovingBody<Rational>&, const MovingBody<Rational>&,
                                            const Point3<Rational>&, const Vector3<Rational>&);
 

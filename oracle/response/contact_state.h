@@ -13,9 +13,7 @@ namespace touchstone::oracle {
 /// Margin: the squared relative velocity along the normal, per length of the normal.
 ///
 /// Certificate: "point_velocities": of the bodies at the contact, `of_a` and `of_b`.
-Truth<ContactState> contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
-                                  const Vector3d& normal);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ContactState> contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
                                   const Vector3<Number>& normal);
 

@@ -4,28 +4,16 @@
 #include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Vector3<Rational>> truth_damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
-                                                 const Number& k) {
+template <Exact Number>
+Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
+                                           const Number& k) {
   validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
       validation::validate_numbers("k", k), validation::validate("velocity", velocity),
       validation::validate("normal", normal, rule::normal), validation::validate("k", k);
   return bounced(velocity, normal, exact(k));
 }
-
-}  // namespace
-
-Truth<Vector3<Rational>> damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
-  return truth_damped_reflection(velocity, normal, k);
-}
-
-template <Exact Number>
-Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
-                                           const Number& k) {
-  return truth_damped_reflection(velocity, normal, k);
-}
+template Truth<Vector3<Rational>> damped_reflection(const Vector3d&, const Vector3d&, const double&);
 template Truth<Vector3<Rational>> damped_reflection(const Vector3<Rational>&, const Vector3<Rational>&,
                                                     const Rational&);
 

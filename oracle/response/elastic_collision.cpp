@@ -4,29 +4,16 @@
 #include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Velocities<Rational>> truth_elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
-                                                    const Vector3<Number>& normal) {
+template <Exact Number>
+Truth<Velocities<Rational>> elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                              const Vector3<Number>& normal) {
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate_numbers("normal", normal), validation::validate("masses", masses),
       validation::validate("velocities", velocities), validation::validate("normal", normal, rule::normal);
   return after_impact(masses, velocities, normal, Rational(1));
 }
-
-}  // namespace
-
-Truth<Velocities<Rational>> elastic_collision(const Massesd& masses, const Velocitiesd& velocities,
-                                              const Vector3d& normal) {
-  return truth_elastic_collision(masses, velocities, normal);
-}
-
-template <Exact Number>
-Truth<Velocities<Rational>> elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
-                                              const Vector3<Number>& normal) {
-  return truth_elastic_collision(masses, velocities, normal);
-}
+template Truth<Velocities<Rational>> elastic_collision(const Massesd&, const Velocitiesd&, const Vector3d&);
 template Truth<Velocities<Rational>> elastic_collision(const Masses<Rational>&, const Velocities<Rational>&,
                                                        const Vector3<Rational>&);
 

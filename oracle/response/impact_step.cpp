@@ -292,27 +292,17 @@ class ImpactStepStep {
   std::set<std::pair<Index, Index>> settled_;
 };
 
-template <class Number>
-Truth<ImpactStep<Surd>> stepped_impact_step(const std::vector<StepBody<Number>>& bodies,
-                                            const std::vector<Plane<Number>>& walls, const Number& restitution,
-                                            const Number& timestep) {
-  validate_all_impact_step(bodies, walls, restitution, timestep);
-  return ImpactStepStep(bodies, walls, restitution, timestep).made();
-}
-
 }  // namespace
-
-Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
-                                    double restitution, double timestep) {
-  return stepped_impact_step(bodies, walls, restitution, timestep);
-}
 
 template <Exact Number>
 Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBody<Number>>& bodies,
                                     const std::vector<Plane<Number>>& walls, const Number& restitution,
                                     const Number& timestep) {
-  return stepped_impact_step(bodies, walls, restitution, timestep);
+  validate_all_impact_step(bodies, walls, restitution, timestep);
+  return ImpactStepStep(bodies, walls, restitution, timestep).made();
 }
+template Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBodyd>&, const std::vector<Plane3d>&, const double&,
+                                             const double&);
 template Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBody<Rational>>&,
                                              const std::vector<Plane<Rational>>&, const Rational&, const Rational&);
 

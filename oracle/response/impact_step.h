@@ -14,9 +14,7 @@ namespace touchstone::oracle {
 /// Certificate: "moments": for each moment that is answered one of the kind "pushes". r is the radicand of its t, 0 if
 /// that is rational. `impulses` and `impulses_of_root`, a and b of a + b sqrt(r), one for each contact; `clock`;
 /// `states`, position and velocity of each movable body in a contact, in ascending order, each number rounded.
-Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
-                                    double restitution, double timestep);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ImpactStep<Surd>> impact_step(const std::vector<StepBody<Number>>& bodies,
                                     const std::vector<Plane<Number>>& walls, const Number& restitution,
                                     const Number& timestep);

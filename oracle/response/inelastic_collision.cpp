@@ -6,10 +6,9 @@
 #include "oracle/exact/systems/impact.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Vector3<Rational>> truth_inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities) {
+template <Exact Number>
+Truth<Vector3<Rational>> inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities) {
   validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
       validation::validate("masses", masses), validation::validate("velocities", velocities);
   Rational mass(exact(masses.first) + exact(masses.second));
@@ -20,17 +19,7 @@ Truth<Vector3<Rational>> truth_inelastic_collision(const Masses<Number>& masses,
             return Certificate{"momentum", {{"momentum", listed(mass * together)}}};
           }};
 }
-
-}  // namespace
-
-Truth<Vector3<Rational>> inelastic_collision(const Massesd& masses, const Velocitiesd& velocities) {
-  return truth_inelastic_collision(masses, velocities);
-}
-
-template <Exact Number>
-Truth<Vector3<Rational>> inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities) {
-  return truth_inelastic_collision(masses, velocities);
-}
+template Truth<Vector3<Rational>> inelastic_collision(const Massesd&, const Velocitiesd&);
 template Truth<Vector3<Rational>> inelastic_collision(const Masses<Rational>&, const Velocities<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -10,8 +10,7 @@ namespace touchstone::oracle {
 /// Nothing is decided: there is no margin.
 ///
 /// Certificate: "momentum": the `momentum` m1 v1 + m2 v2.
-Truth<Vector3<Rational>> inelastic_collision(const Massesd& masses, const Velocitiesd& velocities);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Vector3<Rational>> inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities);
 
 }  // namespace touchstone::oracle

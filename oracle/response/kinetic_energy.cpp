@@ -51,12 +51,11 @@ Truth<Rational> truth_kinetic_energy(ManyBodies bodies) {
 
 }  // namespace
 
-Truth<Rational> kinetic_energy(const std::vector<Bodyd>& bodies) { return truth_kinetic_energy(ManyBodies(bodies)); }
-
 template <Exact Number>
 Truth<Rational> kinetic_energy(const std::vector<Body<Number>>& bodies) {
   return truth_kinetic_energy(ManyBodies(bodies));
 }
+template Truth<Rational> kinetic_energy(const std::vector<Bodyd>&);
 template Truth<Rational> kinetic_energy(const std::vector<Body<Rational>>&);
 
 }  // namespace touchstone::oracle

@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "centre": the `mass` of all, the `velocity` of their centre and `doubled_energies`: of all mass there,
 /// and of the bodies as seen from it. None have the velocity 0.
-Truth<Rational> kinetic_energy(const std::vector<Bodyd>& bodies);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Rational> kinetic_energy(const std::vector<Body<Number>>& bodies);
 
 }  // namespace touchstone::oracle

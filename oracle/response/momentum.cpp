@@ -20,12 +20,11 @@ Truth<Vector3<Rational>> truth_momentum(const ManyBodies& bodies) {
 
 }  // namespace
 
-Truth<Vector3<Rational>> momentum(const std::vector<Bodyd>& bodies) { return truth_momentum(ManyBodies(bodies)); }
-
 template <Exact Number>
 Truth<Vector3<Rational>> momentum(const std::vector<Body<Number>>& bodies) {
   return truth_momentum(ManyBodies(bodies));
 }
+template Truth<Vector3<Rational>> momentum(const std::vector<Bodyd>&);
 template Truth<Vector3<Rational>> momentum(const std::vector<Body<Rational>>&);
 
 }  // namespace touchstone::oracle

@@ -12,8 +12,7 @@ namespace touchstone::oracle {
 /// decided: there is no margin.
 ///
 /// Certificate: "sum": no facts; momentum is a sum that can be checked by summing.
-Truth<Vector3<Rational>> momentum(const std::vector<Bodyd>& bodies);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Vector3<Rational>> momentum(const std::vector<Body<Number>>& bodies);
 
 }  // namespace touchstone::oracle

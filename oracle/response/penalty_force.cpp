@@ -33,10 +33,11 @@ Situation examine(const Point3<Number>& point, const Vector3<Number>& velocity, 
           exact_vector(velocity) - after_bounce(velocity, n, Rational(0))};
 }
 
-template <class Number>
-Truth<Vector3<Rational>> truth_penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
-                                             const Plane<Number>& plane, const Number& stiffness,
-                                             const Number& damping) {
+}  // namespace
+
+template <Exact Number>
+Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
+                                       const Plane<Number>& plane, const Number& stiffness, const Number& damping) {
   Situation s = examine(point, velocity, plane, stiffness, damping);
   const Rational margin(s.height * s.height / s.squared_normal);
   if (sgn(s.height) >= 0)
@@ -46,19 +47,8 @@ Truth<Vector3<Rational>> truth_penalty_force(const Point3<Number>& point, const 
             return Certificate{"foot", {{"foot", listed(foot)}, {"along", listed(along)}}};
           }};
 }
-
-}  // namespace
-
-Truth<Vector3<Rational>> penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
-                                       double stiffness, double damping) {
-  return truth_penalty_force(point, velocity, plane, stiffness, damping);
-}
-
-template <Exact Number>
-Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
-                                       const Plane<Number>& plane, const Number& stiffness, const Number& damping) {
-  return truth_penalty_force(point, velocity, plane, stiffness, damping);
-}
+template Truth<Vector3<Rational>> penalty_force(const Point3d&, const Vector3d&, const Plane3d&, const double&,
+                                                const double&);
 template Truth<Vector3<Rational>> penalty_force(const Point3<Rational>&, const Vector3<Rational>&,
                                                 const Plane<Rational>&, const Rational&, const Rational&);
 

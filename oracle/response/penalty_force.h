@@ -14,9 +14,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: E < 0: "foot": the `foot` of the point on the plane, and what the velocity has `along` the normal.
 /// Otherwise "no_contact".
-Truth<Vector3<Rational>> penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
-                                       double stiffness, double damping);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
                                        const Plane<Number>& plane, const Number& stiffness, const Number& damping);
 

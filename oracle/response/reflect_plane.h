@@ -10,8 +10,7 @@ namespace touchstone::oracle {
 /// with the opposite sign. Nothing is decided: there is no margin.
 ///
 /// Certificate: "decomposition": the parts of v, `along` the normal and `across` it.
-Truth<Vector3<Rational>> reflect_plane(const Vector3d& velocity, const Vector3d& normal);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Vector3<Rational>> reflect_plane(const Vector3<Number>& velocity, const Vector3<Number>& normal);
 
 }  // namespace touchstone::oracle

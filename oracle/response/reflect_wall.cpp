@@ -7,10 +7,9 @@
 #include "oracle/exact/numbers/space.h"
 
 namespace touchstone::oracle {
-namespace {
 
-template <class Number>
-Truth<Vector3<Rational>> truth_reflect_wall(const Vector3<Number>& velocity, Axis axis) {
+template <Exact Number>
+Truth<Vector3<Rational>> reflect_wall(const Vector3<Number>& velocity, Axis axis) {
   validation::validate("velocity", velocity);
   Vector3<Rational> v{exact(velocity.x), exact(velocity.y), exact(velocity.z)};
   const Vector3<Rational> normal{axis == Axis::x, axis == Axis::y, axis == Axis::z};
@@ -20,17 +19,7 @@ Truth<Vector3<Rational>> truth_reflect_wall(const Vector3<Number>& velocity, Axi
             return Certificate{"components", {{"squared_speeds", {dot(before, before), dot(after, after)}}}};
           }};
 }
-
-}  // namespace
-
-Truth<Vector3<Rational>> reflect_wall(const Vector3d& velocity, Axis axis) {
-  return truth_reflect_wall(velocity, axis);
-}
-
-template <Exact Number>
-Truth<Vector3<Rational>> reflect_wall(const Vector3<Number>& velocity, Axis axis) {
-  return truth_reflect_wall(velocity, axis);
-}
+template Truth<Vector3<Rational>> reflect_wall(const Vector3d&, Axis);
 template Truth<Vector3<Rational>> reflect_wall(const Vector3<Rational>&, Axis);
 
 }  // namespace touchstone::oracle

@@ -10,8 +10,7 @@ namespace touchstone::oracle {
 /// Nothing is decided, and nothing is rounded: there is no margin.
 ///
 /// Certificate: "components": `squared_speeds` before and after, which are equal.
-Truth<Vector3<Rational>> reflect_wall(const Vector3d& velocity, Axis axis);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Vector3<Rational>> reflect_wall(const Vector3<Number>& velocity, Axis axis);
 
 }  // namespace touchstone::oracle

@@ -11,9 +11,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "impulse": the number `impulse` j with m1 (v1' - v1) = j n, and `doubled_energies`, m1 v1 . v1 + m2 v2
 /// . v2 before and after.
-Truth<Velocities<Rational>> restitution_collision(const Massesd& masses, const Velocitiesd& velocities,
-                                                  const Vector3d& normal, double e);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Velocities<Rational>> restitution_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                                   const Vector3<Number>& normal, const Number& e);
 

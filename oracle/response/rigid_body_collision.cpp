@@ -118,17 +118,14 @@ Truth<Motions<Rational>> truth_rigid_body_collision(const RigidBody<Number>& a, 
 
 }  // namespace
 
-Truth<Motions<Rational>> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
-                                              const Vector3d& normal, double e) {
-  return truth_rigid_body_collision(a, b, point, normal, e);
-}
-
 template <Exact Number>
 Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Number>& a, const RigidBody<Number>& b,
                                               const Point3<Number>& point, const Vector3<Number>& normal,
                                               const Number& e) {
   return truth_rigid_body_collision(a, b, point, normal, e);
 }
+template Truth<Motions<Rational>> rigid_body_collision(const RigidBodyd&, const RigidBodyd&, const Point3d&,
+                                                       const Vector3d&, const double&);
 template Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Rational>&, const RigidBody<Rational>&,
                                                        const Point3<Rational>&, const Vector3<Rational>&,
                                                        const Rational&);

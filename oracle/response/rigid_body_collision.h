@@ -12,9 +12,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "impulse_at": the number `impulse` j with ma (va' - va) = j n, and `doubled_energies`, m v . v + w . I
 /// w of both bodies together, before and after.
-Truth<Motions<Rational>> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
-                                              const Vector3d& normal, double e);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Number>& a, const RigidBody<Number>& b,
                                               const Point3<Number>& point, const Vector3<Number>& normal,
                                               const Number& e);

@@ -131,27 +131,17 @@ class SimulationStepStep {
   std::vector<IndexPair> places_;
 };
 
-template <class Number>
-Truth<NextState<Rational>> stepped_simulation_step(const std::vector<StepBody<Number>>& bodies,
-                                                   const std::vector<Plane<Number>>& walls,
-                                                   const StepSettings<Number>& settings) {
-  validate_all_simulation_step(bodies, walls, settings);
-  return SimulationStepStep(bodies, walls, settings).made();
-}
-
 }  // namespace
-
-Truth<NextState<Rational>> simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
-                                           const StepSettingsd& settings) {
-  return stepped_simulation_step(bodies, walls, settings);
-}
 
 template <Exact Number>
 Truth<NextState<Rational>> simulation_step(const std::vector<StepBody<Number>>& bodies,
                                            const std::vector<Plane<Number>>& walls,
                                            const StepSettings<Number>& settings) {
-  return stepped_simulation_step(bodies, walls, settings);
+  validate_all_simulation_step(bodies, walls, settings);
+  return SimulationStepStep(bodies, walls, settings).made();
 }
+template Truth<NextState<Rational>> simulation_step(const std::vector<StepBodyd>&, const std::vector<Plane3d>&,
+                                                    const StepSettingsd&);
 template Truth<NextState<Rational>> simulation_step(const std::vector<StepBody<Rational>>&,
                                                     const std::vector<Plane<Rational>>&, const StepSettings<Rational>&);
 

@@ -11,9 +11,7 @@ namespace touchstone::oracle {
 /// by speeds, which have no common unit. Time: that of `simultaneous_collisions`, and all pairs.
 ///
 /// Certificate: "pushes": `impulses`, one for each contact of the truth, as of `simultaneous_collisions`.
-Truth<NextState<Rational>> simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
-                                           const StepSettingsd& settings);
-template <Exact Number>
+template <Exact Number = double>
 Truth<NextState<Rational>> simulation_step(const std::vector<StepBody<Number>>& bodies,
                                            const std::vector<Plane<Number>>& walls,
                                            const StepSettings<Number>& settings);

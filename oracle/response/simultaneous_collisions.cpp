@@ -138,17 +138,15 @@ Truth<SimultaneousVelocities<Rational>> resolved(const std::vector<PointBody<Num
 
 }  // namespace
 
-Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBodyd>& bodies,
-                                                                const std::vector<BodyContactd>& contacts, double e) {
-  return resolved(bodies, contacts, e);
-}
-
 template <Exact Number>
 Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
                                                                 const std::vector<BodyContact<Number>>& contacts,
                                                                 const Number& e) {
   return resolved(bodies, contacts, e);
 }
+template Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBodyd>&,
+                                                                         const std::vector<BodyContactd>&,
+                                                                         const double&);
 template Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Rational>>&,
                                                                          const std::vector<BodyContact<Rational>>&,
                                                                          const Rational&);

@@ -17,9 +17,7 @@ namespace touchstone::oracle {
 /// Certificate: "pushes": `impulses`, one a contact, that make the velocities, and push only where the demand is met
 /// without a surplus. "contradiction": `weights` of the demands, of the sum 1; what bodies can do drops out of the
 /// weighted sum, and more is demanded than immovable bodies give.
-Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBodyd>& bodies,
-                                                                const std::vector<BodyContactd>& contacts, double e);
-template <Exact Number>
+template <Exact Number = double>
 Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
                                                                 const std::vector<BodyContact<Number>>& contacts,
                                                                 const Number& e);

@@ -171,13 +171,6 @@ Truth<FirstContact<Rational>> truth_of(const Box& a, const Box& b, const Vector&
 
 }  // namespace
 
-Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity) {
-  return truth_of(a, b, velocity);
-}
-Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity) {
-  return truth_of(a, b, velocity);
-}
-
 template <Exact Number>
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b,
                                               const Vector2<Number>& velocity) {
@@ -188,6 +181,8 @@ Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3<Number>& a, const Aabb
                                               const Vector3<Number>& velocity) {
   return truth_of(a, b, velocity);
 }
+template Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2d&, const Aabb2d&, const Vector2d&);
+template Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3d&, const Aabb3d&, const Vector3d&);
 template Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2<Rational>&, const Aabb2<Rational>&,
                                                        const Vector2<Rational>&);
 template Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3<Rational>&, const Aabb3<Rational>&,

@@ -21,12 +21,10 @@ namespace touchstone::oracle {
 /// Certificate: hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and
 /// approaches it ("first_contact"). never: a `normal` along which a is before b at the start and at the end
 /// ("separating_axis").
-Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
-Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
-template <Exact Number>
+template <Exact Number = double>
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b,
                                               const Vector2<Number>& velocity);
-template <Exact Number>
+template <Exact Number = double>
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b,
                                               const Vector3<Number>& velocity);
 

@@ -87,15 +87,12 @@ Truth<FirstContact<Rational>> truth_swept_convex_polyhedra(Motion m) {
 
 }  // namespace
 
-Truth<FirstContact<Rational>> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity) {
-  return truth_swept_convex_polyhedra(validated_swept_convex_polyhedra(a, b, velocity));
-}
-
 template <Exact Number>
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Number>& a, const Mesh<Number>& b,
                                                      const Vector3<Number>& velocity) {
   return truth_swept_convex_polyhedra(validated_swept_convex_polyhedra(a, b, velocity));
 }
+template Truth<FirstContact<Rational>> swept_convex_polyhedra(const Meshd&, const Meshd&, const Vector3d&);
 template Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Rational>&, const Mesh<Rational>&,
                                                               const Vector3<Rational>&);
 

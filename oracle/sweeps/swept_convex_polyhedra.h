@@ -18,8 +18,7 @@ namespace touchstone::oracle {
 /// Certificate: hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and
 /// approaches it ("first_contact"), by a linear program of its own. never: a `normal` along which a is before b at the
 /// start and at the end ("separating_axis"), from Farkas' lemma.
-Truth<FirstContact<Rational>> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity);
-template <Exact Number>
+template <Exact Number = double>
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Number>& a, const Mesh<Number>& b,
                                                      const Vector3<Number>& velocity);
 

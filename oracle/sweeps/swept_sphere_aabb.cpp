@@ -127,15 +127,12 @@ Truth<FirstContact<Surd>> truth_swept_sphere_aabb(const Sphere3<Number>& sphere,
 
 }  // namespace
 
-Truth<FirstContact<Surd>> swept_sphere_aabb(const Sphere3d& sphere, const Vector3d& velocity, const Aabb3d& aabb) {
-  return truth_swept_sphere_aabb(sphere, velocity, aabb);
-}
-
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_aabb(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                             const Aabb3<Number>& aabb) {
   return truth_swept_sphere_aabb(sphere, velocity, aabb);
 }
+template Truth<FirstContact<Surd>> swept_sphere_aabb(const Sphere3d&, const Vector3d&, const Aabb3d&);
 template Truth<FirstContact<Surd>> swept_sphere_aabb(const Sphere3<Rational>&, const Vector3<Rational>&,
                                                      const Aabb3<Rational>&);
 

@@ -22,8 +22,7 @@ namespace touchstone::oracle {
 /// Certificate: hit at the start: a common `point` ("start"). hit later: on which `sides` of the box the center is at
 /// t, axis by axis ("first_contact"). never: a `normal` along which the ball is beyond all of the box at the start and
 /// at the end ("separating_axis").
-Truth<FirstContact<Surd>> swept_sphere_aabb(const Sphere3d& sphere, const Vector3d& velocity, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<FirstContact<Surd>> swept_sphere_aabb(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                             const Aabb3<Number>& aabb);
 

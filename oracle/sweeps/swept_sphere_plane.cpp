@@ -62,15 +62,12 @@ Truth<FirstContact<Surd>> truth_swept_sphere_plane(const Sphere3<Number>& sphere
 
 }  // namespace
 
-Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
-  return truth_swept_sphere_plane(sphere, velocity, plane);
-}
-
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                              const Plane<Number>& plane) {
   return truth_swept_sphere_plane(sphere, velocity, plane);
 }
+template Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3d&, const Vector3d&, const Plane3d&);
 template Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Rational>&, const Vector3<Rational>&,
                                                       const Plane<Rational>&);
 

@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 /// Truth: with E(t) = N . (center + t velocity) + d, ball and plane meet where f(t) = E(t)^2 - r^2 N . N <= 0; f is a
 /// parabola, whose first zero is found by Sturm's chain (parabola.h). Margin: as reference/sweeps/swept_sphere_plane.h
 /// has it, a difference of squared lengths; not for what goes deeper after a touch, or through the plane.
-Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane);
-template <Exact Number>
+template <Exact Number = double>
 Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                              const Plane<Number>& plane);
 

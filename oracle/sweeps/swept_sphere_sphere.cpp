@@ -51,16 +51,13 @@ Truth<FirstContact<Surd>> truth_swept_sphere_sphere(const Scale<Number>& n) {
 
 }  // namespace
 
-Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                              const Vector3d& velocity_b) {
-  return truth_swept_sphere_sphere(validated_swept_sphere_sphere(a, b, velocity_a, velocity_b));
-}
-
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b,
                                               const Vector3<Number>& velocity_a, const Vector3<Number>& velocity_b) {
   return truth_swept_sphere_sphere(validated_swept_sphere_sphere(a, b, velocity_a, velocity_b));
 }
+template Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3d&, const Sphere3d&, const Vector3d&,
+                                                       const Vector3d&);
 template Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&,
                                                        const Vector3<Rational>&, const Vector3<Rational>&);
 

@@ -14,9 +14,7 @@ namespace touchstone::oracle {
 /// [0, 1], where the vertex of f or an end of the step is: a difference of squared lengths, the least squared distance
 /// of the centers minus the squared sum of the radii. 0 for a sweep that is tangent, a touch at the start that parts, a
 /// first contact at t = 1; not for a touch at the start that goes deeper, which no small change undoes.
-Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                              const Vector3d& velocity_b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b,
                                               const Vector3<Number>& velocity_a, const Vector3<Number>& velocity_b);
 

@@ -114,9 +114,6 @@ Truth<Contact> truth_of_aabb_aabb(const Box& a, const Box& b) {
 
 }  // namespace
 
-Truth<Contact> aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return truth_of_aabb_aabb(a, b); }
-Truth<Contact> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return truth_of_aabb_aabb(a, b); }
-
 template <Exact Number>
 Truth<Contact> aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b) {
   return truth_of_aabb_aabb(a, b);
@@ -125,6 +122,8 @@ template <Exact Number>
 Truth<Contact> aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b) {
   return truth_of_aabb_aabb(a, b);
 }
+template Truth<Contact> aabb_aabb(const Aabb2d&, const Aabb2d&);
+template Truth<Contact> aabb_aabb(const Aabb3d&, const Aabb3d&);
 template Truth<Contact> aabb_aabb(const Aabb2<Rational>&, const Aabb2<Rational>&);
 template Truth<Contact> aabb_aabb(const Aabb3<Rational>&, const Aabb3<Rational>&);
 

@@ -19,11 +19,9 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "separating_axis" (`axis` 0, 1 or 2; `value` between the boxes). overlapping:
 /// "common_interior_point" (`point`). touching: a common `point`, and why there is no interior one: "supporting_axis"
 /// (`axis` on which one box ends there and the other begins) or "flat_axis" (`axis` on which a box is flat).
-Truth<Contact> aabb_aabb(const Aabb2d& a, const Aabb2d& b);
-Truth<Contact> aabb_aabb(const Aabb3d& a, const Aabb3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b);
 
 }  // namespace touchstone::oracle

@@ -24,9 +24,11 @@ Certificate certificate_aabb_obb(const Zonotope::Held& held, const Vector3<Integ
   return found;
 }
 
+}  // namespace
+
 /// Everything is twice as long, in units of the scale.
-template <class Number>
-Truth<Contact> truth_aabb_obb(const Aabb3<Number>& aabb, const Obb3<Number>& obb) {
+template <Exact Number>
+Truth<Contact> aabb_obb(const Aabb3<Number>& aabb, const Obb3<Number>& obb) {
   validation::validate_numbers("aabb", aabb), validation::validate_numbers("obb", obb);
   validation::validate("aabb", aabb), validate_parallelepiped("obb", obb);
   const auto& [min, max] = aabb;
@@ -57,15 +59,7 @@ Truth<Contact> truth_aabb_obb(const Aabb3<Number>& aabb, const Obb3<Number>& obb
             return certificate_aabb_obb(held, normal, axis);
           }};
 }
-
-}  // namespace
-
-Truth<Contact> aabb_obb(const Aabb3d& aabb, const Obb3d& obb) { return truth_aabb_obb(aabb, obb); }
-
-template <Exact Number>
-Truth<Contact> aabb_obb(const Aabb3<Number>& aabb, const Obb3<Number>& obb) {
-  return truth_aabb_obb(aabb, obb);
-}
+template Truth<Contact> aabb_obb(const Aabb3d&, const Obb3d&);
 template Truth<Contact> aabb_obb(const Aabb3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

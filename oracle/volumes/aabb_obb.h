@@ -17,8 +17,7 @@ namespace touchstone::oracle {
 /// touching: "supporting_axis" (the same, but for a common point, and `coefficients` of the half axes, which give that
 /// point); or "flat_axis" (`coefficients` and the `axis` on which the box is flat). overlapping: "common_interior_point"
 /// (`coefficients`).
-Truth<Contact> aabb_obb(const Aabb3d& aabb, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> aabb_obb(const Aabb3<Number>& aabb, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

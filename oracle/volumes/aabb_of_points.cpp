@@ -59,30 +59,20 @@ Extents extents(const Points& points) {
   return found;
 }
 
-template <class Number>
-Truth<Aabb2<Rational>> truth_aabb_of_points(const std::vector<Point2<Number>>& points) {
-  auto [low, high, certificate] = extents(points);
-  return {{{low[0], low[1]}, {high[0], high[1]}}, std::nullopt, std::move(certificate)};
-}
-template <class Number>
-Truth<Aabb3<Rational>> truth_aabb_of_points(const std::vector<Point3<Number>>& points) {
-  auto [low, high, certificate] = extents(points);
-  return {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, std::nullopt, std::move(certificate)};
-}
-
 }  // namespace
-
-Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2d>& points) { return truth_aabb_of_points(points); }
-Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3d>& points) { return truth_aabb_of_points(points); }
 
 template <Exact Number>
 Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2<Number>>& points) {
-  return truth_aabb_of_points(points);
+  auto [low, high, certificate] = extents(points);
+  return {{{low[0], low[1]}, {high[0], high[1]}}, std::nullopt, std::move(certificate)};
 }
 template <Exact Number>
 Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3<Number>>& points) {
-  return truth_aabb_of_points(points);
+  auto [low, high, certificate] = extents(points);
+  return {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, std::nullopt, std::move(certificate)};
 }
+template Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2d>&);
+template Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3d>&);
 template Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2<Rational>>&);
 template Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3<Rational>>&);
 

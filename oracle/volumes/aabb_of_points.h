@@ -13,11 +13,9 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "extreme_points": for each axis the place of a point of the `least` coordinate, and of one of the
 /// `greatest`.
-Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2d>& points);
-Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3d>& points);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2<Number>>& points);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3<Number>>& points);
 
 }  // namespace touchstone::oracle

@@ -184,13 +184,11 @@ std::string too_large(const std::vector<Point3d>& points, SphereMethod method, c
 
 }  // namespace
 
-Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3d>& points, SphereMethod method) {
-  return truth_of_bounding_sphere(points, method);
-}
 template <Exact Number>
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method) {
   return truth_of_bounding_sphere(points, method);
 }
+template Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3d>&, SphereMethod);
 template Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Rational>>&, SphereMethod);
 
 std::string bounding_sphere_defect(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball) {

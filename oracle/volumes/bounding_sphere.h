@@ -21,8 +21,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: box, centroid: "farthest_point" (`point`, its place). smallest: "support" (places of `points` and their
 /// `weights`). ritter: "lower_bound" (the same of the smallest ball, of which it proves the radius).
-Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3d>& points, SphereMethod method);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method);
 
 /// The defect of a ball that is claimed to be the method's, in the words of the contract

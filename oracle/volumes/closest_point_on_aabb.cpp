@@ -45,34 +45,20 @@ Certificate multipliers(const std::vector<Nearest>& axes) {
   return {"multipliers", {{"lower", std::move(lower)}, {"upper", std::move(upper)}}};
 }
 
-template <class Number>
-Truth<Point2<Rational>> truth_of_closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb) {
-  auto axes = nearest_by_axis(point, aabb);
-  return {{axes[0].x, axes[1].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
-}
-template <class Number>
-Truth<Point3<Rational>> truth_of_closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb) {
-  auto axes = nearest_by_axis(point, aabb);
-  return {{axes[0].x, axes[1].x, axes[2].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
-}
-
 }  // namespace
-
-Truth<Point2<Rational>> closest_point_on_aabb(const Point2d& point, const Aabb2d& aabb) {
-  return truth_of_closest_point_on_aabb(point, aabb);
-}
-Truth<Point3<Rational>> closest_point_on_aabb(const Point3d& point, const Aabb3d& aabb) {
-  return truth_of_closest_point_on_aabb(point, aabb);
-}
 
 template <Exact Number>
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb) {
-  return truth_of_closest_point_on_aabb(point, aabb);
+  auto axes = nearest_by_axis(point, aabb);
+  return {{axes[0].x, axes[1].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
 }
 template <Exact Number>
 Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb) {
-  return truth_of_closest_point_on_aabb(point, aabb);
+  auto axes = nearest_by_axis(point, aabb);
+  return {{axes[0].x, axes[1].x, axes[2].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
 }
+template Truth<Point2<Rational>> closest_point_on_aabb(const Point2d&, const Aabb2d&);
+template Truth<Point3<Rational>> closest_point_on_aabb(const Point3d&, const Aabb3d&);
 template Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Rational>&, const Aabb2<Rational>&);
 template Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Rational>&, const Aabb3<Rational>&);
 

@@ -11,11 +11,9 @@ namespace touchstone::oracle {
 /// nothing is rounded: there is no margin.
 ///
 /// Certificate: "multipliers": `lower` and `upper`, by axis; the conditions hold with them.
-Truth<Point2<Rational>> closest_point_on_aabb(const Point2d& point, const Aabb2d& aabb);
-Truth<Point3<Rational>> closest_point_on_aabb(const Point3d& point, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb);
 
 }  // namespace touchstone::oracle

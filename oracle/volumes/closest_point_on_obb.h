@@ -13,8 +13,7 @@ namespace touchstone::oracle {
 /// closest_point_on_segment has it. Nothing is decided: there is no margin.
 ///
 /// Certificate: "root" or "irrational_root", as closest_point_on_segment has them; `coefficients` of the half axes.
-Truth<ClosestPoint3<Surd>> closest_point_on_obb(const Point3d& point, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ClosestPoint3<Surd>> closest_point_on_obb(const Point3<Number>& point, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

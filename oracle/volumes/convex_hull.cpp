@@ -83,22 +83,6 @@ const char* kind_of(const ConvexHull& hull) {
   return kinds[hull.dimension];
 }
 
-template <class Number>
-Truth<ConvexHull> truth_convex_hull(const std::vector<Point3<Number>>& points) {
-  validate_convex_hull(points);
-  const IntegerCloud cloud(points);
-  const std::vector<Index> simplex = cloud.simplex();
-  const Rings rings = simplex.size() < 4 ? Rings() : face_rings(cloud);
-  Truth<ConvexHull> found{hull_of_convex_hull(cloud, simplex, rings), std::nullopt};
-  if (const auto margin = margin_of_convex_hull(cloud, rings))
-    found.margin = Rational(Rational(*margin) * cloud.unit * cloud.unit * cloud.unit);
-  found.certificate = [hull = found.answer] {
-    const std::vector<Index> named = named_by_convex_hull(hull);
-    return Certificate{kind_of(hull), {{"extreme", {named.begin(), named.end()}}}};
-  };
-  return found;
-}
-
 std::string outside(Index p) { return "outside is point " + std::to_string(p); }
 
 /// Requires a ring that turns left about the normal of its plane, which contains all points, with every point on the
@@ -162,12 +146,22 @@ std::string faces_defect(const IntegerCloud& cloud, const std::vector<Face>& fac
 
 }  // namespace
 
-Truth<ConvexHull> convex_hull(const std::vector<Point3d>& points) { return truth_convex_hull(points); }
-
 template <Exact Number>
 Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points) {
-  return truth_convex_hull(points);
+  validate_convex_hull(points);
+  const IntegerCloud cloud(points);
+  const std::vector<Index> simplex = cloud.simplex();
+  const Rings rings = simplex.size() < 4 ? Rings() : face_rings(cloud);
+  Truth<ConvexHull> found{hull_of_convex_hull(cloud, simplex, rings), std::nullopt};
+  if (const auto margin = margin_of_convex_hull(cloud, rings))
+    found.margin = Rational(Rational(*margin) * cloud.unit * cloud.unit * cloud.unit);
+  found.certificate = [hull = found.answer] {
+    const std::vector<Index> named = named_by_convex_hull(hull);
+    return Certificate{kind_of(hull), {{"extreme", {named.begin(), named.end()}}}};
+  };
+  return found;
 }
+template Truth<ConvexHull> convex_hull(const std::vector<Point3d>&);
 template Truth<ConvexHull> convex_hull(const std::vector<Point3<Rational>>&);
 
 std::string convex_hull_defect(const std::vector<Point3d>& points, const ConvexHull& hull) {

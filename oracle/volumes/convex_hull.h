@@ -15,8 +15,7 @@ namespace touchstone::oracle {
 /// triangle and any other point, which is 0 if four points lie in the plane of a face, or points are equal. For three
 /// points: the greatest coordinate of the cross product of their differences from the first, times the greatest of
 /// these differences; of two points the third power of that; of four or more in one plane 0; none of a single one.
-Truth<ConvexHull> convex_hull(const std::vector<Point3d>& points);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points);
 
 /// The defect of a hull of these points; "" if it is right, ours or not.

@@ -68,20 +68,6 @@ void validate_convex_hull_2d(const std::vector<Point2<Rational>>& points) {
   if (points.empty()) throw InvalidInput("points", "at least 1 point");
 }
 
-template <class Number>
-Truth<ConvexHull2> truth_convex_hull_2d(const std::vector<Point2<Number>>& points) {
-  validate_convex_hull_2d(points);
-  const IntegerRing integers(Polygon2<Number>{points});
-  std::vector<Index> all(integers.size());
-  std::iota(all.begin(), all.end(), Index{0});
-  std::vector<Index> ring =
-      extreme_ring(all, in_order(integers), [&](Index p, Index q, Index r) { return integers.area(p, q, r); });
-  return {hull_of_convex_hull_2d(ring), margin_of_convex_hull_2d(integers, ring), [ring = std::move(ring)] {
-            const char* kind = ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon";
-            return Certificate{kind, {{"extreme", {ring.begin(), ring.end()}}}};
-          }};
-}
-
 /// The indices of an answer; empty if its fields are not those of its dimension.
 std::vector<Index> named_by_convex_hull_2d(const ConvexHull2& hull) {
   if (hull.point.has_value() != (hull.dimension == 0) || hull.segment.has_value() != (hull.dimension == 1) ||
@@ -99,12 +85,20 @@ bool between(const Integer& low, const Integer& x, const Integer& high) {
 
 }  // namespace
 
-Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>& points) { return truth_convex_hull_2d(points); }
-
 template <Exact Number>
 Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points) {
-  return truth_convex_hull_2d(points);
+  validate_convex_hull_2d(points);
+  const IntegerRing integers(Polygon2<Number>{points});
+  std::vector<Index> all(integers.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  std::vector<Index> ring =
+      extreme_ring(all, in_order(integers), [&](Index p, Index q, Index r) { return integers.area(p, q, r); });
+  return {hull_of_convex_hull_2d(ring), margin_of_convex_hull_2d(integers, ring), [ring = std::move(ring)] {
+            const char* kind = ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon";
+            return Certificate{kind, {{"extreme", {ring.begin(), ring.end()}}}};
+          }};
 }
+template Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>&);
 template Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Rational>>&);
 
 /// A ring that turns left at every vertex, with every point on the left of every edge or on it: each vertex is then the

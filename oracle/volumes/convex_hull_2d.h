@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 /// the least size of twice the area of an edge of the hull and a point that is no end of it, which is 0 if points are
 /// equal, inside an edge or all on one line; of two points their squared distance; none of a single one. Time: points
 /// that are no corners times corners for the margin; the rest about n log n, at most points times corners.
-Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>& points);
-template <Exact Number>
+template <Exact Number = double>
 Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points);
 
 /// The defect of a hull of these points; "" if it is right, ours or not.

@@ -69,12 +69,11 @@ Truth<Contact> truth_kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b) {
 
 }  // namespace
 
-Truth<Contact> kdop_kdop(const Kdop3d& a, const Kdop3d& b) { return truth_kdop_kdop(a, b); }
-
 template <Exact Number>
 Truth<Contact> kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b) {
   return truth_kdop_kdop(a, b);
 }
+template Truth<Contact> kdop_kdop(const Kdop3d&, const Kdop3d&);
 template Truth<Contact> kdop_kdop(const Kdop3<Rational>&, const Kdop3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -14,8 +14,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "separating_slab" (`slab`, a `value` between both). touching: `values`, one that both slabs
 /// hold for each normal, and the `slab` that has no other: "touching_slab". overlapping: "common_values" (`values`
 /// strictly within both slabs, for each normal).
-Truth<Contact> kdop_kdop(const Kdop3d& a, const Kdop3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b);
 
 }  // namespace touchstone::oracle

@@ -52,22 +52,6 @@ std::vector<Heights> heights(const std::vector<Point3<Number>>& points, const st
   return all;
 }
 
-template <class Number>
-Truth<std::vector<Slab<Rational>>> truth_kdop_of_points(const std::vector<Point3<Number>>& points,
-                                                        const std::vector<Vector3<Number>>& normals) {
-  std::vector<Slab<Rational>> slabs;
-  std::vector<std::size_t> least, greatest;
-  for (const Heights& one : heights(points, normals)) {
-    slabs.push_back({one.least(), one.greatest()});
-    least.push_back(one.order.front()), greatest.push_back(one.order.back());
-  }
-  return {std::move(slabs), std::nullopt, [least = std::move(least), greatest = std::move(greatest)] {
-            return Certificate{
-                "extreme_points",
-                {{"least", {least.begin(), least.end()}}, {"greatest", {greatest.begin(), greatest.end()}}}};
-          }};
-}
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// "2.776e-17", even if a double would be 0.
@@ -119,16 +103,22 @@ std::string defect_of_slab(const Slabd& slab, const Heights& heights) {
 
 }  // namespace
 
-Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3d>& points,
-                                                  const std::vector<Vector3d>& normals) {
-  return truth_kdop_of_points(points, normals);
-}
-
 template <Exact Number>
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Number>>& points,
                                                   const std::vector<Vector3<Number>>& normals) {
-  return truth_kdop_of_points(points, normals);
+  std::vector<Slab<Rational>> slabs;
+  std::vector<std::size_t> least, greatest;
+  for (const Heights& one : heights(points, normals)) {
+    slabs.push_back({one.least(), one.greatest()});
+    least.push_back(one.order.front()), greatest.push_back(one.order.back());
+  }
+  return {std::move(slabs), std::nullopt, [least = std::move(least), greatest = std::move(greatest)] {
+            return Certificate{
+                "extreme_points",
+                {{"least", {least.begin(), least.end()}}, {"greatest", {greatest.begin(), greatest.end()}}}};
+          }};
 }
+template Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3d>&, const std::vector<Vector3d>&);
 template Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Rational>>&,
                                                            const std::vector<Vector3<Rational>>&);
 

@@ -14,9 +14,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "extreme_points": for each normal the place of a point with the `least` N . P, and of one with the
 /// `greatest`.
-Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3d>& points,
-                                                  const std::vector<Vector3d>& normals);
-template <Exact Number>
+template <Exact Number = double>
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Number>>& points,
                                                   const std::vector<Vector3<Number>>& normals);
 

@@ -44,8 +44,10 @@ Certificate certificate_obb_obb(const Zonotope::Held& held, const Vector3<Intege
   return found;
 }
 
-template <class Number>
-Truth<Contact> truth_of_obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
+}  // namespace
+
+template <Exact Number>
+Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
   const ObbObbPair<Number> pair = validated_obb_obb(a, b);
   Zonotope::Held held = pair.differences.held(pair.displacement);
   Zonotope::Support support = pair.differences.deciding(pair.displacement);
@@ -55,15 +57,7 @@ Truth<Contact> truth_of_obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
           pair.scale.actual(support.squared_distance(), 2),
           [held = std::move(held), normal = std::move(support.normal)] { return certificate_obb_obb(held, normal); }};
 }
-
-}  // namespace
-
-Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b) { return truth_of_obb_obb(a, b); }
-
-template <Exact Number>
-Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
-  return truth_of_obb_obb(a, b);
-}
+template Truth<Contact> obb_obb(const Obb3d&, const Obb3d&);
 template Truth<Contact> obb_obb(const Obb3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -18,8 +18,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "separating_axis" (`normal`). Otherwise a common point by its coefficients `on_a`, `on_b`;
 /// overlapping: "common_interior_point"; touching: "supporting_axis" (`normal` on which the boxes have no more than a
 /// point in common).
-Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b);
 
 }  // namespace touchstone::oracle

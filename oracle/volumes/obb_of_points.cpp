@@ -175,13 +175,11 @@ Truth<Obb3<Rational>> box_around(const IntegerCloud& cloud) {
 
 }  // namespace
 
-Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points) {
-  return box_around(validated_obb_of_points(points));
-}
 template <Exact Number>
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points) {
   return box_around(validated_obb_of_points(points));
 }
+template Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>&);
 template Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Rational>>&);
 
 std::string obb_of_points_defect(const std::vector<Point3d>& points, const Obb3<Rational>& box) {

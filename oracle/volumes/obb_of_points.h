@@ -18,8 +18,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: "touched_faces": for each half axis that is not 0 the place of the point `least` far along it, and of
 /// the one `most` far.
-Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points);
 
 /// The defect of a box, in the words of the contract (reference/volumes/obb_of_points.h): first of all the point that

@@ -67,12 +67,11 @@ Truth<Location> truth_point_in_kdop(const Kdop3<Number>& kdop, const Point3<Numb
 
 }  // namespace
 
-Truth<Location> point_in_kdop(const Kdop3d& kdop, const Point3d& point) { return truth_point_in_kdop(kdop, point); }
-
 template <Exact Number>
 Truth<Location> point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& point) {
   return truth_point_in_kdop(kdop, point);
 }
+template Truth<Location> point_in_kdop(const Kdop3d&, const Point3d&);
 template Truth<Location> point_in_kdop(const Kdop3<Rational>&, const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

@@ -15,8 +15,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: outside: "beyond_slab", boundary: "end_of_slab"; both with the place of the `slab` that decides and the
 /// `value` N . P there. inside: "values", N . P of all slabs.
-Truth<Location> point_in_kdop(const Kdop3d& kdop, const Point3d& point);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Location> point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& point);
 
 }  // namespace touchstone::oracle

@@ -33,8 +33,10 @@ Question<Number> validated_point_in_obb(const Obb3<Number>& obb, const Point3<Nu
   return {std::move(scale), std::move(solid), std::move(displacement)};
 }
 
-template <class Number>
-Truth<Location> truth_of_point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
+}  // namespace
+
+template <Exact Number>
+Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
   const Question<Number> q = validated_point_in_obb(obb, point);
   Zonotope::Held held = q.solid.held(q.displacement);
   Zonotope::Support support = q.solid.deciding(q.displacement);
@@ -47,15 +49,7 @@ Truth<Location> truth_of_point_in_obb(const Obb3<Number>& obb, const Point3<Numb
             return {"separating_plane", {{"normal", {Rational(n.x), Rational(n.y), Rational(n.z)}}}};
           }};
 }
-
-}  // namespace
-
-Truth<Location> point_in_obb(const Obb3d& obb, const Point3d& point) { return truth_of_point_in_obb(obb, point); }
-
-template <Exact Number>
-Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
-  return truth_of_point_in_obb(obb, point);
-}
+template Truth<Location> point_in_obb(const Obb3d&, const Point3d&);
 template Truth<Location> point_in_obb(const Obb3<Rational>&, const Point3<Rational>&);
 
 }  // namespace touchstone::oracle

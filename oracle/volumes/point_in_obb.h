@@ -15,8 +15,7 @@ namespace touchstone::oracle {
 ///
 /// Certificate: inside, boundary: "coefficients" of the half axes (`coefficients`, three). outside: "separating_plane"
 /// (`normal`).
-Truth<Location> point_in_obb(const Obb3d& obb, const Point3d& point);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point);
 
 }  // namespace touchstone::oracle

@@ -135,9 +135,6 @@ Truth<Contact> truth_of_sphere_aabb(const Ball& sphere, const Box& aabb) {
 
 }  // namespace
 
-Truth<Contact> sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb) { return truth_of_sphere_aabb(sphere, aabb); }
-Truth<Contact> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb) { return truth_of_sphere_aabb(sphere, aabb); }
-
 template <Exact Number>
 Truth<Contact> sphere_aabb(const Circle2<Number>& sphere, const Aabb2<Number>& aabb) {
   return truth_of_sphere_aabb(sphere, aabb);
@@ -146,6 +143,8 @@ template <Exact Number>
 Truth<Contact> sphere_aabb(const Sphere3<Number>& sphere, const Aabb3<Number>& aabb) {
   return truth_of_sphere_aabb(sphere, aabb);
 }
+template Truth<Contact> sphere_aabb(const Circle2d&, const Aabb2d&);
+template Truth<Contact> sphere_aabb(const Sphere3d&, const Aabb3d&);
 template Truth<Contact> sphere_aabb(const Circle2<Rational>&, const Aabb2<Rational>&);
 template Truth<Contact> sphere_aabb(const Sphere3<Rational>&, const Aabb3<Rational>&);
 

@@ -19,11 +19,9 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "nearest_point" (`point` of the box, farther than the radius). overlapping:
 /// "common_interior_point" (`point`). touching: a common `point`, and why there is no interior one: "tangent" (it is
 /// the nearest point of the box, as far as the radius) or "flat_axis" (`axis` on which the box is flat).
-Truth<Contact> sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb);
-Truth<Contact> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_aabb(const Circle2<Number>& sphere, const Aabb2<Number>& aabb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_aabb(const Sphere3<Number>& sphere, const Aabb3<Number>& aabb);
 
 }  // namespace touchstone::oracle

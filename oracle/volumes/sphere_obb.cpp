@@ -5,14 +5,11 @@
 
 namespace touchstone::oracle {
 
-Truth<Contact> sphere_obb(const Sphere3d& sphere, const Obb3d& obb) {
-  return contact_of_round("sphere", sphere, "obb", obb);
-}
-
 template <Exact Number>
 Truth<Contact> sphere_obb(const Sphere3<Number>& sphere, const Obb3<Number>& obb) {
   return contact_of_round("sphere", sphere, "obb", obb);
 }
+template Truth<Contact> sphere_obb(const Sphere3d&, const Obb3d&);
 template Truth<Contact> sphere_obb(const Sphere3<Rational>&, const Obb3<Rational>&);
 
 }  // namespace touchstone::oracle

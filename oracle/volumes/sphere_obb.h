@@ -16,8 +16,7 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "nearest_points" (`coefficients` of the half axes, which give the nearest point; it is
 /// farther than the radius). touching: "tangent" (as far as the radius). overlapping: "near_points" (nearer than the
 /// radius).
-Truth<Contact> sphere_obb(const Sphere3d& sphere, const Obb3d& obb);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_obb(const Sphere3<Number>& sphere, const Obb3<Number>& obb);
 
 }  // namespace touchstone::oracle

@@ -91,9 +91,6 @@ Truth<Contact> truth_of_sphere_sphere(const Solid& a, const Solid& b) {
 
 }  // namespace
 
-Truth<Contact> sphere_sphere(const Circle2d& a, const Circle2d& b) { return truth_of_sphere_sphere(a, b); }
-Truth<Contact> sphere_sphere(const Sphere3d& a, const Sphere3d& b) { return truth_of_sphere_sphere(a, b); }
-
 template <Exact Number>
 Truth<Contact> sphere_sphere(const Circle2<Number>& a, const Circle2<Number>& b) {
   return truth_of_sphere_sphere(a, b);
@@ -102,6 +99,8 @@ template <Exact Number>
 Truth<Contact> sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b) {
   return truth_of_sphere_sphere(a, b);
 }
+template Truth<Contact> sphere_sphere(const Circle2d&, const Circle2d&);
+template Truth<Contact> sphere_sphere(const Sphere3d&, const Sphere3d&);
 template Truth<Contact> sphere_sphere(const Circle2<Rational>&, const Circle2<Rational>&);
 template Truth<Contact> sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&);
 

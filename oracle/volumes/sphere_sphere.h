@@ -18,11 +18,9 @@ namespace touchstone::oracle {
 /// Certificate: disjoint: "distance" (`squared_distance` of the centers). overlapping: "common_interior_point"
 /// (`point`). touching: a common `point`, and why there is no interior one: "tangent" (no ball reaches beyond it) or
 /// "no_interior" (a radius is 0).
-Truth<Contact> sphere_sphere(const Circle2d& a, const Circle2d& b);
-Truth<Contact> sphere_sphere(const Sphere3d& a, const Sphere3d& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_sphere(const Circle2<Number>& a, const Circle2<Number>& b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Contact> sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b);
 
 }  // namespace touchstone::oracle

@@ -117,7 +117,7 @@ TEST_CASE(
     bodies.push_back({1, {i == 0 ? 1.0 : 0.0, 0, 0}});
     if (i > 0) contacts.push_back({i, i - 1, {1, 0, 0}});
   }
-  CHECK(seconds_of([&] { oracle::simultaneous_collisions(bodies, contacts, 1); }) < 1);
+  CHECK(seconds_of([&] { oracle::simultaneous_collisions(bodies, contacts, 1.0); }) < 1);
   std::vector<Sphere3d> spheres;
   std::vector<Point2d> parabola;
   for (int i = 0; i < 4000; ++i) {

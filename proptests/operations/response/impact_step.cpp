@@ -154,7 +154,8 @@ TEST_CASE("impact_step: what is left of a velocity that all but cancels, by hand
   const double d = 5e-324;
   const ImpactStepd step =
       robust::impact_step({{3, {1, 2, 2}, {{0, -d, 0}, 0}}, {3, {0, 0, 0}, {{1, 2, 2}, 3}}}, {}, 1, 1);
-  const auto truth = oracle::impact_step({{3, {1, 2, 2}, {{0, -d, 0}, 0}}, {3, {0, 0, 0}, {{1, 2, 2}, 3}}}, {}, 1, 1);
+  const auto truth =
+      oracle::impact_step({{3, {1, 2, 2}, {{0, -d, 0}, 0}}, {3, {0, 0, 0}, {{1, 2, 2}, 3}}}, {}, 1.0, 1.0);
   const Vector3<Surd>& left = truth.answer.bodies->at(0).velocity;
   for (const auto& [number, ninths] : {std::pair{left.x, 2}, std::pair{left.y, -5}, std::pair{left.z, 4}})
     CHECK(abs(Rational(oracle::nearest_double(number * Surd(1 / exact(d))) * 9 - ninths)) < Rational(1, 1000));
