@@ -13,8 +13,9 @@
 ///   TOUCHSTONE_SIGNATURE(op)     the name, and how an engine is asked; where a question's alternatives have answers of
 ///                                different types: TOUCHSTONE_SIGNATURE_EITHER(op), and before it
 ///                                template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
-///   using Question = std::tuple<...>;   the arguments; alternatives are a std::variant of tuples
-///   using Answer = ...;                 over double
+/// and derives from Signature<Answer(Argument...)>, over double; or, where a question has alternatives, it holds
+///   using Question = std::variant<...>;   of tuples of arguments
+///   using Answer = ...;
 /// The operation's row (catalogue/operation/row.h) derives from it.
 #define TOUCHSTONE_SIGNATURE(op)                                            \
   TOUCHSTONE_NAME(op)                                                       \
@@ -64,6 +65,15 @@ std::optional<Answers<number_of_t<Answer>>> either(const std::optional<Answer>& 
 
 /// The signatures, each named like its operation.
 namespace signatures {}
+
+/// The arguments and the answer of an operation, as the type of a function.
+template <class Function>
+struct Signature;
+template <class TheAnswer, class... Arguments>
+struct Signature<TheAnswer(Arguments...)> {
+  using Question = std::tuple<Arguments...>;
+  using Answer = TheAnswer;
+};
 
 template <class... S>
 struct SignatureList {

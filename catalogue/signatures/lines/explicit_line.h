@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct explicit_line {
+struct explicit_line : Signature<Height(double, double, Point2d)> {
   TOUCHSTONE_SIGNATURE(explicit_line)
-  using Question = std::tuple<double, double, Point2d>;
-  using Answer = Height;
 };
 
 }  // namespace touchstone::catalogue::signatures

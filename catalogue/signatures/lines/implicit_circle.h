@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct implicit_circle {
+struct implicit_circle : Signature<Location(Circle2d, Point2d)> {
   TOUCHSTONE_SIGNATURE(implicit_circle)
-  using Question = std::tuple<Circle2d, Point2d>;
-  using Answer = Location;
 };
 
 }  // namespace touchstone::catalogue::signatures

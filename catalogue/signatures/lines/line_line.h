@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct line_line {
+struct line_line : Signature<LineLine<double>(Line2d, Line2d)> {
   TOUCHSTONE_SIGNATURE(line_line)
-  using Question = std::tuple<Line2d, Line2d>;
-  using Answer = LineLine<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct line_point_at {
+struct line_point_at : Signature<Point2<double>(ParametricLine2d, double)> {
   TOUCHSTONE_SIGNATURE(line_point_at)
-  using Question = std::tuple<ParametricLine2d, double>;
-  using Answer = Point2<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

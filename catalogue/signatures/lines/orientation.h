@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct orientation {
+struct orientation : Signature<Side(Point2d, Point2d, Point2d)> {
   TOUCHSTONE_SIGNATURE(orientation)
-  using Question = std::tuple<Point2d, Point2d, Point2d>;
-  using Answer = Side;
 };
 
 }  // namespace touchstone::catalogue::signatures

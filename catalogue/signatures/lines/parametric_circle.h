@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct parametric_circle {
+struct parametric_circle : Signature<Point2<double>(Circle2d, double)> {
   TOUCHSTONE_SIGNATURE(parametric_circle)
-  using Question = std::tuple<Circle2d, double>;
-  using Answer = Point2<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

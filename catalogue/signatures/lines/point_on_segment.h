@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_on_segment {
+struct point_on_segment : Signature<PointOnSegment<double>(Point2d, Segment2d)> {
   TOUCHSTONE_SIGNATURE(point_on_segment)
-  using Question = std::tuple<Point2d, Segment2d>;
-  using Answer = PointOnSegment<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

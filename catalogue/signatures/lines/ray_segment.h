@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct ray_segment {
+struct ray_segment : Signature<RaySegment<double>(Ray2d, Segment2d)> {
   TOUCHSTONE_SIGNATURE(ray_segment)
-  using Question = std::tuple<Ray2d, Segment2d>;
-  using Answer = RaySegment<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

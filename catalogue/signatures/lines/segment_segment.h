@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct segment_segment {
+struct segment_segment : Signature<SegmentSegment<double>(Segment2d, Segment2d)> {
   TOUCHSTONE_SIGNATURE(segment_segment)
-  using Question = std::tuple<Segment2d, Segment2d>;
-  using Answer = SegmentSegment<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct aabb_plane {
+struct aabb_plane : Signature<Contact(Aabb3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(aabb_plane)
-  using Question = std::tuple<Aabb3d, Plane3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct capsule_aabb {
+struct capsule_aabb : Signature<Contact(Capsule3d, Aabb3d)> {
   TOUCHSTONE_SIGNATURE(capsule_aabb)
-  using Question = std::tuple<Capsule3d, Aabb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct capsule_capsule {
+struct capsule_capsule : Signature<Contact(Capsule3d, Capsule3d)> {
   TOUCHSTONE_SIGNATURE(capsule_capsule)
-  using Question = std::tuple<Capsule3d, Capsule3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct capsule_obb {
+struct capsule_obb : Signature<Contact(Capsule3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(capsule_obb)
-  using Question = std::tuple<Capsule3d, Obb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct capsule_triangle {
+struct capsule_triangle : Signature<Contact(Capsule3d, Triangle3d)> {
   TOUCHSTONE_SIGNATURE(capsule_triangle)
-  using Question = std::tuple<Capsule3d, Triangle3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

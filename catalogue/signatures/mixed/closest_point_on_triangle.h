@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct closest_point_on_triangle {
+struct closest_point_on_triangle : Signature<ClosestPoint3<double>(Point3d, Triangle3d)> {
   TOUCHSTONE_SIGNATURE(closest_point_on_triangle)
-  using Question = std::tuple<Point3d, Triangle3d>;
-  using Answer = ClosestPoint3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct convex_distance {
+struct convex_distance : Signature<ConvexDistance<double>(Meshd, Meshd)> {
   TOUCHSTONE_SIGNATURE(convex_distance)
-  using Question = std::tuple<Meshd, Meshd>;
-  using Answer = ConvexDistance<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

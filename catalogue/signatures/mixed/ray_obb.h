@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct ray_obb {
+struct ray_obb : Signature<Passage<double>(Ray3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(ray_obb)
-  using Question = std::tuple<Ray3d, Obb3d>;
-  using Answer = Passage<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct ray_plane {
+struct ray_plane : Signature<LinePlane<double>(Ray3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(ray_plane)
-  using Question = std::tuple<Ray3d, Plane3d>;
-  using Answer = LinePlane<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct ray_triangle {
+struct ray_triangle : Signature<RayTriangle<double>(Ray3d, Triangle3d)> {
   TOUCHSTONE_SIGNATURE(ray_triangle)
-  using Question = std::tuple<Ray3d, Triangle3d>;
-  using Answer = RayTriangle<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

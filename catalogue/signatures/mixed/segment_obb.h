@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct segment_obb {
+struct segment_obb : Signature<Passage<double>(Segment3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(segment_obb)
-  using Question = std::tuple<Segment3d, Obb3d>;
-  using Answer = Passage<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct segment_plane {
+struct segment_plane : Signature<LinePlane<double>(Segment3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(segment_plane)
-  using Question = std::tuple<Segment3d, Plane3d>;
-  using Answer = LinePlane<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct sphere_capsule {
+struct sphere_capsule : Signature<Contact(Sphere3d, Capsule3d)> {
   TOUCHSTONE_SIGNATURE(sphere_capsule)
-  using Question = std::tuple<Sphere3d, Capsule3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

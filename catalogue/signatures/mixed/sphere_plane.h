@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct sphere_plane {
+struct sphere_plane : Signature<Contact(Sphere3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(sphere_plane)
-  using Question = std::tuple<Sphere3d, Plane3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct sphere_triangle {
+struct sphere_triangle : Signature<Contact(Sphere3d, Triangle3d)> {
   TOUCHSTONE_SIGNATURE(sphere_triangle)
-  using Question = std::tuple<Sphere3d, Triangle3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct triangle_aabb {
+struct triangle_aabb : Signature<Contact(Triangle3d, Aabb3d)> {
   TOUCHSTONE_SIGNATURE(triangle_aabb)
-  using Question = std::tuple<Triangle3d, Aabb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

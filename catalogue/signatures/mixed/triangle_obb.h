@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct triangle_obb {
+struct triangle_obb : Signature<Contact(Triangle3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(triangle_obb)
-  using Question = std::tuple<Triangle3d, Obb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct capsule_plane {
+struct capsule_plane : Signature<Contact(Capsule3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(capsule_plane)
-  using Question = std::tuple<Capsule3d, Plane3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

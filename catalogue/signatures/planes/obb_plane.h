@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct obb_plane {
+struct obb_plane : Signature<Contact(Obb3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(obb_plane)
-  using Question = std::tuple<Obb3d, Plane3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_ground_plane {
+struct point_ground_plane : Signature<Height(Point3d)> {
   TOUCHSTONE_SIGNATURE(point_ground_plane)
-  using Question = std::tuple<Point3d>;
-  using Answer = Height;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_plane {
+struct point_plane : Signature<PointPlane<double>(Plane3d, Point3d)> {
   TOUCHSTONE_SIGNATURE(point_plane)
-  using Question = std::tuple<Plane3d, Point3d>;
-  using Answer = PointPlane<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

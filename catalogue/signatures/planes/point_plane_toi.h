@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_plane_toi {
+struct point_plane_toi : Signature<PointPlaneToi<double>(Plane3d, Point3d, Point3d)> {
   TOUCHSTONE_SIGNATURE(point_plane_toi)
-  using Question = std::tuple<Plane3d, Point3d, Point3d>;
-  using Answer = PointPlaneToi<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct polygon_normal {
+struct polygon_normal : Signature<PolygonNormal<double>(Polygon3d)> {
   TOUCHSTONE_SIGNATURE(polygon_normal)
-  using Question = std::tuple<Polygon3d>;
-  using Answer = PolygonNormal<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct convex_partition {
+struct convex_partition : Signature<std::vector<std::vector<Index>>(Polygon2d)> {
   TOUCHSTONE_SIGNATURE(convex_partition)
-  using Question = std::tuple<Polygon2d>;
-  using Answer = std::vector<std::vector<Index>>;
 };
 
 }  // namespace touchstone::catalogue::signatures

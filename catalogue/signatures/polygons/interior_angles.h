@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct interior_angles {
+struct interior_angles : Signature<std::vector<double>(Polygon2d)> {
   TOUCHSTONE_SIGNATURE(interior_angles)
-  using Question = std::tuple<Polygon2d>;
-  using Answer = std::vector<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

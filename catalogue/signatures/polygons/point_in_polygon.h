@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_in_polygon {
+struct point_in_polygon : Signature<Location(Polygon2d, Point2d)> {
   TOUCHSTONE_SIGNATURE(point_in_polygon)
-  using Question = std::tuple<Polygon2d, Point2d>;
-  using Answer = Location;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct polygon_convexity {
+struct polygon_convexity : Signature<PolygonConvexity(Polygon2d)> {
   TOUCHSTONE_SIGNATURE(polygon_convexity)
-  using Question = std::tuple<Polygon2d>;
-  using Answer = PolygonConvexity;
 };
 
 }  // namespace touchstone::catalogue::signatures

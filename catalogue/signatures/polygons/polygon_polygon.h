@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct polygon_polygon {
+struct polygon_polygon : Signature<Contact(Polygon2d, Polygon2d)> {
   TOUCHSTONE_SIGNATURE(polygon_polygon)
-  using Question = std::tuple<Polygon2d, Polygon2d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

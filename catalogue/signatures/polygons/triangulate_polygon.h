@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct triangulate_polygon {
+struct triangulate_polygon : Signature<std::vector<std::vector<Index>>(Polygon2d)> {
   TOUCHSTONE_SIGNATURE(triangulate_polygon)
-  using Question = std::tuple<Polygon2d>;
-  using Answer = std::vector<std::vector<Index>>;
 };
 
 }  // namespace touchstone::catalogue::signatures

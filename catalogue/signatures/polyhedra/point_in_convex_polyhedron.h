@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_in_convex_polyhedron {
+struct point_in_convex_polyhedron : Signature<Location(Meshd, Point3d)> {
   TOUCHSTONE_SIGNATURE(point_in_convex_polyhedron)
-  using Question = std::tuple<Meshd, Point3d>;
-  using Answer = Location;
 };
 
 }  // namespace touchstone::catalogue::signatures

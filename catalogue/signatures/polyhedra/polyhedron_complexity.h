@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct polyhedron_complexity {
+struct polyhedron_complexity : Signature<PolyhedronComplexity<double>(Meshd)> {
   TOUCHSTONE_SIGNATURE(polyhedron_complexity)
-  using Question = std::tuple<Meshd>;
-  using Answer = PolyhedronComplexity<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct polyhedron_polyhedron {
+struct polyhedron_polyhedron : Signature<PolyhedronPolyhedron(Meshd, Meshd)> {
   TOUCHSTONE_SIGNATURE(polyhedron_polyhedron)
-  using Question = std::tuple<Meshd, Meshd>;
-  using Answer = PolyhedronPolyhedron;
 };
 
 }  // namespace touchstone::catalogue::signatures

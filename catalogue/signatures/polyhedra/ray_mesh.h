@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct ray_mesh {
+struct ray_mesh : Signature<RayMesh<double>(Ray3d, Meshd)> {
   TOUCHSTONE_SIGNATURE(ray_mesh)
-  using Question = std::tuple<Ray3d, Meshd>;
-  using Answer = RayMesh<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

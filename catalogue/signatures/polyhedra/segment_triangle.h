@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct segment_triangle {
+struct segment_triangle : Signature<SegmentTriangle<double>(Segment3d, Triangle3d)> {
   TOUCHSTONE_SIGNATURE(segment_triangle)
-  using Question = std::tuple<Segment3d, Triangle3d>;
-  using Answer = SegmentTriangle<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

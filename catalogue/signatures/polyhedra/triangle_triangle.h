@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct triangle_triangle {
+struct triangle_triangle : Signature<TriangleTriangleRelation(Triangle3d, Triangle3d)> {
   TOUCHSTONE_SIGNATURE(triangle_triangle)
-  using Question = std::tuple<Triangle3d, Triangle3d>;
-  using Answer = TriangleTriangleRelation;
 };
 
 }  // namespace touchstone::catalogue::signatures

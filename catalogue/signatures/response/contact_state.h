@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct contact_state {
+struct contact_state : Signature<ContactState(MovingBodyd, MovingBodyd, Point3d, Vector3d)> {
   TOUCHSTONE_SIGNATURE(contact_state)
-  using Question = std::tuple<MovingBodyd, MovingBodyd, Point3d, Vector3d>;
-  using Answer = ContactState;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct damped_reflection {
+struct damped_reflection : Signature<Vector3<double>(Vector3d, Vector3d, double)> {
   TOUCHSTONE_SIGNATURE(damped_reflection)
-  using Question = std::tuple<Vector3d, Vector3d, double>;
-  using Answer = Vector3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct elastic_collision {
+struct elastic_collision : Signature<Velocities<double>(Massesd, Velocitiesd, Vector3d)> {
   TOUCHSTONE_SIGNATURE(elastic_collision)
-  using Question = std::tuple<Massesd, Velocitiesd, Vector3d>;
-  using Answer = Velocities<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct impact_step {
+struct impact_step : Signature<ImpactStep<double>(std::vector<StepBodyd>, std::vector<Plane3d>, double, double)> {
   TOUCHSTONE_SIGNATURE(impact_step)
-  using Question = std::tuple<std::vector<StepBodyd>, std::vector<Plane3d>, double, double>;
-  using Answer = ImpactStep<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

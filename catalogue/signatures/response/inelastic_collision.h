@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct inelastic_collision {
+struct inelastic_collision : Signature<Vector3<double>(Massesd, Velocitiesd)> {
   TOUCHSTONE_SIGNATURE(inelastic_collision)
-  using Question = std::tuple<Massesd, Velocitiesd>;
-  using Answer = Vector3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct kinetic_energy {
+struct kinetic_energy : Signature<double(std::vector<Bodyd>)> {
   TOUCHSTONE_SIGNATURE(kinetic_energy)
-  using Question = std::tuple<std::vector<Bodyd>>;
-  using Answer = double;
 };
 
 }  // namespace touchstone::catalogue::signatures

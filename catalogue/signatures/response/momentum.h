@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct momentum {
+struct momentum : Signature<Vector3<double>(std::vector<Bodyd>)> {
   TOUCHSTONE_SIGNATURE(momentum)
-  using Question = std::tuple<std::vector<Bodyd>>;
-  using Answer = Vector3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

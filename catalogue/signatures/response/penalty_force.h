@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct penalty_force {
+struct penalty_force : Signature<Vector3<double>(Point3d, Vector3d, Plane3d, double, double)> {
   TOUCHSTONE_SIGNATURE(penalty_force)
-  using Question = std::tuple<Point3d, Vector3d, Plane3d, double, double>;
-  using Answer = Vector3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct reflect_plane {
+struct reflect_plane : Signature<Vector3<double>(Vector3d, Vector3d)> {
   TOUCHSTONE_SIGNATURE(reflect_plane)
-  using Question = std::tuple<Vector3d, Vector3d>;
-  using Answer = Vector3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

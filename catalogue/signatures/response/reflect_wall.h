@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct reflect_wall {
+struct reflect_wall : Signature<Vector3<double>(Vector3d, Axis)> {
   TOUCHSTONE_SIGNATURE(reflect_wall)
-  using Question = std::tuple<Vector3d, Axis>;
-  using Answer = Vector3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

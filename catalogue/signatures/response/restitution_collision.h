@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct restitution_collision {
+struct restitution_collision : Signature<Velocities<double>(Massesd, Velocitiesd, Vector3d, double)> {
   TOUCHSTONE_SIGNATURE(restitution_collision)
-  using Question = std::tuple<Massesd, Velocitiesd, Vector3d, double>;
-  using Answer = Velocities<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

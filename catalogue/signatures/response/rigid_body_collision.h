@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct rigid_body_collision {
+struct rigid_body_collision : Signature<Motions<double>(RigidBodyd, RigidBodyd, Point3d, Vector3d, double)> {
   TOUCHSTONE_SIGNATURE(rigid_body_collision)
-  using Question = std::tuple<RigidBodyd, RigidBodyd, Point3d, Vector3d, double>;
-  using Answer = Motions<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct simulation_step {
+struct simulation_step : Signature<NextState<double>(std::vector<StepBodyd>, std::vector<Plane3d>, StepSettingsd)> {
   TOUCHSTONE_SIGNATURE(simulation_step)
-  using Question = std::tuple<std::vector<StepBodyd>, std::vector<Plane3d>, StepSettingsd>;
-  using Answer = NextState<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -6,10 +6,9 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct simultaneous_collisions {
+struct simultaneous_collisions
+    : Signature<SimultaneousVelocities<double>(std::vector<PointBodyd>, std::vector<BodyContactd>, double)> {
   TOUCHSTONE_SIGNATURE(simultaneous_collisions)
-  using Question = std::tuple<std::vector<PointBodyd>, std::vector<BodyContactd>, double>;
-  using Answer = SimultaneousVelocities<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct swept_convex_polyhedra {
+struct swept_convex_polyhedra : Signature<FirstContact<double>(Meshd, Meshd, Vector3d)> {
   TOUCHSTONE_SIGNATURE(swept_convex_polyhedra)
-  using Question = std::tuple<Meshd, Meshd, Vector3d>;
-  using Answer = FirstContact<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

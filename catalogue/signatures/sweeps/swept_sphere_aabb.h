@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct swept_sphere_aabb {
+struct swept_sphere_aabb : Signature<FirstContact<double>(Sphere3d, Vector3d, Aabb3d)> {
   TOUCHSTONE_SIGNATURE(swept_sphere_aabb)
-  using Question = std::tuple<Sphere3d, Vector3d, Aabb3d>;
-  using Answer = FirstContact<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct swept_sphere_plane {
+struct swept_sphere_plane : Signature<FirstContact<double>(Sphere3d, Vector3d, Plane3d)> {
   TOUCHSTONE_SIGNATURE(swept_sphere_plane)
-  using Question = std::tuple<Sphere3d, Vector3d, Plane3d>;
-  using Answer = FirstContact<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct swept_sphere_sphere {
+struct swept_sphere_sphere : Signature<FirstContact<double>(Sphere3d, Sphere3d, Vector3d, Vector3d)> {
   TOUCHSTONE_SIGNATURE(swept_sphere_sphere)
-  using Question = std::tuple<Sphere3d, Sphere3d, Vector3d, Vector3d>;
-  using Answer = FirstContact<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct aabb_obb {
+struct aabb_obb : Signature<Contact(Aabb3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(aabb_obb)
-  using Question = std::tuple<Aabb3d, Obb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

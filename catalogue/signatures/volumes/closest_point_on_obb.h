@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct closest_point_on_obb {
+struct closest_point_on_obb : Signature<ClosestPoint3<double>(Point3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(closest_point_on_obb)
-  using Question = std::tuple<Point3d, Obb3d>;
-  using Answer = ClosestPoint3<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct kdop_kdop {
+struct kdop_kdop : Signature<Contact(Kdop3d, Kdop3d)> {
   TOUCHSTONE_SIGNATURE(kdop_kdop)
-  using Question = std::tuple<Kdop3d, Kdop3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

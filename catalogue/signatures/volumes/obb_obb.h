@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct obb_obb {
+struct obb_obb : Signature<Contact(Obb3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(obb_obb)
-  using Question = std::tuple<Obb3d, Obb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures

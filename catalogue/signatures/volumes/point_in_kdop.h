@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_in_kdop {
+struct point_in_kdop : Signature<Location(Kdop3d, Point3d)> {
   TOUCHSTONE_SIGNATURE(point_in_kdop)
-  using Question = std::tuple<Kdop3d, Point3d>;
-  using Answer = Location;
 };
 
 }  // namespace touchstone::catalogue::signatures

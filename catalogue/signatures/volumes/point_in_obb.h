@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct point_in_obb {
+struct point_in_obb : Signature<Location(Obb3d, Point3d)> {
   TOUCHSTONE_SIGNATURE(point_in_obb)
-  using Question = std::tuple<Obb3d, Point3d>;
-  using Answer = Location;
 };
 
 }  // namespace touchstone::catalogue::signatures

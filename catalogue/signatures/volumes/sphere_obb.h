@@ -5,10 +5,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct sphere_obb {
+struct sphere_obb : Signature<Contact(Sphere3d, Obb3d)> {
   TOUCHSTONE_SIGNATURE(sphere_obb)
-  using Question = std::tuple<Sphere3d, Obb3d>;
-  using Answer = Contact;
 };
 
 }  // namespace touchstone::catalogue::signatures
