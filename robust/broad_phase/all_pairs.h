@@ -34,7 +34,6 @@ struct PairsWithCertificate {
 };
 PairsWithCertificate pairs_with_certificate(const std::vector<Aabb3d>& boxes);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed. Boxes are only compared: always the first.

@@ -15,7 +15,6 @@ namespace touchstone::robust {
 /// the field and "finite number". Contract: reference/lines/explicit_line.h.
 inline Height explicit_line(double slope, double intercept, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct explicit_line : Filtered<explicit_line, decltype(robust::explicit_line)> {

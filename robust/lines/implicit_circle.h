@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// "finite number"; so does a negative radius ("radius >= 0"). Contract: reference/lines/implicit_circle.h.
 inline Location implicit_circle(const Circle2d& circle, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct implicit_circle : Filtered<implicit_circle, decltype(robust::implicit_circle)> {

@@ -19,7 +19,6 @@ LineLine<double> line_line(const Line2d& a, const Line2d& b);
 /// The decision alone, which costs less.
 inline LineRelation line_line_relation(const Line2d& a, const Line2d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct line_line : Signatures<decltype(robust::line_line)> {

@@ -14,7 +14,6 @@ namespace touchstone::robust {
 /// direction of length 0 ("nonzero direction"). Contract: reference/lines/line_point_at.h.
 Point2d line_point_at(const ParametricLine2d& line, double t);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: a number has to be computed.

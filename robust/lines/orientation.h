@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// "finite number". Contract: reference/lines/orientation.h.
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct orientation : Filtered<orientation, decltype(robust::orientation)> {

@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// negative radius ("radius >= 0"). Contract: reference/lines/parametric_circle.h.
 Point2d parametric_circle(const Circle2d& circle, double u);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: a number has to be computed.

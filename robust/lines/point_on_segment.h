@@ -19,7 +19,6 @@ PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& s
 /// The decision alone, which costs less.
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct point_on_segment : Signatures<decltype(robust::point_on_segment)> {

@@ -20,7 +20,6 @@ RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment);
 /// The decision alone, which costs less.
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_segment : Signatures<decltype(robust::ray_segment)> {

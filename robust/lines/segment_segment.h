@@ -20,7 +20,6 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
 /// The decision alone, which costs less.
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_segment : Signatures<decltype(robust::segment_segment)> {

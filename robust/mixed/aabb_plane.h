@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// ("nonzero normal"). Contract: reference/mixed/aabb_plane.h.
 Contact aabb_plane(const Aabb3d& aabb, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct aabb_plane : Signatures<decltype(robust::aabb_plane)> {

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// ("min <= max"). Contract: reference/mixed/capsule_aabb.h.
 Contact capsule_aabb(const Capsule3d& capsule, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct capsule_aabb : Signatures<decltype(robust::capsule_aabb)> {

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// reference/mixed/capsule_capsule.h.
 Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct capsule_capsule : Signatures<decltype(robust::capsule_capsule)> {

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// ("obb.half_axes", "linearly independent"). Contract: reference/mixed/capsule_obb.h.
 Contact capsule_obb(const Capsule3d& capsule, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct capsule_obb : Signatures<decltype(robust::capsule_obb)> {

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// field and "finite number"; so does a negative radius ("radius >= 0"). Contract: reference/mixed/capsule_triangle.h.
 Contact capsule_triangle(const Capsule3d& capsule, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct capsule_triangle : Signatures<decltype(robust::capsule_triangle)> {

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 ClosestPoint2<double> closest_point_on_segment(const Point2d& point, const Segment2d& segment);
 ClosestPoint3<double> closest_point_on_segment(const Point3d& point, const Segment3d& segment);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct closest_point_on_segment {

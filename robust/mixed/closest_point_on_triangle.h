@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// "finite number". Contract: reference/mixed/closest_point_on_triangle.h.
 ClosestPoint3<double> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct closest_point_on_triangle : Signatures<decltype(robust::closest_point_on_triangle)> {

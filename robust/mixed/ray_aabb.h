@@ -21,7 +21,6 @@ inline Passage<double> ray_aabb(const Ray3d& ray, const Aabb3d& aabb);
 inline PassageRelation ray_aabb_relation(const Ray2d& ray, const Aabb2d& aabb);
 inline PassageRelation ray_aabb_relation(const Ray3d& ray, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides rays that miss: then there is no number to compute.

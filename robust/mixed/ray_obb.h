@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// dependent ("obb.half_axes", "linearly independent"). Contract: reference/mixed/ray_obb.h.
 Passage<double> ray_obb(const Ray3d& ray, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_obb : kernel::ObbPassage {

@@ -20,7 +20,6 @@ LinePlane<double> ray_plane(const Ray3d& ray, const Plane3d& plane);
 /// The decision alone, which costs less.
 inline LinePlaneRelation ray_plane_relation(const Ray3d& ray, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_plane : Signatures<decltype(robust::ray_plane)> {

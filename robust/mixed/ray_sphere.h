@@ -21,7 +21,6 @@ inline Passage<double> ray_sphere(const Ray3d& ray, const Sphere3d& sphere);
 inline PassageRelation ray_sphere_relation(const Ray2d& ray, const Circle2d& sphere);
 inline PassageRelation ray_sphere_relation(const Ray3d& ray, const Sphere3d& sphere);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides rays that miss: then there is no number to compute.

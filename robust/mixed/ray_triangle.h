@@ -21,7 +21,6 @@ RayTriangle<double> ray_triangle(const Ray3d& ray, const Triangle3d& triangle);
 /// The decision alone, which costs less.
 inline SegmentTriangleRelation ray_triangle_relation(const Ray3d& ray, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct ray_triangle : Signatures<decltype(robust::ray_triangle)> {

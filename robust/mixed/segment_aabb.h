@@ -22,7 +22,6 @@ inline Passage<double> segment_aabb(const Segment3d& segment, const Aabb3d& aabb
 inline PassageRelation segment_aabb_relation(const Segment2d& segment, const Aabb2d& aabb);
 inline PassageRelation segment_aabb_relation(const Segment3d& segment, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides segments that miss: then there is no number to compute.

@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// dependent ("obb.half_axes", "linearly independent"). Contract: reference/mixed/segment_obb.h.
 Passage<double> segment_obb(const Segment3d& segment, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_obb : kernel::ObbPassage {

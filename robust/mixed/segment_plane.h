@@ -20,7 +20,6 @@ LinePlane<double> segment_plane(const Segment3d& segment, const Plane3d& plane);
 /// The decision alone, which costs less.
 inline LinePlaneRelation segment_plane_relation(const Segment3d& segment, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_plane : Signatures<decltype(robust::segment_plane)> {

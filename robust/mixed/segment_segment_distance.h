@@ -18,7 +18,6 @@ namespace touchstone::robust {
 ClosestPair2<double> segment_segment_distance(const Segment2d& a, const Segment2d& b);
 ClosestPair3<double> segment_segment_distance(const Segment3d& a, const Segment3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_segment_distance {

@@ -21,7 +21,6 @@ inline Passage<double> segment_sphere(const Segment3d& segment, const Sphere3d& 
 inline PassageRelation segment_sphere_relation(const Segment2d& segment, const Circle2d& sphere);
 inline PassageRelation segment_sphere_relation(const Segment3d& segment, const Sphere3d& sphere);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides segments that miss: then there is no number to compute.

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// reference/mixed/sphere_capsule.h.
 Contact sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter first decides balls that are beyond the box around the ends of the segment.

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// reference/mixed/sphere_plane.h.
 Contact sphere_plane(const Sphere3d& sphere, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides centers whose distance from the plane clearly differs from the radius, in front or behind. There

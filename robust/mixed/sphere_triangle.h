@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// "finite number"; so does a negative radius ("radius >= 0"). Contract: reference/mixed/sphere_triangle.h.
 Contact sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter first decides balls that are beyond the box around the corners.

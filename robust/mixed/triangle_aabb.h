@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// "finite number"; so does min > max ("min <= max"). Contract: reference/mixed/triangle_aabb.h.
 Contact triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct triangle_aabb : Signatures<decltype(robust::triangle_aabb)> {

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// dependent ("obb.half_axes", "linearly independent"). Contract: reference/mixed/triangle_obb.h.
 Contact triangle_obb(const Triangle3d& triangle, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct triangle_obb : Signatures<decltype(robust::triangle_obb)> {

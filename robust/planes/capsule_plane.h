@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// a normal of length 0 ("nonzero normal"). Contract: reference/planes/capsule_plane.h.
 Contact capsule_plane(const Capsule3d& capsule, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The stages of sphere_plane for both ends.

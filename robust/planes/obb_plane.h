@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// normal"). Contract: reference/planes/obb_plane.h.
 Contact obb_plane(const Obb3d& obb, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct obb_plane : Signatures<decltype(robust::obb_plane)> {

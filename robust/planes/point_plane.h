@@ -20,7 +20,6 @@ PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point);
 /// The decision alone, which costs less.
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct point_plane : Signatures<decltype(robust::point_plane)> {

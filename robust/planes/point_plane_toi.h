@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// reference/planes/point_plane_toi.h.
 PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides the steps that stay on one side of the plane, or start behind it: then there is no number to

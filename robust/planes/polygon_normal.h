@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// 3 vertices"). Contract: reference/planes/polygon_normal.h.
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed.

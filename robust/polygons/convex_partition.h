@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// reference/polygons/convex_partition.h.
 std::vector<std::vector<Index>> convex_partition(const Polygon2d& polygon);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

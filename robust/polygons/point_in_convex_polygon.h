@@ -19,7 +19,6 @@ class ConvexPolygon;  // robust/prepared/polygon.h
 /// The same without its validation, by its tree.
 Location point_in_convex_polygon(const ConvexPolygon& polygon, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

@@ -19,7 +19,6 @@ class Polygon;  // robust/prepared/polygon.h
 /// The same without its validation, by its tree.
 Location point_in_polygon(const Polygon& polygon, const Point2d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides only points that are near to no line through an edge. After it, `ask` decides the ring part by

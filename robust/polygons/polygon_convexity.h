@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// do fewer than 3 vertices. Contract: reference/polygons/polygon_convexity.h.
 PolygonConvexity polygon_convexity(const Polygon2d& polygon);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

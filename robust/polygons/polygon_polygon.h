@@ -19,7 +19,6 @@ class SimplePolygon;  // robust/prepared/polygon.h
 /// The same without its validation.
 Contact polygon_polygon(const SimplePolygon& a, const SimplePolygon& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

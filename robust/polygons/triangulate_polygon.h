@@ -19,7 +19,6 @@ namespace touchstone::robust {
 /// reference/polygons/triangulate_polygon.h.
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

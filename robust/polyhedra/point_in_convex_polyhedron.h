@@ -21,7 +21,6 @@ class ConvexSolid;  // robust/prepared/solid.h
 /// The same without its validation, by its tree.
 Location point_in_convex_polyhedron(const ConvexSolid& solid, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

@@ -25,7 +25,6 @@ class Solid;  // robust/prepared/solid.h
 /// The same without its validation, by the trees of both.
 PolyhedronPolyhedron polyhedron_polyhedron(const Solid& a, const Solid& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

@@ -20,7 +20,6 @@ SegmentTriangle<double> segment_triangle(const Segment3d& segment, const Triangl
 /// The decision alone, which costs less.
 inline SegmentTriangleRelation segment_triangle_relation(const Segment3d& segment, const Triangle3d& triangle);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct segment_triangle : Signatures<decltype(robust::segment_triangle)> {

@@ -15,7 +15,6 @@ namespace touchstone::robust {
 /// field and "finite number". Contract: reference/polyhedra/triangle_triangle.h.
 inline TriangleTriangleRelation triangle_triangle(const Triangle3d& a, const Triangle3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct triangle_triangle : Filtered<triangle_triangle, decltype(robust::triangle_triangle)> {

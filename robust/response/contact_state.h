@@ -18,7 +18,6 @@ namespace touchstone::robust {
 inline ContactState contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                   const Vector3d& normal);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct contact_state : Filtered<contact_state, decltype(robust::contact_state)> {

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// normal"). Contract: reference/response/damped_reflection.h.
 Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed. Their degree is 6, too high for the lattice.

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// reference/response/elastic_collision.h.
 Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed. Their degree is 7, too high for the lattice.

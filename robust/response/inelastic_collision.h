@@ -15,7 +15,6 @@ namespace touchstone::robust {
 /// reference/response/inelastic_collision.h.
 Vector3d inelastic_collision(const Massesd& masses, const Velocitiesd& velocities);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed.

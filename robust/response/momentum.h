@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// reference/response/momentum.h.
 Vector3d momentum(const std::vector<Bodyd>& bodies);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed.

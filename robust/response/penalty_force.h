@@ -17,7 +17,6 @@ namespace touchstone::robust {
 Vector3d penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness,
                        double damping);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed. Their degree is 4 and more, too high for the lattice.

@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// ("nonzero normal"). Contract: reference/response/reflect_plane.h.
 Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed. Their degree is 5, too high for the lattice.

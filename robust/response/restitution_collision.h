@@ -19,7 +19,6 @@ namespace touchstone::robust {
 Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                   double e);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed. Their degree is 8, too high for the lattice.

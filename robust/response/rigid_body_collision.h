@@ -20,7 +20,6 @@ namespace touchstone::robust {
 Motions<double> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
                                      const Vector3d& normal, double e);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// There is no filter: numbers have to be computed. They fit no lattice.

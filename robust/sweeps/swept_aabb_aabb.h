@@ -18,7 +18,6 @@ namespace touchstone::robust {
 FirstContact<double> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
 FirstContact<double> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides the steps that hit at the start, and those that never do: then there is no number to compute.

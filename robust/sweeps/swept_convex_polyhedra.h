@@ -24,7 +24,6 @@ class ConvexSolid;  // robust/prepared/solid.h
 /// The same without its validation.
 FirstContact<double> swept_convex_polyhedra(const ConvexSolid& a, const ConvexSolid& b, const Vector3d& velocity);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed; a t after the start is always computed by `exact`.

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// negative radius ("radius >= 0") and min > max ("min <= max"). Contract: reference/sweeps/swept_sphere_aabb.h.
 FirstContact<double> swept_sphere_aabb(const Sphere3d& sphere, const Vector3d& velocity, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides the steps that hit at the start, and those that never do: then there is no number to compute.

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// ("nonzero normal"). Contract: reference/sweeps/swept_sphere_plane.h.
 FirstContact<double> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides the steps that hit at the start, and those that never do: then there is no number to compute.

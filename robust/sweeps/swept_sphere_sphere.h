@@ -22,7 +22,6 @@ FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, c
 HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter of the full answer decides the sweeps that hit at the start, and those that never do: then there is no

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b);
 inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides boxes that have an interior and do not touch; the exact stage compares the bits as integers.

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// linearly dependent ("obb.half_axes", "linearly independent"). Contract: reference/volumes/aabb_obb.h.
 Contact aabb_obb(const Aabb3d& aabb, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct aabb_obb : Signatures<decltype(robust::aabb_obb)> {

@@ -19,7 +19,6 @@ namespace touchstone::robust {
 Aabb2d aabb_of_points(const std::vector<Point2d>& points);
 Aabb3d aabb_of_points(const std::vector<Point3d>& points);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter compares doubles, the exact stage their bits as integers.

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// independent"). Contract: reference/volumes/closest_point_on_obb.h.
 ClosestPoint3<double> closest_point_on_obb(const Point3d& point, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct closest_point_on_obb : Signatures<decltype(robust::closest_point_on_obb)> {

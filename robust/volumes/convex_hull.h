@@ -22,7 +22,6 @@ namespace touchstone::robust {
 /// reference/volumes/convex_hull.h.
 ConvexHull convex_hull(const std::vector<Point3d>& points);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

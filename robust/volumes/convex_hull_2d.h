@@ -19,7 +19,6 @@ namespace touchstone::robust {
 /// so does an empty list. Contract: reference/volumes/convex_hull_2d.h.
 ConvexHull2 convex_hull_2d(const std::vector<Point2d>& points);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

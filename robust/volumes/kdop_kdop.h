@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// those of a ("the same normals as a", "the same normal as in a"). Contract: reference/volumes/kdop_kdop.h.
 Contact kdop_kdop(const Kdop3d& a, const Kdop3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter uses differences of all slabs, the exact stage compares the bits as integers; there is no lattice.

@@ -18,7 +18,6 @@ namespace touchstone::robust {
 /// normal") and a normal of length 0 ("nonzero normal"). Contract: reference/volumes/kdop_of_points.h.
 std::vector<Slabd> kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The lattice takes the points that doubles do not exclude as extremes; exact takes all.

@@ -16,7 +16,6 @@ namespace touchstone::robust {
 /// reference/volumes/obb_obb.h.
 Contact obb_obb(const Obb3d& a, const Obb3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct obb_obb : Signatures<decltype(robust::obb_obb)> {

@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// ("min <= max"), a list without normals and lists of different lengths. Contract: reference/volumes/point_in_kdop.h.
 Location point_in_kdop(const Kdop3d& kdop, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// Each stage takes all slabs together; a slab that excludes the point decides alone.

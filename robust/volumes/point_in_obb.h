@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// reference/volumes/point_in_obb.h.
 inline Location point_in_obb(const Obb3d& obb, const Point3d& point);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct point_in_obb : Filtered<point_in_obb, decltype(robust::point_in_obb)> {

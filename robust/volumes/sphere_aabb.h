@@ -23,7 +23,6 @@ namespace touchstone::robust {
 inline Contact sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb);
 inline Contact sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 /// The filter decides boxes that have an interior and a distance that differs from the radius.

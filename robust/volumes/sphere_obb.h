@@ -17,7 +17,6 @@ namespace touchstone::robust {
 /// "linearly independent"). Contract: reference/volumes/sphere_obb.h.
 Contact sphere_obb(const Sphere3d& sphere, const Obb3d& obb);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct sphere_obb : Signatures<decltype(robust::sphere_obb)> {

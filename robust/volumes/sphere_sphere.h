@@ -20,7 +20,6 @@ namespace touchstone::robust {
 inline Contact sphere_sphere(const Circle2d& a, const Circle2d& b);
 inline Contact sphere_sphere(const Sphere3d& a, const Sphere3d& b);
 
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
 struct sphere_sphere : Filtered<sphere_sphere> {
