@@ -191,7 +191,7 @@ template <class Row, class Question>
 struct EpickOf {
   static void add(const std::string& group, const Asked& asked) {
     // If rounding makes the second point of CGAL's ray equal to the first, CGAL divides by 0, and the program ends.
-    const bool rays = std::string_view(Row::metadata().name).starts_with("ray_");
+    const bool rays = std::string_view(Row::metadata.name).starts_with("ray_");
     if (rays && asked.kind == Cases::hard) return;
     if constexpr (HasEpick<Row>) add_epick<Row, Question>(group, asked);
   }
@@ -223,7 +223,7 @@ std::vector<std::vector<Word>> words_of_tables(const Operation& operation) {
 
 template <class Row>
 void add_row() {
-  const Operation& operation = *catalogue::find_operation(Row::metadata().name);
+  const Operation& operation = *catalogue::find_operation(Row::metadata.name);
   for (const std::vector<Word>& words : words_of_tables(operation)) {
     const bool several = shape_of(operation) == nullptr && !words.empty();
     const std::string alternative = several ? "_" + std::to_string(words[0] + 2) + "d" : "";

@@ -71,7 +71,7 @@ typename Row::Question drawn(DataSet set, catalogue::DrawStream& draws) {
   const auto fill = [&](double (*number)(catalogue::DrawStream&)) {
     catalogue::walk(
         question, [&](double& value) { value = number(draws); },
-        [](auto& list) { list.resize(Row::metadata().list_length); });
+        [](auto& list) { list.resize(Row::metadata.list_length); });
     if (const auto repair = Row::hooks().repair) repair(question);
   };
   switch (set) {
@@ -94,9 +94,9 @@ typename Row::Question drawn(DataSet set, catalogue::DrawStream& draws) {
 /// Questions that the contract accepts. Ends with an error if it refuses nearly all draws.
 template <class Row>
 std::vector<typename Row::Question> draw_cases(DataSet set) {
-  const std::string stream = std::string(Row::metadata().name) + "/" + name_of(set);
+  const std::string stream = std::string(Row::metadata.name) + "/" + name_of(set);
   std::vector<typename Row::Question> cases;
-  const std::size_t count = Row::metadata().list_length == 0 ? case_count : case_count_of_lists;
+  const std::size_t count = Row::metadata.list_length == 0 ? case_count : case_count_of_lists;
   cases.reserve(count);
   for (std::uint64_t index = 0; cases.size() < count; ++index) {
     if (index > 1000 * (cases.size() + 1000))

@@ -119,7 +119,7 @@ Wrong wrong_decisions(DataSet set) {
 
 template <class Row>
 std::size_t wrong_answers(DataSet set) {
-  const auto& operation = *catalogue::find_operation(Row::metadata().name);
+  const auto& operation = *catalogue::find_operation(Row::metadata.name);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < chunk; ++i) {
     const catalogue::Question flat{catalogue::packed(cases_of<Row>(set)[i])};
@@ -147,18 +147,18 @@ bool verified() {
       std::size_t wrong_full = wrong_answers<Row>(set);
       if constexpr (Decides<Row>) {
         const Wrong w = wrong_decisions<Row>(set);
-        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu %8zu\n", Row::metadata().name, name_of(set), w.robust,
-                    w.naive, w.epick, w.epeck, w.rational, w.shewchuk);
+        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu %8zu\n", Row::metadata.name, name_of(set), w.robust, w.naive,
+                    w.epick, w.epeck, w.rational, w.shewchuk);
         wrong_full += w.robust + w.epick + w.epeck + w.rational;
         if (set != DataSet::huge && set != DataSet::tiny) wrong_full += w.shewchuk;  // it promises nothing there
       }
       if constexpr (HasAnswerPeer<Row>) {
-        std::printf("%-18s %-20s %s: %zu far off\n", Row::metadata().name, name_of(set), AnswerPeer<Row>::name,
+        std::printf("%-18s %-20s %s: %zu far off\n", Row::metadata.name, name_of(set), AnswerPeer<Row>::name,
                     wrong_peer_answers<Row>(set));
       }
       if (wrong_full != 0) {
         held = false;
-        std::printf("%s %s: an exact answer is wrong\n", Row::metadata().name, name_of(set));
+        std::printf("%s %s: an exact answer is wrong\n", Row::metadata.name, name_of(set));
       }
     }
   });
@@ -181,7 +181,7 @@ const auto& shapes_of(DataSet set) {
 template <class Row>
 void add_row(DataSet set) {
   using Q = QuestionOf<Row>;
-  const std::string group = std::string(Row::metadata().name) + "/" + name_of(set) + "/";
+  const std::string group = std::string(Row::metadata.name) + "/" + name_of(set) + "/";
   const auto add = [&](const char* peer, auto timed) { benchmark::RegisterBenchmark((group + peer).c_str(), timed); };
   if constexpr (Decides<Row>) {
     using A = Asked<Row>;
@@ -219,7 +219,7 @@ void add_row(DataSet set) {
     });
   }
   // Tells which answers hold numbers, for the goals of ratios.py.
-  const catalogue::Kind kind = Row::metadata().kind;
+  const catalogue::Kind kind = Row::metadata.kind;
   const char* label = kind == catalogue::Kind::measure || kind == catalogue::Kind::set ? "numbers" : "";
   add("slide_answer", [=](benchmark::State& s) {
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_reference<Row>(q); });

@@ -14,7 +14,7 @@ namespace {
 
 template <class Row>
 const catalogue::Operation& operation_of() {
-  static const catalogue::Operation& operation = *catalogue::find_operation(Row::metadata().name);
+  static const catalogue::Operation& operation = *catalogue::find_operation(Row::metadata.name);
   return operation;
 }
 
@@ -42,7 +42,7 @@ std::size_t examined(const catalogue::Operation& operation, const catalogue::Que
 template <class Row>
 void add_row(DataSet set) {
   using Q = typename Row::Question;
-  const std::string group = std::string(Row::metadata().name) + "/" + name_of(set) + "/";
+  const std::string group = std::string(Row::metadata.name) + "/" + name_of(set) + "/";
   const auto add = [&](const char* what, auto timed) { benchmark::RegisterBenchmark((group + what).c_str(), timed); };
   add("truth", [=](benchmark::State& s) {
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_oracle<Row>(q); });
@@ -62,7 +62,7 @@ void draw_families(benchmark::State& state) {
   const catalogue::Operation& operation = operation_of<Row>();
   std::uint64_t index = 0;
   for (auto _ : state) {
-    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, Row::metadata().name, index));
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, Row::metadata.name, index));
     benchmark::DoNotOptimize(operation.draw(draws, index++ % operation.families().size()));
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
   using namespace touchstone;
   catalogue::for_each_row([]<class Row>() {
     for (const bench::DataSet set : bench::data_sets) bench::add_row<Row>(set);
-    const std::string name = std::string(Row::metadata().name) + "/all_families/draw";
+    const std::string name = std::string(Row::metadata.name) + "/all_families/draw";
     benchmark::RegisterBenchmark(name.c_str(), bench::draw_families<Row>);
   });
   for (const bench::DataSet set : bench::data_sets) bench::add_decisions(set);

@@ -116,7 +116,8 @@ def evidence(tree, operations):
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
             if f"robust::{alone}(" not in row:
                 yield f"catalogue/rows/{operation['chapter']}/{name}.h: no row evaluates robust::{alone}, the decision alone"
-        if "namespace stages {" in header and not re.search(rf"stages =\s+(StagesEither<)?::touchstone::robust::stages::{name}\b", row):
+        staged = rf"TOUCHSTONE_STAGED_MODULES\({name}\)|stages =\s+(StagesEither<)?::touchstone::robust::stages::{name}\b"
+        if "namespace stages {" in header and not re.search(staged, row):
             yield f"catalogue/rows/{operation['chapter']}/{name}.h: no row evaluates robust::stages::{name}, each stage alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:

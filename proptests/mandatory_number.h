@@ -15,10 +15,7 @@ struct mandatory_number {
   static void hard_cases(catalogue::HardCases<Question>&) {}
   static catalogue::Hooks<mandatory_number> hooks() { return {}; }
 
-  static const catalogue::Metadata& metadata() {
-    static const catalogue::Metadata metadata{.name = "mandatory_number", .fields = {"point"}};
-    return metadata;
-  }
+  static constexpr catalogue::Metadata metadata{.name = "mandatory_number", .fields = {"point"}};
 
   template <class Real>
   static PointPlane<Real> reference(const Point2<Real>& p) {

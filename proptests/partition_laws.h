@@ -227,7 +227,7 @@ void checkers_agree() {
       IndexLists lists = catalogue::ask_robust<Row>(asked);
       for (std::uint64_t more = draws.below(3); more > 0 && lists.size() > 1; --more) lists = altered(draws, lists, n);
       auto claim = catalogue::claim_of(*operation.examine(question));
-      claim["truth"] = {{Row::metadata().answer, lists}};
+      claim["truth"] = {{Row::metadata.answer, lists}};
       const bool accepted = Row::defect(asked, lists).empty();
       different += accepted == certify::refuse(claim).has_value();
       ++(accepted ? right : wrong);

@@ -33,6 +33,12 @@ inline double power_of_two(DrawStream& draws, int least, int most) {
   return std::ldexp(1, integer_in(draws, least, most));
 }
 
+/// A point or vector in space, times 2^k.
+template <class Triple>
+void lengthen(Triple& v, int k) {
+  v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+}
+
 inline double zero(DrawStream& draws) { return draws.coin() ? -0.0 : 0.0; }
 inline double either_sign(DrawStream& draws) { return draws.coin() ? -1 : 1; }
 

@@ -141,8 +141,9 @@ Excess excess_of_hull(const std::vector<Point2d>& points, const ConvexHull2& hul
   return excess(std::max<Real>(*flat, -doubled_area / size / size));  // clockwise by this much
 }
 
-Excess excess_of_pieces(const Polygon2d& polygon, const std::vector<std::vector<Index>>& pieces) {
-  const std::vector<Place> ring = places((*validation::OpenRing(polygon)).vertices);
+Excess excess_of_pieces(const std::tuple<Polygon2d>& question, const std::vector<std::vector<Index>>& pieces,
+                        const std::vector<std::vector<Index>>&) {
+  const std::vector<Place> ring = places((*validation::OpenRing(std::get<0>(question))).vertices);
   const Real size = size_of(ring);
   const auto turn = [&](Index a, Index b, Index c) { return cross(ring[b] - ring[a], ring[c] - ring[a]).z; };
   const auto area = [&](const Indices& piece) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "geometry/answers.h"
@@ -19,8 +20,9 @@ using Excess = std::optional<double>;
 
 Excess excess_of_hull(const std::vector<Point3d>& points, const ConvexHull& hull);
 Excess excess_of_hull(const std::vector<Point2d>& points, const ConvexHull2& hull);
-/// Convex counter-clockwise pieces of a polygon.
-Excess excess_of_pieces(const Polygon2d& polygon, const std::vector<std::vector<Index>>& pieces);
+/// Convex counter-clockwise pieces of a polygon; those of the truth may be others.
+Excess excess_of_pieces(const std::tuple<Polygon2d>& question, const std::vector<std::vector<Index>>& pieces,
+                        const std::vector<std::vector<Index>>& truth);
 /// For a point outside, or a radius beyond that of the right ball.
 Excess excess_of_ball(const std::vector<Point3d>& points, const Sphere3d& ball, const Sphere3d& right);
 Excess excess_of_slabs(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals,

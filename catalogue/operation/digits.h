@@ -17,9 +17,11 @@ inline std::uint64_t configurations_of_digits(int size, int digits) {
 class Digits {
  public:
   Digits(int size, std::uint64_t index) : size_(static_cast<std::uint64_t>(size)), left_(index) {}
-  double operator()() {
-    const auto digit = static_cast<double>(left_ % size_);
-    left_ /= size_;
+  double operator()() { return static_cast<double>(next(size_)); }
+  /// One of another size than the others.
+  std::uint64_t next(std::uint64_t size) {
+    const std::uint64_t digit = left_ % size;
+    left_ /= size;
     return digit;
   }
 

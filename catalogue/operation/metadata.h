@@ -44,6 +44,8 @@ class ShortList {
 /// Names of the inputs in JSON, in order.
 using FieldNames = ShortList<const char*, 6>;
 
+struct Implementation;
+
 /// The catalogue's data about an operation.
 struct Metadata {
   const char* name;
@@ -67,11 +69,26 @@ struct Metadata {
   /// operation's, and has a reference, a robust or both of its own. Families, truth and vectors are the operation's;
   /// engines are not asked this one.
   const char* implementation_of = "";
+  /// The metadata of a row that answers this operation.
+  constexpr Metadata implementation(const Implementation& own) const;
   bool is_implementation() const { return implementation_of[0] != 0; }
   /// The textbook formula omits numbers that the operation answers, and is judged on the others.
   bool formula_answers_less = false;
   /// Test vectors with more characters are left out: three coordinates of hundreds of digits each (0: no limit).
   std::size_t longest_vector = 0;
 };
+
+/// The data of an implementation that are its own.
+struct Implementation {
+  const char *name, *pages, *question;
+  int cost;
+  Time time;
+};
+constexpr Metadata Metadata::implementation(const Implementation& own) const {
+  Metadata other = *this;
+  other.name = own.name, other.pages = own.pages, other.question = own.question;
+  other.implementation_of = name, other.cost = own.cost, other.time = own.time;
+  return other;
+}
 
 }  // namespace touchstone::catalogue

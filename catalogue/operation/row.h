@@ -20,11 +20,11 @@
 ///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op)
 ///   TOUCHSTONE_ARRAYS(op)                    where robust::batch has a function of that name: decisions over arrays
 ///   TOUCHSTONE_PREPARED(op, Shape)           where robust takes shapes that are validated once (robust/prepared)
-///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
+///   TOUCHSTONE_STAGED_MODULES(op)            instead, where robust has several stages: `stages` are those
 ///   static void standard(const auto& add) {  other formulas of textbooks (reference/standard/), if there are any:
 ///     add("whose it is", [](const auto&... q) { return ...; });
 ///   }
-///   static const Metadata& metadata();               fields, pages, kind of judgement
+///   static constexpr Metadata metadata{...};          fields, pages, kind of judgement
 ///   static void hard_cases(HardCases<Question>& add) {        families that are hard on purpose:
 ///     add("shared_end", [](DrawStream& c) -> Question { return ...; });
 ///   }
@@ -47,6 +47,9 @@
   static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {      \
     return ::touchstone::oracle::op(q...);                                              \
   }
+#define TOUCHSTONE_STAGED_MODULES(op) \
+  TOUCHSTONE_MODULES(op)              \
+  using stages = ::touchstone::robust::stages::op;
 #define TOUCHSTONE_MODULES_EITHER(op)                                                                    \
   static auto reference(const auto&... q) { return either<Answers>(::touchstone::reference::op(q...)); } \
   static auto robust(const auto&... q) { return either<Answers>(::touchstone::robust::op(q...)); }       \
@@ -95,8 +98,7 @@ auto ask_oracle(const Question& q) {
 template <class Shape, class Part>
 auto prepared_as(const Part& part) {
   if constexpr (std::is_constructible_v<Shape, const Part&>) return Shape(part);
-  else
-    return part;
+  else return part;
 }
 template <class Row, class Question>
 auto ask_prepared(const Question& q) {

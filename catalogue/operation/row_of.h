@@ -283,7 +283,7 @@ template <class Row>
 RowFunctions RowOf<Row>::functions() {
   static_assert(std::is_same_v<Answer, typename Row::Answer>, "robust answers with the type that the signature names");
   RowFunctions f{};
-  f.metadata = &Row::metadata();
+  f.metadata = &Row::metadata;
   f.question = &shape_of<Asked>();
   f.answer = &shape_of<Answer>();
   f.reference = reference;

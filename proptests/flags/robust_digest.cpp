@@ -40,7 +40,7 @@ AnswerBits typed_bits(const catalogue::Operation& operation, const catalogue::Qu
                       std::size_t environment) {
   AnswerBits bits;
   catalogue::for_each_row([&]<class Row>() {
-    if (&Row::metadata() == &operation.metadata()) bits = robust_bits<Row>(question, environment);
+    if (&Row::metadata == &operation.metadata()) bits = robust_bits<Row>(question, environment);
   });
   return bits;
 }

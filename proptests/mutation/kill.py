@@ -31,7 +31,7 @@ ROWS = pathlib.Path(__file__).resolve().parents[2] / "catalogue/rows"
 def question_of(operation):
     """The operation whose question it answers: itself, unless it is another implementation."""
     row = next(ROWS.glob(f"*/{operation}.h"), None)
-    found = re.search(r'implementation_of = "(\w+)"', row.read_text(encoding="utf-8")) if row else None
+    found = re.search(r'(\w+)::metadata\.implementation\(', row.read_text(encoding="utf-8")) if row else None
     return found.group(1) if found else operation
 
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalogue/families/bodies/impact_draws.h"
+#include "catalogue/families/hard_case.h"
 #include "catalogue/families/list_draws.h"
 
 /// Lists of bodies, drawn from a draw stream.
@@ -69,6 +70,30 @@ inline Bodies bodies_without_a_mass(DrawStream& c) {
   list.push_back({mass, lattice_velocity(c, 4)});
   while (list.size() < 12 && c.coin()) list.push_back(lattice_body(c));
   return list;
+}
+
+template <auto draw>
+std::tuple<Bodies> asked_of_bodies(DrawStream& c) {
+  return {draw(c)};
+}
+/// The hard cases of a sum over bodies; `beside_a_tie` is the operation's own.
+template <auto beside_a_tie>
+void sums_of_bodies(HardCases<std::tuple<Bodies>>& add) {
+  add("on_lattice", asked_of_bodies<lattice_bodies>);
+  add("cancelling", asked_of_bodies<cancelling_bodies>);
+  add("far_apart", asked_of_bodies<far_apart_bodies>);
+  add("products_at_the_end", asked_of_bodies<bodies_at_the_end>);
+  add("at_end_of_range", asked_of_bodies<bodies_at_end_of_range>);
+  add("beside_a_tie", asked_of_bodies<beside_a_tie>);
+  add("without_a_mass", asked_of_bodies<bodies_without_a_mass>);
+  add.unscaled("many_bodies", asked_of_bodies<many_bodies>);
+}
+
+inline void scale_velocities(std::tuple<Bodies>& question, int k) {
+  for (auto& [mass, v] : std::get<0>(question)) lengthen(v, k);
+}
+inline void repair_masses(std::tuple<Bodies>& question) {
+  for (Bodyd& body : std::get<0>(question)) make_positive(body.mass);
 }
 
 }  // namespace touchstone::catalogue

@@ -77,12 +77,11 @@ inline Meeting of_one_body(DrawStream& c) {
 
 /// Angular velocities, places and the normal in other units, each a power of two.
 inline Meeting in_units(Meeting m, int of_turn, int of_place, int of_normal) {
-  const auto longer = [](auto& v, int k) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
   for (MovingBodyd* body : {&m.a, &m.b}) {
-    longer(body->position, of_place), longer(body->velocity, of_turn + of_place);
-    longer(body->angular_velocity, of_turn);
+    lengthen(body->position, of_place), lengthen(body->velocity, of_turn + of_place);
+    lengthen(body->angular_velocity, of_turn);
   }
-  longer(m.point, of_place), longer(m.normal, of_normal);
+  lengthen(m.point, of_place), lengthen(m.normal, of_normal);
   return m;
 }
 /// Products of three are a few times the least number, or less.

@@ -100,14 +100,14 @@ inline RigidMeeting rigid_in_far_units(DrawStream& c) {
   RigidMeeting r = c.coin() ? ordinary_rigid(c) : lattice_rigid(c);
   const int of_mass = integer_in(c, -200, 199), of_length = integer_in(c, -150, 149),
             of_time = integer_in(c, -200, 199);
-  const auto longer = [](auto& v, int k) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
   for (RigidBodyd* body : {&r.a, &r.b}) {
     body->mass = std::ldexp(body->mass, of_mass);
-    for (Vector3d* row : {&body->inertia.x, &body->inertia.y, &body->inertia.z}) longer(*row, of_mass + 2 * of_length);
-    longer(body->position, of_length), longer(body->velocity, of_length - of_time);
-    longer(body->angular_velocity, -of_time);
+    for (Vector3d* row : {&body->inertia.x, &body->inertia.y, &body->inertia.z})
+      lengthen(*row, of_mass + 2 * of_length);
+    lengthen(body->position, of_length), lengthen(body->velocity, of_length - of_time);
+    lengthen(body->angular_velocity, -of_time);
   }
-  longer(r.point, of_length);
+  lengthen(r.point, of_length);
   return r;
 }
 inline RigidMeeting rigid_at_end_of_range(DrawStream& c) {

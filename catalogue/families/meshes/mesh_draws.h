@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <tuple>
 
 #include "catalogue/families/space_draws.h"
 #include "geometry/polyhedra.h"
@@ -72,5 +73,11 @@ Meshd tetrahedron_of(DrawStream& draws, const Draw& point) {
 
 /// The faces of a tetrahedron over the first four vertices, the others taken away; fewer stay as they are.
 void make_tetrahedron(Meshd& mesh);
+
+template <auto drawn_mesh, auto drawn_point>
+std::tuple<Meshd, Point3d> mesh_and_point(DrawStream& c) {
+  const Meshd mesh = drawn_mesh(c);
+  return {mesh, drawn_point(mesh, c)};
+}
 
 }  // namespace touchstone::catalogue

@@ -17,27 +17,23 @@
 namespace touchstone::catalogue::rows {
 
 struct all_pairs : signatures::all_pairs {
-  TOUCHSTONE_MODULES(all_pairs)
-  using stages = ::touchstone::robust::stages::all_pairs;
+  TOUCHSTONE_STAGED_MODULES(all_pairs)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "broad_phase",
-                                   .pages = "55-56",
-                                   .question = "Which of these balls, or boxes, meet?",
-                                   .kind = Kind::covering,
-                                   .fields = {"spheres"},
-                                   .other_fields = {{"boxes"}},
-                                   .answer = "pairs",
-                                   .margin_degree = 2,
-                                   .time = {.robust = Growth::linearithmic,
-                                            .oracle = Growth::quadratic,
-                                            .ask = Growth::quadratic,
-                                            .reference = Growth::quadratic},
-                                   .list_length = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "broad_phase",
+                                     .pages = "55-56",
+                                     .question = "Which of these balls, or boxes, meet?",
+                                     .kind = Kind::covering,
+                                     .fields = {"spheres"},
+                                     .other_fields = {{"boxes"}},
+                                     .answer = "pairs",
+                                     .margin_degree = 2,
+                                     .time = {.robust = Growth::linearithmic,
+                                              .oracle = Growth::quadratic,
+                                              .ask = Growth::quadratic,
+                                              .reference = Growth::quadratic},
+                                     .list_length = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("grid_of_spheres", [](DrawStream& c) -> Question {

@@ -12,22 +12,12 @@ struct bounding_volume_hierarchy : broad_phase {
   static auto reference(const auto&... q) { return ::touchstone::reference::bounding_volume_hierarchy(q...); }
   static auto robust(const auto&... q) { return ::touchstone::robust::bounding_volume_hierarchy(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = broad_phase::metadata();
-      other.name = "bounding_volume_hierarchy";
-      other.pages = "58-61";
-      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a hierarchy of boxes?";
-      other.implementation_of = "broad_phase";
-      other.cost = 4;  // in exact arithmetic it is made anew for each query
-      other.time = {.robust = Growth::quadratic,
-                    .oracle = Growth::quadratic,
-                    .ask = Growth::quadratic,
-                    .reference = Growth::quadratic_log};
-      return other;
-    }();
-    return metadata;
-  }
+  static constexpr Metadata metadata = broad_phase::metadata.implementation(
+      {.name = "bounding_volume_hierarchy",
+       .pages = "58-61",
+       .question = "Which of these boxes meet each other, a box, a point or a ray, by a hierarchy of boxes?",
+       .cost = 4,
+       .time = by_structure});
 
   static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
     draw_in<::touchstone::reference::BoxHierarchy<double>>(drawing, {"hierarchy of boxes", "node", "nodes"}, question,

@@ -8,6 +8,7 @@
 
 #include "catalogue/draw/searches.h"
 #include "catalogue/families/searching_draws.h"
+#include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/broad_phase/broad_phase.h"
 #include "oracle/broad_phase/broad_phase.h"
@@ -22,23 +23,26 @@ struct broad_phase : signatures::broad_phase {
   TOUCHSTONE_MODULES(broad_phase)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "broad_phase",
-                                   .pages = "45-47, 55-56",
-                                   .question =
-                                       "Which of these boxes meet each other, a box, a point or a ray, while "
-                                       "some come, move and go?",
-                                   .kind = Kind::covering,
-                                   .fields = {"boxes", "commands"},
-                                   .answer = "replies",
-                                   .margin_degree = 2,
-                                   .cost = 8,
-                                   .time = grows(Growth::quadratic),
-                                   .list_length = 2,
-                                   .longest_vector = 6000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "broad_phase",
+                                     .pages = "45-47, 55-56",
+                                     .question =
+                                         "Which of these boxes meet each other, a box, a point or a ray, while "
+                                         "some come, move and go?",
+                                     .kind = Kind::covering,
+                                     .fields = {"boxes", "commands"},
+                                     .answer = "replies",
+                                     .margin_degree = 2,
+                                     .cost = 8,
+                                     .time = grows(Growth::quadratic),
+                                     .list_length = 2,
+                                     .longest_vector = 6000};
+
+  /// With a structure, which in exact arithmetic is made anew for each query: that is its cost.
+  static constexpr Time by_structure{.robust = Growth::quadratic,
+                                     .oracle = Growth::quadratic,
+                                     .ask = Growth::quadratic,
+                                     .reference = Growth::quadratic_log};
 
   static void hard_cases(HardCases<Question>& add) {
     add("small_grid", [](DrawStream& c) -> Question { return any_program(c, small_box, 6, 12); });
@@ -261,11 +265,7 @@ struct broad_phase : signatures::broad_phase {
   }
   static Question domain_at(int size, std::uint64_t index) {
     const std::uint64_t n = intervals(size);
-    const auto next = [&index](std::uint64_t of) {
-      const std::uint64_t digit = index % of;
-      index /= of;
-      return digit;
-    };
+    Digits digits(size, index);
     const auto interval = [size](std::uint64_t number) {
       int low = 0;
       for (; number >= static_cast<std::uint64_t>(size - low); ++low) number -= static_cast<std::uint64_t>(size - low);
@@ -273,9 +273,9 @@ struct broad_phase : signatures::broad_phase {
     };
     Question question;
     auto& [boxes, commands] = question;
-    while (boxes.size() < 3) boxes.push_back(interval(next(n)));
+    while (boxes.size() < 3) boxes.push_back(interval(digits.next(n)));
     while (commands.size() < 4) {
-      std::uint64_t digit = next(4 * n + 4);
+      const std::uint64_t digit = digits.next(4 * n + 4);
       if (digit < n) commands.emplace_back(Insertd{interval(digit)});
       else if (digit < 4 * n) commands.emplace_back(Moved{static_cast<Index>((digit - n) / n), interval(digit % n)});
       else if (digit < 4 * n + 3) commands.emplace_back(Remove{static_cast<Index>(digit - 4 * n)});

@@ -10,22 +10,12 @@ namespace touchstone::catalogue::rows {
 struct bsp_tree : broad_phase {
   static auto reference(const auto&... q) { return ::touchstone::reference::bsp_tree(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = broad_phase::metadata();
-      other.name = "bsp_tree";
-      other.pages = "63";
-      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a tree of planes?";
-      other.implementation_of = "broad_phase";
-      other.cost = 6;  // in exact arithmetic it is made anew for each query
-      other.time = {.robust = Growth::quadratic,
-                    .oracle = Growth::quadratic,
-                    .ask = Growth::quadratic,
-                    .reference = Growth::quadratic_log};
-      return other;
-    }();
-    return metadata;
-  }
+  static constexpr Metadata metadata = broad_phase::metadata.implementation(
+      {.name = "bsp_tree",
+       .pages = "63",
+       .question = "Which of these boxes meet each other, a box, a point or a ray, by a tree of planes?",
+       .cost = 6,
+       .time = by_structure});
 
   static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
     draw_in<::touchstone::reference::PlaneTree<double>>(drawing, {"tree of planes", "node", "nodes"}, question, truth);

@@ -10,22 +10,12 @@ namespace touchstone::catalogue::rows {
 struct octree : broad_phase {
   static auto reference(const auto&... q) { return ::touchstone::reference::octree(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = broad_phase::metadata();
-      other.name = "octree";
-      other.pages = "62";
-      other.question = "Which of these boxes meet each other, a box, a point or a ray, by an octree?";
-      other.implementation_of = "broad_phase";
-      other.cost = 40;  // in exact arithmetic it is made anew for each query
-      other.time = {.robust = Growth::quadratic,
-                    .oracle = Growth::quadratic,
-                    .ask = Growth::quadratic,
-                    .reference = Growth::quadratic_log};
-      return other;
-    }();
-    return metadata;
-  }
+  static constexpr Metadata metadata = broad_phase::metadata.implementation(
+      {.name = "octree",
+       .pages = "62",
+       .question = "Which of these boxes meet each other, a box, a point or a ray, by an octree?",
+       .cost = 40,
+       .time = by_structure});
 
   static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
     draw_in<::touchstone::reference::Octree<double>>(drawing, {"octree", "cell", "cells"}, question, truth);

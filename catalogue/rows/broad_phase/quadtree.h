@@ -10,22 +10,12 @@ namespace touchstone::catalogue::rows {
 struct quadtree : broad_phase {
   static auto reference(const auto&... q) { return ::touchstone::reference::quadtree(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = broad_phase::metadata();
-      other.name = "quadtree";
-      other.pages = "62";
-      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a quadtree?";
-      other.implementation_of = "broad_phase";
-      other.cost = 20;  // in exact arithmetic it is made anew for each query
-      other.time = {.robust = Growth::quadratic,
-                    .oracle = Growth::quadratic,
-                    .ask = Growth::quadratic,
-                    .reference = Growth::quadratic_log};
-      return other;
-    }();
-    return metadata;
-  }
+  static constexpr Metadata metadata = broad_phase::metadata.implementation(
+      {.name = "quadtree",
+       .pages = "62",
+       .question = "Which of these boxes meet each other, a box, a point or a ray, by a quadtree?",
+       .cost = 20,
+       .time = by_structure});
 
   /// The tree is one over x and y: so is its picture.
   static void draw(Drawing& drawing, const Question& question, const Replies& truth) {

@@ -14,19 +14,13 @@ struct sphere_hierarchy : all_pairs {
   static auto reference(const auto&... q) { return ::touchstone::reference::sphere_hierarchy(q...); }
   static auto robust(const auto&... q) { return ::touchstone::robust::sphere_hierarchy(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = all_pairs::metadata();
-      other.name = "sphere_hierarchy";
-      other.pages = "58-61";
-      other.question = "Which of these balls, or boxes, meet, by a hierarchy of spheres?";
-      other.implementation_of = "all_pairs";
-      other.cost = 180;  // its exact arithmetic has roots of thousands of digits
-      other.time = grows(Growth::quadratic);
-      return other;
-    }();
-    return metadata;
-  }
+  /// Its exact arithmetic has roots of thousands of digits.
+  static constexpr Metadata metadata = all_pairs::metadata.implementation(
+      {.name = "sphere_hierarchy",
+       .pages = "58-61",
+       .question = "Which of these balls, or boxes, meet, by a hierarchy of spheres?",
+       .cost = 180,
+       .time = grows(Growth::quadratic)});
 
   static void draw(Drawing& drawing, const Question& question, const Pairs& truth) {
     std::visit(

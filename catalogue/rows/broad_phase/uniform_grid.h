@@ -10,22 +10,12 @@ namespace touchstone::catalogue::rows {
 struct uniform_grid : broad_phase {
   static auto reference(const auto&... q) { return ::touchstone::reference::uniform_grid(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = broad_phase::metadata();
-      other.name = "uniform_grid";
-      other.pages = "62";
-      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a uniform grid?";
-      other.implementation_of = "broad_phase";
-      other.cost = 3;  // in exact arithmetic it is made anew for each query
-      other.time = {.robust = Growth::quadratic,
-                    .oracle = Growth::quadratic,
-                    .ask = Growth::quadratic,
-                    .reference = Growth::quadratic_log};
-      return other;
-    }();
-    return metadata;
-  }
+  static constexpr Metadata metadata = broad_phase::metadata.implementation(
+      {.name = "uniform_grid",
+       .pages = "62",
+       .question = "Which of these boxes meet each other, a box, a point or a ray, by a uniform grid?",
+       .cost = 3,
+       .time = by_structure});
 
   static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
     draw_in<::touchstone::reference::Grid<double>>(drawing, {"uniform grid", "cell", "cells"}, question, truth);

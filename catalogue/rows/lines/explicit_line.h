@@ -12,21 +12,17 @@
 namespace touchstone::catalogue::rows {
 
 struct explicit_line : signatures::explicit_line {
-  TOUCHSTONE_MODULES(explicit_line)
-  using stages = ::touchstone::robust::stages::explicit_line;
+  TOUCHSTONE_STAGED_MODULES(explicit_line)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "8",
-                                   .question = "Is the point above, on or below the line y = slope x + intercept?",
-                                   .kind = Kind::decision,
-                                   .fields = {"slope", "intercept", "point"},
-                                   .answer = "side"};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "8",
+                                     .question = "Is the point above, on or below the line y = slope x + intercept?",
+                                     .kind = Kind::decision,
+                                     .fields = {"slope", "intercept", "point"},
+                                     .answer = "side"};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_line", [](DrawStream& c) -> Question {

@@ -12,23 +12,19 @@
 namespace touchstone::catalogue::rows {
 
 struct implicit_circle : signatures::implicit_circle {
-  TOUCHSTONE_MODULES(implicit_circle)
-  using stages = ::touchstone::robust::stages::implicit_circle;
+  TOUCHSTONE_STAGED_MODULES(implicit_circle)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "lines",
-        .pages = "8",
-        .question = "Is the point inside, on or outside the circle (x - cx)^2 + (y - cy)^2 = r^2?",
-        .kind = Kind::decision,
-        .fields = {"circle", "point"},
-        .answer = "location",
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "lines",
+      .pages = "8",
+      .question = "Is the point inside, on or outside the circle (x - cx)^2 + (y - cy)^2 = r^2?",
+      .kind = Kind::decision,
+      .fields = {"circle", "point"},
+      .answer = "location",
+      .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_circle", [](DrawStream& c) -> Question {

@@ -12,20 +12,16 @@
 namespace touchstone::catalogue::rows {
 
 struct line_line : signatures::line_line {
-  TOUCHSTONE_MODULES(line_line)
-  using stages = ::touchstone::robust::stages::line_line;
+  TOUCHSTONE_STAGED_MODULES(line_line)
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "12",
-                                   .question = "Where do the lines through two points each cross?",
-                                   .kind = Kind::set,
-                                   .fields = {"a", "b"},
-                                   .ulps = 15,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "12",
+                                     .question = "Where do the lines through two points each cross?",
+                                     .kind = Kind::set,
+                                     .fields = {"a", "b"},
+                                     .ulps = 15,
+                                     .margin_degree = 2};
 
   struct decision {
     static LineRelation robust(const Question& q) {

@@ -11,22 +11,18 @@
 namespace touchstone::catalogue::rows {
 
 struct line_point_at : signatures::line_point_at {
-  TOUCHSTONE_MODULES(line_point_at)
-  using stages = ::touchstone::robust::stages::line_point_at;
+  TOUCHSTONE_STAGED_MODULES(line_point_at)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "9",
-                                   .question = "Which point of the line origin + t direction belongs to t?",
-                                   .kind = Kind::measure,
-                                   .fields = {"line", "t"},
-                                   .answer = "point",
-                                   .ulps = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "9",
+                                     .question = "Which point of the line origin + t direction belongs to t?",
+                                     .kind = Kind::measure,
+                                     .fields = {"line", "t"},
+                                     .answer = "point",
+                                     .ulps = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("lattice", [](DrawStream& c) -> Question {

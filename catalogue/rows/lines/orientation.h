@@ -16,21 +16,17 @@
 namespace touchstone::catalogue::rows {
 
 struct orientation : signatures::orientation {
-  TOUCHSTONE_MODULES(orientation)
+  TOUCHSTONE_STAGED_MODULES(orientation)
   TOUCHSTONE_ARRAYS(orientation)
-  using stages = ::touchstone::robust::stages::orientation;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "16-17",
-                                   .question = "On which side of the directed line p0 -> p1 does p lie?",
-                                   .kind = Kind::decision,
-                                   .fields = {"p0", "p1", "p"},
-                                   .answer = "side",
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "16-17",
+                                     .question = "On which side of the directed line p0 -> p1 does p lie?",
+                                     .kind = Kind::decision,
+                                     .fields = {"p0", "p1", "p"},
+                                     .answer = "side",
+                                     .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("collinear", [](DrawStream& c) -> Question {

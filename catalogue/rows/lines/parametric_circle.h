@@ -10,23 +10,19 @@
 namespace touchstone::catalogue::rows {
 
 struct parametric_circle : signatures::parametric_circle {
-  TOUCHSTONE_MODULES(parametric_circle)
-  using stages = ::touchstone::robust::stages::parametric_circle;
+  TOUCHSTONE_STAGED_MODULES(parametric_circle)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "lines",
-        .pages = "8",
-        .question = "Which point of the circle belongs to the parameter u (radians from +x, counter-clockwise)?",
-        .kind = Kind::measure,
-        .fields = {"circle", "u"},
-        .answer = "point",
-        .ulps = 3};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "lines",
+      .pages = "8",
+      .question = "Which point of the circle belongs to the parameter u (radians from +x, counter-clockwise)?",
+      .kind = Kind::measure,
+      .fields = {"circle", "u"},
+      .answer = "point",
+      .ulps = 3};
 
   static void hard_cases(HardCases<Question>& add) {
     add("at_zero", [](DrawStream& c) -> Question {

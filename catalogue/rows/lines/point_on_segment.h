@@ -12,21 +12,17 @@
 namespace touchstone::catalogue::rows {
 
 struct point_on_segment : signatures::point_on_segment {
-  TOUCHSTONE_MODULES(point_on_segment)
+  TOUCHSTONE_STAGED_MODULES(point_on_segment)
   TOUCHSTONE_ARRAYS(point_on_segment)
-  using stages = ::touchstone::robust::stages::point_on_segment;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "10-11",
-                                   .question = "Does the point lie on the closed segment, and at which t?",
-                                   .kind = Kind::set,
-                                   .fields = {"point", "segment"},
-                                   .ulps = 3,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "10-11",
+                                     .question = "Does the point lie on the closed segment, and at which t?",
+                                     .kind = Kind::set,
+                                     .fields = {"point", "segment"},
+                                     .ulps = 3,
+                                     .margin_degree = 2};
 
   struct decision {
     static Incidence robust(const Question& q) {

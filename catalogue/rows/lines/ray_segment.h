@@ -11,20 +11,16 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_segment : signatures::ray_segment {
-  TOUCHSTONE_MODULES(ray_segment)
-  using stages = ::touchstone::robust::stages::ray_segment;
+  TOUCHSTONE_STAGED_MODULES(ray_segment)
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "2, 14",
-                                   .question = "Where does the ray meet the closed segment?",
-                                   .kind = Kind::set,
-                                   .fields = {"ray", "segment"},
-                                   .ulps = 13,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "2, 14",
+                                     .question = "Where does the ray meet the closed segment?",
+                                     .kind = Kind::set,
+                                     .fields = {"ray", "segment"},
+                                     .ulps = 13,
+                                     .margin_degree = 2};
 
   struct decision {
     static RayRelation robust(const Question& q) {

@@ -14,21 +14,17 @@
 namespace touchstone::catalogue::rows {
 
 struct segment_segment : signatures::segment_segment {
-  TOUCHSTONE_MODULES(segment_segment)
+  TOUCHSTONE_STAGED_MODULES(segment_segment)
   TOUCHSTONE_ARRAYS(segment_segment)
-  using stages = ::touchstone::robust::stages::segment_segment;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "lines",
-                                   .pages = "12-13",
-                                   .question = "What do the two closed segments have in common?",
-                                   .kind = Kind::set,
-                                   .fields = {"a", "b"},
-                                   .ulps = 15,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "lines",
+                                     .pages = "12-13",
+                                     .question = "What do the two closed segments have in common?",
+                                     .kind = Kind::set,
+                                     .fields = {"a", "b"},
+                                     .ulps = 15,
+                                     .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("crossing_on_lattice", [](DrawStream& c) -> Question {

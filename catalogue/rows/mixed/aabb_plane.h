@@ -13,22 +13,18 @@
 namespace touchstone::catalogue::rows {
 
 struct aabb_plane : signatures::aabb_plane, OverHalfSpace<Aabb3d> {
-  TOUCHSTONE_MODULES(aabb_plane)
-  using stages = ::touchstone::robust::stages::aabb_plane;
+  TOUCHSTONE_STAGED_MODULES(aabb_plane)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "mixed",
-        .pages = "22, 45-47",
-        .question = "Do a box and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"aabb", "plane"},
-        .answer = "contact",
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "22, 45-47",
+      .question = "Do a box and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"aabb", "plane"},
+      .answer = "contact",
+      .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("corner_on_plane", [](DrawStream& c) -> Question {

@@ -12,23 +12,20 @@
 namespace touchstone::catalogue::rows {
 
 struct capsule_aabb : signatures::capsule_aabb {
-  TOUCHSTONE_MODULES(capsule_aabb)
-  using stages = ::touchstone::robust::stages::capsule_aabb;
+  TOUCHSTONE_STAGED_MODULES(capsule_aabb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 48-50",
-                                   .question = "Do a capsule and an axis-aligned box overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"capsule", "aabb"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 20,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "9, 48-50",
+      .question = "Do a capsule and an axis-aligned box overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"capsule", "aabb"},
+      .answer = "contact",
+      .margin_degree = 2,
+      .cost = 20,
+      .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add_capsules_and_aabbs([&add](const char* family, auto draw) { add(family, draw); });

@@ -13,23 +13,19 @@
 namespace touchstone::catalogue::rows {
 
 struct capsule_capsule : signatures::capsule_capsule {
-  TOUCHSTONE_MODULES(capsule_capsule)
-  using stages = ::touchstone::robust::stages::capsule_capsule;
+  TOUCHSTONE_STAGED_MODULES(capsule_capsule)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 12-13, 44",
-                                   .question = "Do two capsules overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"a", "b"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 20,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 12-13, 44",
+                                     .question = "Do two capsules overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"a", "b"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 20,
+                                     .longest_vector = 2300};
 
   static void standard(const auto& add) {
     add("Ericson, closest points of segments", [](const auto&... q) {

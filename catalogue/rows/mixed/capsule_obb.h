@@ -12,23 +12,19 @@
 namespace touchstone::catalogue::rows {
 
 struct capsule_obb : signatures::capsule_obb {
-  TOUCHSTONE_MODULES(capsule_obb)
-  using stages = ::touchstone::robust::stages::capsule_obb;
+  TOUCHSTONE_STAGED_MODULES(capsule_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 27, 48-50",
-                                   .question = "Do a capsule and an oriented box overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"capsule", "obb"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 60,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 27, 48-50",
+                                     .question = "Do a capsule and an oriented box overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"capsule", "obb"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 60,
+                                     .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add_capsules_and_boxes([&add](const char* family, auto draw) { add(family, draw); });

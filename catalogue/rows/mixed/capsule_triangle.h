@@ -12,23 +12,19 @@
 namespace touchstone::catalogue::rows {
 
 struct capsule_triangle : signatures::capsule_triangle {
-  TOUCHSTONE_MODULES(capsule_triangle)
-  using stages = ::touchstone::robust::stages::capsule_triangle;
+  TOUCHSTONE_STAGED_MODULES(capsule_triangle)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 12-13, 48-50, 54",
-                                   .question = "Do a capsule and a triangle overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"capsule", "triangle"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 10,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 12-13, 48-50, 54",
+                                     .question = "Do a capsule and a triangle overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"capsule", "triangle"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 10,
+                                     .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add_capsules_and_triangles([&add](const char* family, auto draw) { add(family, draw); });

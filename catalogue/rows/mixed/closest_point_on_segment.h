@@ -17,19 +17,16 @@ struct closest_point_on_segment : signatures::closest_point_on_segment {
   using stages = StagesEither<::touchstone::robust::stages::closest_point_on_segment, Answers<double>>;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 48-50",
-                                   .question = "Which point of a segment is nearest to the point, and how far is it?",
-                                   .kind = Kind::measure,
-                                   .fields = {"point", "segment"},
-                                   .ulps = 32,
-                                   .margin_degree = 0,
-                                   .cost = 4,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 48-50",
+                                     .question = "Which point of a segment is nearest to the point, and how far is it?",
+                                     .kind = Kind::measure,
+                                     .fields = {"point", "segment"},
+                                     .ulps = 32,
+                                     .margin_degree = 0,
+                                     .cost = 4,
+                                     .longest_vector = 2300};
 
   static void standard(const auto& add) {
     add("Ericson, closest point of a segment", [](const auto&... q) {

@@ -12,23 +12,20 @@
 namespace touchstone::catalogue::rows {
 
 struct closest_point_on_triangle : signatures::closest_point_on_triangle {
-  TOUCHSTONE_MODULES(closest_point_on_triangle)
-  using stages = ::touchstone::robust::stages::closest_point_on_triangle;
+  TOUCHSTONE_STAGED_MODULES(closest_point_on_triangle)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 54",
-                                   .question = "Which point of a triangle is nearest to the point, and how far is it?",
-                                   .kind = Kind::measure,
-                                   .fields = {"point", "triangle"},
-                                   .ulps = 66,
-                                   .margin_degree = 0,
-                                   .cost = 10,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "9, 54",
+      .question = "Which point of a triangle is nearest to the point, and how far is it?",
+      .kind = Kind::measure,
+      .fields = {"point", "triangle"},
+      .ulps = 66,
+      .margin_degree = 0,
+      .cost = 10,
+      .longest_vector = 2300};
 
   static void standard(const auto& add) {
     add("foot on the plane, else the nearest edge", [](const auto&... q) {

@@ -25,23 +25,20 @@ struct convex_distance : signatures::convex_distance {
   TOUCHSTONE_PREPARED(convex_distance, ConvexSolid)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "mixed",
-        .pages = "48-50, 53-54",
-        .question = "Which points of two convex polyhedra are nearest to each other, and how far is it?",
-        .kind = Kind::measure,
-        .fields = {"a", "b"},
-        .ulps = 60,
-        .cost = 300,
-        .time = {.robust = Growth::quadratic,
-                 .oracle = Growth::quadratic,
-                 .ask = Growth::quadratic,
-                 .reference = Growth::linearithmic},
-        .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "48-50, 53-54",
+      .question = "Which points of two convex polyhedra are nearest to each other, and how far is it?",
+      .kind = Kind::measure,
+      .fields = {"a", "b"},
+      .ulps = 60,
+      .cost = 300,
+      .time = {.robust = Growth::quadratic,
+               .oracle = Growth::quadratic,
+               .ask = Growth::quadratic,
+               .reference = Growth::linearithmic},
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("lattice", [](DrawStream& c) -> Question {

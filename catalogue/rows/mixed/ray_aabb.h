@@ -14,9 +14,8 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_aabb : signatures::ray_aabb {
-  TOUCHSTONE_MODULES(ray_aabb)
+  TOUCHSTONE_STAGED_MODULES(ray_aabb)
   TOUCHSTONE_ARRAYS(ray_aabb)
-  using stages = ::touchstone::robust::stages::ray_aabb;
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -24,16 +23,13 @@ struct ray_aabb : signatures::ray_aabb {
     }
   };
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 45-47",
-                                   .question = "Where does the ray enter and leave the axis-aligned box?",
-                                   .kind = Kind::measure,
-                                   .fields = {"ray", "aabb"},
-                                   .ulps = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 45-47",
+                                     .question = "Where does the ray enter and leave the axis-aligned box?",
+                                     .kind = Kind::measure,
+                                     .fields = {"ray", "aabb"},
+                                     .ulps = 2};
 
   static Question of(const Course& course, const Aabb3d& box, bool in_plane) {
     const auto& [p, v] = course;

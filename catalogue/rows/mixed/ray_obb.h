@@ -12,22 +12,18 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_obb : signatures::ray_obb {
-  TOUCHSTONE_MODULES(ray_obb)
-  using stages = ::touchstone::robust::stages::ray_obb;
+  TOUCHSTONE_STAGED_MODULES(ray_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 27, 45-47",
-                                   .question = "Where does the ray enter and leave the oriented box?",
-                                   .kind = Kind::measure,
-                                   .fields = {"ray", "obb"},
-                                   .ulps = 20,
-                                   .cost = 4,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 27, 45-47",
+                                     .question = "Where does the ray enter and leave the oriented box?",
+                                     .kind = Kind::measure,
+                                     .fields = {"ray", "obb"},
+                                     .ulps = 20,
+                                     .cost = 4,
+                                     .longest_vector = 2300};
 
   static Question of(const Course& course, const Obb3d& box) { return {{course.from, course.displacement}, box}; }
   static bool has_interior(const Obb3d&) { return true; }

@@ -12,20 +12,16 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_plane : signatures::ray_plane {
-  TOUCHSTONE_MODULES(ray_plane)
-  using stages = ::touchstone::robust::stages::ray_plane;
+  TOUCHSTONE_STAGED_MODULES(ray_plane)
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 22",
-                                   .question = "What do the ray in space and the plane N . p + d = 0 have in common?",
-                                   .kind = Kind::set,
-                                   .fields = {"ray", "plane"},
-                                   .ulps = 14,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 22",
+                                     .question = "What do the ray in space and the plane N . p + d = 0 have in common?",
+                                     .kind = Kind::set,
+                                     .fields = {"ray", "plane"},
+                                     .ulps = 14,
+                                     .margin_degree = 2};
 
   struct decision {
     static LinePlaneRelation robust(const Question& q) {

@@ -14,8 +14,7 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_sphere : signatures::ray_sphere {
-  TOUCHSTONE_MODULES(ray_sphere)
-  using stages = ::touchstone::robust::stages::ray_sphere;
+  TOUCHSTONE_STAGED_MODULES(ray_sphere)
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -23,17 +22,14 @@ struct ray_sphere : signatures::ray_sphere {
     }
   };
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 23",
-                                   .question = "Where does the ray enter and leave the ball, or disc?",
-                                   .kind = Kind::measure,
-                                   .fields = {"ray", "sphere"},
-                                   .ulps = 24,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 23",
+                                     .question = "Where does the ray enter and leave the ball, or disc?",
+                                     .kind = Kind::measure,
+                                     .fields = {"ray", "sphere"},
+                                     .ulps = 24,
+                                     .margin_degree = 2};
 
   static Question of(const Course& course, const Sphere3d& ball, bool in_plane) {
     const auto& [p, v] = course;

@@ -13,22 +13,18 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_triangle : signatures::ray_triangle {
-  TOUCHSTONE_MODULES(ray_triangle)
+  TOUCHSTONE_STAGED_MODULES(ray_triangle)
   TOUCHSTONE_ARRAYS(ray_triangle)
-  using stages = ::touchstone::robust::stages::ray_triangle;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 54",
-                                   .question = "What do the ray and the closed triangle in space have in common?",
-                                   .kind = Kind::set,
-                                   .fields = {"ray", "triangle"},
-                                   .ulps = 31,
-                                   .margin_degree = 2,
-                                   .cost = 3};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 54",
+                                     .question = "What do the ray and the closed triangle in space have in common?",
+                                     .kind = Kind::set,
+                                     .fields = {"ray", "triangle"},
+                                     .ulps = 31,
+                                     .margin_degree = 2,
+                                     .cost = 3};
 
   struct decision {
     static SegmentTriangleRelation robust(const Question& q) {

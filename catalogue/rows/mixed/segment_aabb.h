@@ -13,8 +13,7 @@
 namespace touchstone::catalogue::rows {
 
 struct segment_aabb : signatures::segment_aabb {
-  TOUCHSTONE_MODULES(segment_aabb)
-  using stages = ::touchstone::robust::stages::segment_aabb;
+  TOUCHSTONE_STAGED_MODULES(segment_aabb)
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -22,16 +21,13 @@ struct segment_aabb : signatures::segment_aabb {
     }
   };
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "45-47",
-                                   .question = "Where does the closed segment enter and leave the axis-aligned box?",
-                                   .kind = Kind::measure,
-                                   .fields = {"segment", "aabb"},
-                                   .ulps = 3};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "45-47",
+                                     .question = "Where does the closed segment enter and leave the axis-aligned box?",
+                                     .kind = Kind::measure,
+                                     .fields = {"segment", "aabb"},
+                                     .ulps = 3};
 
   static Question of(const Course& course, const Aabb3d& box, bool in_plane) {
     const auto& [p, v] = course;

@@ -12,22 +12,18 @@
 namespace touchstone::catalogue::rows {
 
 struct segment_obb : signatures::segment_obb {
-  TOUCHSTONE_MODULES(segment_obb)
-  using stages = ::touchstone::robust::stages::segment_obb;
+  TOUCHSTONE_STAGED_MODULES(segment_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "27, 45-47",
-                                   .question = "Where does the closed segment enter and leave the oriented box?",
-                                   .kind = Kind::measure,
-                                   .fields = {"segment", "obb"},
-                                   .ulps = 23,
-                                   .cost = 4,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "27, 45-47",
+                                     .question = "Where does the closed segment enter and leave the oriented box?",
+                                     .kind = Kind::measure,
+                                     .fields = {"segment", "obb"},
+                                     .ulps = 23,
+                                     .cost = 4,
+                                     .longest_vector = 2300};
 
   static Question of(const Course& course, const Obb3d& box) {
     return {{course.from, course.from + course.displacement}, box};

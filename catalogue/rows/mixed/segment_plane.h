@@ -12,21 +12,17 @@
 namespace touchstone::catalogue::rows {
 
 struct segment_plane : signatures::segment_plane {
-  TOUCHSTONE_MODULES(segment_plane)
-  using stages = ::touchstone::robust::stages::segment_plane;
+  TOUCHSTONE_STAGED_MODULES(segment_plane)
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "mixed",
-        .pages = "22-23",
-        .question = "What do the closed segment in space and the plane N . p + d = 0 have in common?",
-        .kind = Kind::set,
-        .fields = {"segment", "plane"},
-        .ulps = 17,
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "22-23",
+      .question = "What do the closed segment in space and the plane N . p + d = 0 have in common?",
+      .kind = Kind::set,
+      .fields = {"segment", "plane"},
+      .ulps = 17,
+      .margin_degree = 2};
 
   struct decision {
     static LinePlaneRelation robust(const Question& q) {

@@ -17,20 +17,17 @@ struct segment_segment_distance : signatures::segment_segment_distance {
   using stages = StagesEither<::touchstone::robust::stages::segment_segment_distance, Answers<double>>;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "mixed",
-        .pages = "9, 12-13, 48-50",
-        .question = "Which points of two segments are nearest to each other, and how far is it?",
-        .kind = Kind::measure,
-        .fields = {"a", "b"},
-        .ulps = 51,
-        .margin_degree = 0,
-        .cost = 20,
-        .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "9, 12-13, 48-50",
+      .question = "Which points of two segments are nearest to each other, and how far is it?",
+      .kind = Kind::measure,
+      .fields = {"a", "b"},
+      .ulps = 51,
+      .margin_degree = 0,
+      .cost = 20,
+      .longest_vector = 2300};
 
   static void standard(const auto& add) {
     add("Ericson, closest points of segments", [](const auto&... q) {

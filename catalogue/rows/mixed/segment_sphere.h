@@ -13,8 +13,7 @@
 namespace touchstone::catalogue::rows {
 
 struct segment_sphere : signatures::segment_sphere {
-  TOUCHSTONE_MODULES(segment_sphere)
-  using stages = ::touchstone::robust::stages::segment_sphere;
+  TOUCHSTONE_STAGED_MODULES(segment_sphere)
 
   struct decision {
     static PassageRelation robust(const Question& question) {
@@ -22,17 +21,14 @@ struct segment_sphere : signatures::segment_sphere {
     }
   };
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "23",
-                                   .question = "Where does the closed segment enter and leave the ball, or disc?",
-                                   .kind = Kind::measure,
-                                   .fields = {"segment", "sphere"},
-                                   .ulps = 27,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "23",
+                                     .question = "Where does the closed segment enter and leave the ball, or disc?",
+                                     .kind = Kind::measure,
+                                     .fields = {"segment", "sphere"},
+                                     .ulps = 27,
+                                     .margin_degree = 2};
 
   static Question of(const Course& course, const Sphere3d& ball, bool in_plane) {
     const auto& [p, v] = course;

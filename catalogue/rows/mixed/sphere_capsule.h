@@ -13,23 +13,19 @@
 namespace touchstone::catalogue::rows {
 
 struct sphere_capsule : signatures::sphere_capsule {
-  TOUCHSTONE_MODULES(sphere_capsule)
-  using stages = ::touchstone::robust::stages::sphere_capsule;
+  TOUCHSTONE_STAGED_MODULES(sphere_capsule)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 44",
-                                   .question = "Do a ball and a capsule overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"sphere", "capsule"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 4,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 44",
+                                     .question = "Do a ball and a capsule overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"sphere", "capsule"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 4,
+                                     .longest_vector = 2300};
 
   static void standard(const auto& add) {
     add("Ericson, closest point of a segment",

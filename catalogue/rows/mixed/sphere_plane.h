@@ -12,22 +12,18 @@
 namespace touchstone::catalogue::rows {
 
 struct sphere_plane : signatures::sphere_plane, OverHalfSpace<Sphere3d> {
-  TOUCHSTONE_MODULES(sphere_plane)
-  using stages = ::touchstone::robust::stages::sphere_plane;
+  TOUCHSTONE_STAGED_MODULES(sphere_plane)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "mixed",
-        .pages = "22, 44",
-        .question = "Do a ball and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"sphere", "plane"},
-        .answer = "contact",
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "22, 44",
+      .question = "Do a ball and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"sphere", "plane"},
+      .answer = "contact",
+      .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add_balls_over_planes([&add](const char* family, auto draw) { add(family, draw); });

@@ -13,23 +13,19 @@
 namespace touchstone::catalogue::rows {
 
 struct sphere_triangle : signatures::sphere_triangle {
-  TOUCHSTONE_MODULES(sphere_triangle)
-  using stages = ::touchstone::robust::stages::sphere_triangle;
+  TOUCHSTONE_STAGED_MODULES(sphere_triangle)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "9, 48-50, 54",
-                                   .question = "Do a ball and a triangle overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"sphere", "triangle"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 10,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "9, 48-50, 54",
+                                     .question = "Do a ball and a triangle overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"sphere", "triangle"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 10,
+                                     .longest_vector = 2300};
 
   static void standard(const auto& add) {
     add("foot on the plane, else the nearest edge", [](const auto&... q) {

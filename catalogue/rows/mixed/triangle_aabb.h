@@ -15,21 +15,18 @@
 namespace touchstone::catalogue::rows {
 
 struct triangle_aabb : signatures::triangle_aabb {
-  TOUCHSTONE_MODULES(triangle_aabb)
-  using stages = ::touchstone::robust::stages::triangle_aabb;
+  TOUCHSTONE_STAGED_MODULES(triangle_aabb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "21, 27, 45-47, 54",
-                                   .question = "Do a triangle and an axis-aligned box overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"triangle", "aabb"},
-                                   .answer = "contact",
-                                   .margin_degree = 1};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "21, 27, 45-47, 54",
+      .question = "Do a triangle and an axis-aligned box overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"triangle", "aabb"},
+      .answer = "contact",
+      .margin_degree = 1};
 
   static void standard(const auto& add) {
     add("Akenine-Moeller, seen from the box's center",

@@ -12,22 +12,18 @@
 namespace touchstone::catalogue::rows {
 
 struct triangle_obb : signatures::triangle_obb {
-  TOUCHSTONE_MODULES(triangle_obb)
-  using stages = ::touchstone::robust::stages::triangle_obb;
+  TOUCHSTONE_STAGED_MODULES(triangle_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "mixed",
-                                   .pages = "21, 27, 45-47, 54",
-                                   .question = "Do a triangle and an oriented box overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"triangle", "obb"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 10};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "mixed",
+                                     .pages = "21, 27, 45-47, 54",
+                                     .question = "Do a triangle and an oriented box overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"triangle", "obb"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 10};
 
   static void hard_cases(HardCases<Question>& add) {
     add_triangles_and_boxes([&add](const char* family, auto draw) { add(family, draw); });

@@ -12,22 +12,18 @@
 namespace touchstone::catalogue::rows {
 
 struct capsule_plane : signatures::capsule_plane, OverHalfSpace<Capsule3d> {
-  TOUCHSTONE_MODULES(capsule_plane)
-  using stages = ::touchstone::robust::stages::capsule_plane;
+  TOUCHSTONE_STAGED_MODULES(capsule_plane)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "planes",
-        .pages = "22, 44",
-        .question = "Do a capsule and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"capsule", "plane"},
-        .answer = "contact",
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "planes",
+      .pages = "22, 44",
+      .question = "Do a capsule and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"capsule", "plane"},
+      .answer = "contact",
+      .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add_balls_over_planes([&add]<class Draw>(const char* family, Draw) {

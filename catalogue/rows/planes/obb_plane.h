@@ -13,24 +13,20 @@
 namespace touchstone::catalogue::rows {
 
 struct obb_plane : signatures::obb_plane, OverHalfSpace<Obb3d> {
-  TOUCHSTONE_MODULES(obb_plane)
-  using stages = ::touchstone::robust::stages::obb_plane;
+  TOUCHSTONE_STAGED_MODULES(obb_plane)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "planes",
-        .pages = "22, 27",
-        .question =
-            "Do an oriented box and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"obb", "plane"},
-        .answer = "contact",
-        .margin_degree = 2,
-        .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "planes",
+      .pages = "22, 27",
+      .question =
+          "Do an oriented box and the half-space N . p + d <= 0 behind a plane overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"obb", "plane"},
+      .answer = "contact",
+      .margin_degree = 2,
+      .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add("corner_on_plane", [](DrawStream& c) -> Question {

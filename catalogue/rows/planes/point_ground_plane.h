@@ -16,16 +16,13 @@ struct point_ground_plane : signatures::point_ground_plane {
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "planes",
-                                   .pages = "20",
-                                   .question = "Is the point above, on or below the ground plane y = 0 (y is up)?",
-                                   .kind = Kind::decision,
-                                   .fields = {"point"},
-                                   .answer = "side"};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "planes",
+                                     .pages = "20",
+                                     .question = "Is the point above, on or below the ground plane y = 0 (y is up)?",
+                                     .kind = Kind::decision,
+                                     .fields = {"point"},
+                                     .answer = "side"};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_ground", [](DrawStream& c) -> Question {

@@ -14,9 +14,8 @@
 namespace touchstone::catalogue::rows {
 
 struct point_plane : signatures::point_plane {
-  TOUCHSTONE_MODULES(point_plane)
+  TOUCHSTONE_STAGED_MODULES(point_plane)
   TOUCHSTONE_ARRAYS(point_plane)
-  using stages = ::touchstone::robust::stages::point_plane;
 
   struct decision {
     static PlaneSide robust(const Question& q) {
@@ -24,19 +23,16 @@ struct point_plane : signatures::point_plane {
     }
   };
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "planes",
-        .pages = "22",
-        .question = "Is the point in front of, on or behind the plane N . p + d = 0, and how far from it?",
-        .kind = Kind::measure,
-        .fields = {"plane", "point"},
-        .ulps = 13,
-        .margin_degree = 2,
-        .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "planes",
+      .pages = "22",
+      .question = "Is the point in front of, on or behind the plane N . p + d = 0, and how far from it?",
+      .kind = Kind::measure,
+      .fields = {"plane", "point"},
+      .ulps = 13,
+      .margin_degree = 2,
+      .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_plane", [](DrawStream& c) -> Question { return over_plane(c, 0); });
@@ -110,7 +106,7 @@ struct point_plane : signatures::point_plane {
   static void scale(Question& question, int k) {
     auto& [plane, p] = question;
     plane.offset = std::ldexp(plane.offset, k);
-    p = {std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+    lengthen(p, k);
   }
 
   /// From the side: the plane is a line, the point over it at its distance.

@@ -14,26 +14,22 @@
 namespace touchstone::catalogue::rows {
 
 struct point_plane_toi : signatures::point_plane_toi {
-  TOUCHSTONE_MODULES(point_plane_toi)
-  using stages = ::touchstone::robust::stages::point_plane_toi;
+  TOUCHSTONE_STAGED_MODULES(point_plane_toi)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "planes",
-        .pages = "23",
-        .question =
-            "Does a point that moves from start to end hit the plane: at the end of the step, and "
-            "first when and where?",
-        .kind = Kind::measure,
-        .fields = {"plane", "start", "end"},
-        .ulps = 17,
-        .margin_degree = 2,
-        .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "planes",
+      .pages = "23",
+      .question =
+          "Does a point that moves from start to end hit the plane: at the end of the step, and "
+          "first when and where?",
+      .kind = Kind::measure,
+      .fields = {"plane", "start", "end"},
+      .ulps = 17,
+      .margin_degree = 2,
+      .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add("through", [](DrawStream& c) -> Question {

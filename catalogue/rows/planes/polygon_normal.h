@@ -15,28 +15,24 @@
 namespace touchstone::catalogue::rows {
 
 struct polygon_normal : signatures::polygon_normal {
-  TOUCHSTONE_MODULES(polygon_normal)
-  using stages = ::touchstone::robust::stages::polygon_normal;
+  TOUCHSTONE_STAGED_MODULES(polygon_normal)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "planes",
-        .pages = "21",
-        .question = "Which way does the polygon face: its normal by Newell's sum, and that of length 1?",
-        .kind = Kind::measure,
-        .fields = {"polygon"},
-        .ulps = 22,
-        .margin_degree = 2,
-        .cost = 2,
-        .time = grows(Growth::linear),
-        .list_length = 4,
-        .formula_answers_less = true,
-        .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "planes",
+      .pages = "21",
+      .question = "Which way does the polygon face: its normal by Newell's sum, and that of length 1?",
+      .kind = Kind::measure,
+      .fields = {"polygon"},
+      .ulps = 22,
+      .margin_degree = 2,
+      .cost = 2,
+      .time = grows(Growth::linear),
+      .list_length = 4,
+      .formula_answers_less = true,
+      .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add("triangle", [](DrawStream& c) -> Question {

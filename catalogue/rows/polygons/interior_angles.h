@@ -15,24 +15,21 @@ struct interior_angles : signatures::interior_angles {
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polygons",
-        .pages = "6",
-        .question = "Which angle, in radians, has the inside of the simple polygon at each vertex?",
-        .kind = Kind::measure,
-        .fields = {"polygon"},
-        .answer = "angles",
-        .ulps = 18,
-        .cost = 9,
-        .time = {.robust = Growth::linearithmic,
-                 .oracle = Growth::linearithmic,
-                 .ask = Growth::linearithmic,
-                 .reference = Growth::linear},
-        .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polygons",
+      .pages = "6",
+      .question = "Which angle, in radians, has the inside of the simple polygon at each vertex?",
+      .kind = Kind::measure,
+      .fields = {"polygon"},
+      .answer = "angles",
+      .ulps = 18,
+      .cost = 9,
+      .time = {.robust = Growth::linearithmic,
+               .oracle = Growth::linearithmic,
+               .ask = Growth::linearithmic,
+               .reference = Growth::linear},
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("simple", [](DrawStream& c) -> Question { return turned(simple_ring(c), c); });

@@ -18,26 +18,23 @@
 namespace touchstone::catalogue::rows {
 
 struct point_in_convex_polygon : signatures::point_in_convex_polygon {
-  TOUCHSTONE_MODULES(point_in_convex_polygon)
+  TOUCHSTONE_STAGED_MODULES(point_in_convex_polygon)
   TOUCHSTONE_PREPARED(point_in_convex_polygon, ConvexPolygon)
   TOUCHSTONE_ARRAYS(point_in_convex_polygon)
-  using stages = ::touchstone::robust::stages::point_in_convex_polygon;
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "polygons",
-                                   .pages = "16-17",
-                                   .question = "Does the point lie inside the convex polygon, on an edge, or outside?",
-                                   .kind = Kind::decision,
-                                   .fields = {"polygon", "point"},
-                                   .answer = "location",
-                                   .margin_degree = 2,
-                                   .time = grows(Growth::linearithmic),
-                                   .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polygons",
+      .pages = "16-17",
+      .question = "Does the point lie inside the convex polygon, on an edge, or outside?",
+      .kind = Kind::decision,
+      .fields = {"polygon", "point"},
+      .answer = "location",
+      .margin_degree = 2,
+      .time = grows(Growth::linearithmic),
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_edge", turned_with_point<convex_ring, on_an_edge>);

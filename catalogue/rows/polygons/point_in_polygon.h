@@ -16,24 +16,20 @@
 namespace touchstone::catalogue::rows {
 
 struct point_in_polygon : signatures::point_in_polygon {
-  TOUCHSTONE_MODULES(point_in_polygon)
+  TOUCHSTONE_STAGED_MODULES(point_in_polygon)
   TOUCHSTONE_PREPARED(point_in_polygon, Polygon)
   TOUCHSTONE_ARRAYS(point_in_polygon)
-  using stages = ::touchstone::robust::stages::point_in_polygon;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "polygons",
-                                   .pages = "14-15",
-                                   .question = "Does the point lie inside the polygon, on an edge, or outside?",
-                                   .kind = Kind::decision,
-                                   .fields = {"polygon", "point"},
-                                   .answer = "location",
-                                   .margin_degree = 2,
-                                   .time = grows(Growth::linear),
-                                   .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "polygons",
+                                     .pages = "14-15",
+                                     .question = "Does the point lie inside the polygon, on an edge, or outside?",
+                                     .kind = Kind::decision,
+                                     .fields = {"polygon", "point"},
+                                     .answer = "location",
+                                     .margin_degree = 2,
+                                     .time = grows(Growth::linear),
+                                     .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("ray_through_vertex", [](DrawStream& c) -> Question {

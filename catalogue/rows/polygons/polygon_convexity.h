@@ -11,27 +11,23 @@
 namespace touchstone::catalogue::rows {
 
 struct polygon_convexity : signatures::polygon_convexity {
-  TOUCHSTONE_MODULES(polygon_convexity)
-  using stages = ::touchstone::robust::stages::polygon_convexity;
+  TOUCHSTONE_STAGED_MODULES(polygon_convexity)
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "polygons",
-                                   .pages = "4-6",
-                                   .question = "Is the polygon convex, strictly so, and which way round does it go?",
-                                   .kind = Kind::decision,
-                                   .fields = {"polygon"},
-                                   .margin_degree = 2,
-                                   .cost = 3,
-                                   .time = {.robust = Growth::linearithmic,
-                                            .oracle = Growth::linearithmic,
-                                            .ask = Growth::linearithmic,
-                                            .reference = Growth::quadratic},
-                                   .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "polygons",
+                                     .pages = "4-6",
+                                     .question = "Is the polygon convex, strictly so, and which way round does it go?",
+                                     .kind = Kind::decision,
+                                     .fields = {"polygon"},
+                                     .margin_degree = 2,
+                                     .cost = 3,
+                                     .time = {.robust = Growth::linearithmic,
+                                              .oracle = Growth::linearithmic,
+                                              .ask = Growth::linearithmic,
+                                              .reference = Growth::quadratic},
+                                     .list_length = 4};
 
   /// The vertex `later` places after vertex i comes again, or a point of the edge there, between vertex i and the next.
   static Polygon2d pinched(Polygon2d ring, DrawStream& c, bool at_vertex) {

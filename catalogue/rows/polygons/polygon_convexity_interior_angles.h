@@ -10,22 +10,16 @@ namespace touchstone::catalogue::rows {
 struct polygon_convexity_interior_angles : polygon_convexity {
   static auto reference(const auto&... q) { return ::touchstone::reference::polygon_convexity_interior_angles(q...); }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata = [] {
-      Metadata other = polygon_convexity::metadata();
-      other.name = "polygon_convexity_interior_angles";
-      other.pages = "6";
-      other.question = "Is the polygon convex, by its interior angles?";
-      other.implementation_of = "polygon_convexity";
-      other.cost = 3;  // its exact arithmetic has thousands of digits
-      other.time = {.robust = Growth::linearithmic,
-                    .oracle = Growth::linearithmic,
-                    .ask = Growth::linearithmic,
-                    .reference = Growth::quadratic};
-      return other;
-    }();
-    return metadata;
-  }
+  /// Its exact arithmetic has thousands of digits.
+  static constexpr Metadata metadata =
+      polygon_convexity::metadata.implementation({.name = "polygon_convexity_interior_angles",
+                                                  .pages = "6",
+                                                  .question = "Is the polygon convex, by its interior angles?",
+                                                  .cost = 3,
+                                                  .time = {.robust = Growth::linearithmic,
+                                                           .oracle = Growth::linearithmic,
+                                                           .ask = Growth::linearithmic,
+                                                           .reference = Growth::quadratic}});
 };
 
 }  // namespace touchstone::catalogue::rows

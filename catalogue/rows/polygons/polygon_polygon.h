@@ -14,30 +14,26 @@
 namespace touchstone::catalogue::rows {
 
 struct polygon_polygon : signatures::polygon_polygon {
-  TOUCHSTONE_MODULES(polygon_polygon)
+  TOUCHSTONE_STAGED_MODULES(polygon_polygon)
   TOUCHSTONE_PREPARED(polygon_polygon, SimplePolygon)
-  using stages = ::touchstone::robust::stages::polygon_polygon;
 
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polygons",
-        .pages = "18-19",
-        .question = "Do the two simple polygons, as closed solids, overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"a", "b"},
-        .answer = "contact",
-        .margin_degree = 2,
-        .cost = 5,
-        .time = {.robust = Growth::quadratic,
-                 .oracle = Growth::linearithmic,
-                 .ask = Growth::quadratic,
-                 .reference = Growth::quadratic},
-        .list_length = 3};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polygons",
+      .pages = "18-19",
+      .question = "Do the two simple polygons, as closed solids, overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"a", "b"},
+      .answer = "contact",
+      .margin_degree = 2,
+      .cost = 5,
+      .time = {.robust = Growth::quadratic,
+               .oracle = Growth::linearithmic,
+               .ask = Growth::quadratic,
+               .reference = Growth::quadratic},
+      .list_length = 3};
 
   static void hard_cases(HardCases<Question>& add) {
     add("coincident", [](DrawStream& c) -> Question {

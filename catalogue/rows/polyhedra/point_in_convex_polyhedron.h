@@ -16,34 +16,30 @@
 namespace touchstone::catalogue::rows {
 
 struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
-  TOUCHSTONE_MODULES(point_in_convex_polyhedron)
+  TOUCHSTONE_STAGED_MODULES(point_in_convex_polyhedron)
   TOUCHSTONE_PREPARED(point_in_convex_polyhedron, ConvexSolid)
   TOUCHSTONE_ARRAYS(point_in_convex_polyhedron)
-  using stages = ::touchstone::robust::stages::point_in_convex_polyhedron;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "53",
-        .question = "Does the point lie inside the convex polyhedron, on a face, or outside?",
-        .kind = Kind::decision,
-        .fields = {"mesh", "point"},
-        .answer = "location",
-        .margin_degree = 2,
-        .cost = 69,
-        .time = {.robust = Growth::quadratic,
-                 .oracle = Growth::quadratic,
-                 .ask = Growth::quadratic,
-                 .reference = Growth::linear},
-        .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "53",
+      .question = "Does the point lie inside the convex polyhedron, on a face, or outside?",
+      .kind = Kind::decision,
+      .fields = {"mesh", "point"},
+      .answer = "location",
+      .margin_degree = 2,
+      .cost = 69,
+      .time = {.robust = Growth::quadratic,
+               .oracle = Growth::quadratic,
+               .ask = Growth::quadratic,
+               .reference = Growth::linear},
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
-    add("on_face_plane", at<lattice_polyhedron, on_a_face_plane>);
-    add("between_vertices", at<lattice_polyhedron, between_vertices>);
+    add("on_face_plane", mesh_and_point<lattice_polyhedron, on_a_face_plane>);
+    add("between_vertices", mesh_and_point<lattice_polyhedron, between_vertices>);
     add("near_face", [](DrawStream& c) -> Question {
       const Meshd mesh = lattice_polyhedron(c);
       return {mesh, beside(on_a_face_plane(mesh, c), c)};
@@ -57,12 +53,12 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
       return {mesh, on_a_face_plane(mesh, c)};
     });
     add("mapped", [](DrawStream& c) -> Question {
-      Question question = at<lattice_polyhedron, on_a_face_plane>(c);
+      Question question = mesh_and_point<lattice_polyhedron, on_a_face_plane>(c);
       map_linearly(c, std::get<0>(question), std::get<1>(question));
       return question;
     });
     add("stretched", [](DrawStream& c) -> Question {
-      Question question = at<lattice_polyhedron, on_a_face_plane>(c);
+      Question question = mesh_and_point<lattice_polyhedron, on_a_face_plane>(c);
       Stretch{c}(std::get<0>(question), std::get<1>(question));
       return question;
     });
@@ -73,7 +69,7 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
       return {mesh, a + (s * (b - a)) + (t * (d - a))};
     });
     add("broken", [](DrawStream& c) -> Question {
-      const auto [mesh, point] = at<lattice_polyhedron, between_vertices>(c);
+      const auto [mesh, point] = mesh_and_point<lattice_polyhedron, between_vertices>(c);
       return {broken(mesh, c), point};
     });
     add.unscaled("named_mesh", [](DrawStream& c) -> Question {
@@ -118,13 +114,6 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
             .domain_count = domain_count,
             .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
-  }
-
- private:
-  template <auto drawn_mesh, auto drawn_point>
-  static Question at(DrawStream& c) {
-    const Meshd mesh = drawn_mesh(c);
-    return {mesh, drawn_point(mesh, c)};
   }
 };
 

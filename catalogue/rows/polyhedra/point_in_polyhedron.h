@@ -22,33 +22,29 @@
 namespace touchstone::catalogue::rows {
 
 struct point_in_polyhedron : signatures::point_in_polyhedron {
-  TOUCHSTONE_MODULES(point_in_polyhedron)
+  TOUCHSTONE_STAGED_MODULES(point_in_polyhedron)
   TOUCHSTONE_PREPARED(point_in_polyhedron, Solid)
   TOUCHSTONE_ARRAYS(point_in_polyhedron)
-  using stages = ::touchstone::robust::stages::point_in_polyhedron;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "14-15, 53",
-        .question = "Does the point lie inside the solid of a closed mesh, on a face, or outside?",
-        .kind = Kind::decision,
-        .fields = {"mesh", "point"},
-        .answer = "location",
-        .margin_degree = 2,
-        .cost = 69,
-        .time = {.robust = Growth::linearithmic,
-                 .oracle = Growth::linearithmic,
-                 .ask = Growth::linearithmic,
-                 .reference = Growth::linear},
-        .list_length = 5};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "14-15, 53",
+      .question = "Does the point lie inside the solid of a closed mesh, on a face, or outside?",
+      .kind = Kind::decision,
+      .fields = {"mesh", "point"},
+      .answer = "location",
+      .margin_degree = 2,
+      .cost = 69,
+      .time = {.robust = Growth::linearithmic,
+               .oracle = Growth::linearithmic,
+               .ask = Growth::linearithmic,
+               .reference = Growth::linear},
+      .list_length = 5};
 
   static void hard_cases(HardCases<Question>& add) {
-    add("on_face", at<lattice_solid, on_a_face_plane>);
+    add("on_face", mesh_and_point<lattice_solid, on_a_face_plane>);
     add("ray_through", [](DrawStream& c) -> Question {
       // Before or behind a vertex, an edge, a face, along an axis.
       const Meshd mesh = lattice_solid(c);
@@ -64,7 +60,7 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       const Meshd mesh = lattice_solid(c);
       return {mesh, beside(on_a_face_plane(mesh, c), c)};
     });
-    add("between_vertices", at<lattice_solid, between_vertices>);
+    add("between_vertices", mesh_and_point<lattice_solid, between_vertices>);
     add("tetrahedra", [](DrawStream& c) -> Question {
       const Meshd mesh = tetrahedra_together(c);
       const Point3d p = c.coin() ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
@@ -80,13 +76,13 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
     });
     add("mapped", [](DrawStream& c) -> Question {
-      Question question = at<lattice_solid, on_a_face_plane>(c);
+      Question question = mesh_and_point<lattice_solid, on_a_face_plane>(c);
       map_linearly(c, std::get<0>(question), std::get<1>(question));
       return question;
     });
     add("stretched", [](DrawStream& c) -> Question {
       // To both ends of the range.
-      auto [mesh, p] = at<lattice_solid, on_a_face_plane>(c);
+      auto [mesh, p] = mesh_and_point<lattice_solid, on_a_face_plane>(c);
       const Stretch stretch(c, {0, 60, 255, -170, 300, -300, 1015, -1074});
       p.x += small_integer(c, 1);
       stretch(mesh, p);
@@ -99,7 +95,7 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       return {mesh, a + (s * (b - a)) + (t * (d - a))};
     });
     add("opened", [](DrawStream& c) -> Question {
-      const auto [mesh, point] = at<lattice_solid, between_vertices>(c);
+      const auto [mesh, point] = mesh_and_point<lattice_solid, between_vertices>(c);
       return {opened(mesh, c), point};
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
@@ -143,7 +139,7 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       return {mesh, c.coin() ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
     });
     add.unscaled("wrong_cuts", [](DrawStream& c) -> Question {
-      const auto [mesh, p] = at<drawn_prism, between_vertices>(c);
+      const auto [mesh, p] = mesh_and_point<drawn_prism, between_vertices>(c);
       return {c.coin() ? with_wrong_polygon(mesh, c) : with_wrong_cut(mesh, c), p};
     });
     add.unscaled("shells", [](DrawStream& c) -> Question {
@@ -206,13 +202,6 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
             .domain_count = domain_count,
             .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
-  }
-
- private:
-  template <auto drawn_mesh, auto drawn_point>
-  static Question at(DrawStream& c) {
-    const Meshd mesh = drawn_mesh(c);
-    return {mesh, drawn_point(mesh, c)};
   }
 };
 

@@ -22,23 +22,20 @@ struct polyhedron_complexity : signatures::polyhedron_complexity {
   TOUCHSTONE_MODULES(polyhedron_complexity)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "26",
-        .question = "Of how many vertices, edges, faces and parts is the mesh; is it a surface, and where not?",
-        .kind = Kind::measure,
-        .fields = {"mesh"},
-        .margin_degree = 0,
-        .cost = 80,
-        .time = {.robust = Growth::linearithmic,
-                 .oracle = Growth::quadratic,
-                 .ask = Growth::quadratic,
-                 .reference = Growth::quadratic},
-        .list_length = 5};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "26",
+      .question = "Of how many vertices, edges, faces and parts is the mesh; is it a surface, and where not?",
+      .kind = Kind::measure,
+      .fields = {"mesh"},
+      .margin_degree = 0,
+      .cost = 80,
+      .time = {.robust = Growth::linearithmic,
+               .oracle = Growth::quadratic,
+               .ask = Growth::quadratic,
+               .reference = Growth::quadratic},
+      .list_length = 5};
 
   static void hard_cases(HardCases<Question>& add) {
     add("solid", [](DrawStream& c) -> Question { return {lattice_solid(c)}; });

@@ -23,25 +23,21 @@
 namespace touchstone::catalogue::rows {
 
 struct polyhedron_polyhedron : signatures::polyhedron_polyhedron {
-  TOUCHSTONE_MODULES(polyhedron_polyhedron)
+  TOUCHSTONE_STAGED_MODULES(polyhedron_polyhedron)
   TOUCHSTONE_PREPARED(polyhedron_polyhedron, Solid)
-  using stages = ::touchstone::robust::stages::polyhedron_polyhedron;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "25, 52-54",
-        .question = "Do two polyhedra collide, convex or not, and which step of the test tells?",
-        .kind = Kind::decision,
-        .fields = {"a", "b"},
-        .margin_degree = 2,
-        .cost = 1000,
-        .time = grows(Growth::quadratic),
-        .list_length = 5};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "25, 52-54",
+      .question = "Do two polyhedra collide, convex or not, and which step of the test tells?",
+      .kind = Kind::decision,
+      .fields = {"a", "b"},
+      .margin_degree = 2,
+      .cost = 1000,
+      .time = grows(Growth::quadratic),
+      .list_length = 5};
 
   static void hard_cases(HardCases<Question>& add) {
     add("lattice", [](DrawStream& c) -> Question { return {lattice_solid(c), moved(lattice_solid(c), c, 12, 3)}; });

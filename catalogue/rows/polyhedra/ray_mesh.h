@@ -22,28 +22,21 @@
 namespace touchstone::catalogue::rows {
 
 struct ray_mesh : signatures::ray_mesh {
-  TOUCHSTONE_MODULES(ray_mesh)
-  using stages = ::touchstone::robust::stages::ray_mesh;
+  TOUCHSTONE_STAGED_MODULES(ray_mesh)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "9, 54",
-        .question = "Where does the ray first meet the faces of a mesh, and how many of them does it meet?",
-        .kind = Kind::measure,
-        .fields = {"ray", "mesh"},
-        .ulps = 31,
-        .margin_degree = 2,
-        .cost = 60,
-        .time = {.robust = Growth::linear,
-                 .oracle = Growth::linear,
-                 .ask = Growth::linear,
-                 .reference = Growth::linear},
-        .list_length = 5};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "9, 54",
+      .question = "Where does the ray first meet the faces of a mesh, and how many of them does it meet?",
+      .kind = Kind::measure,
+      .fields = {"ray", "mesh"},
+      .ulps = 31,
+      .margin_degree = 2,
+      .cost = 60,
+      .time = {.robust = Growth::linear, .oracle = Growth::linear, .ask = Growth::linear, .reference = Growth::linear},
+      .list_length = 5};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_face_plane", [](DrawStream& c) -> Question {

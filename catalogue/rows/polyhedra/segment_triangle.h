@@ -15,23 +15,19 @@
 namespace touchstone::catalogue::rows {
 
 struct segment_triangle : signatures::segment_triangle {
-  TOUCHSTONE_MODULES(segment_triangle)
+  TOUCHSTONE_STAGED_MODULES(segment_triangle)
   TOUCHSTONE_ARRAYS(segment_triangle)
-  using stages = ::touchstone::robust::stages::segment_triangle;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "54",
-        .question = "What do the closed segment and the closed triangle in space have in common?",
-        .kind = Kind::set,
-        .fields = {"segment", "triangle"},
-        .ulps = 36,
-        .margin_degree = 2,
-        .cost = 3};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "54",
+      .question = "What do the closed segment and the closed triangle in space have in common?",
+      .kind = Kind::set,
+      .fields = {"segment", "triangle"},
+      .ulps = 36,
+      .margin_degree = 2,
+      .cost = 3};
 
   struct decision {
     static SegmentTriangleRelation robust(const Question& q) {

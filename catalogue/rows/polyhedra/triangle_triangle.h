@@ -15,23 +15,19 @@
 namespace touchstone::catalogue::rows {
 
 struct triangle_triangle : signatures::triangle_triangle {
-  TOUCHSTONE_MODULES(triangle_triangle)
+  TOUCHSTONE_STAGED_MODULES(triangle_triangle)
   TOUCHSTONE_ARRAYS(triangle_triangle)
-  using stages = ::touchstone::robust::stages::triangle_triangle;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "polyhedra",
-        .pages = "54",
-        .question = "Is what two closed triangles in space have in common a point, a segment, an area?",
-        .kind = Kind::decision,
-        .fields = {"a", "b"},
-        .answer = "relation",
-        .margin_degree = 2,
-        .cost = 17};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "polyhedra",
+      .pages = "54",
+      .question = "Is what two closed triangles in space have in common a point, a segment, an area?",
+      .kind = Kind::decision,
+      .fields = {"a", "b"},
+      .answer = "relation",
+      .margin_degree = 2,
+      .cost = 17};
 
   static void hard_cases(HardCases<Question>& add) {
     add("crossing", crossing);

@@ -11,23 +11,19 @@
 namespace touchstone::catalogue::rows {
 
 struct contact_state : signatures::contact_state {
-  TOUCHSTONE_MODULES(contact_state)
-  using stages = ::touchstone::robust::stages::contact_state;
+  TOUCHSTONE_STAGED_MODULES(contact_state)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "74",
-        .question = "Do two turning bodies part at the point where they touch, rest, or collide?",
-        .kind = Kind::decision,
-        .fields = {"a", "b", "point", "normal"},
-        .answer = "state",
-        .margin_degree = 2,
-        .longest_vector = 6000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "74",
+      .question = "Do two turning bodies part at the point where they touch, rest, or collide?",
+      .kind = Kind::decision,
+      .fields = {"a", "b", "point", "normal"},
+      .answer = "state",
+      .margin_degree = 2,
+      .longest_vector = 6000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", [](DrawStream& c) -> Question { return asked(lattice_meeting(c)); });
@@ -54,9 +50,8 @@ struct contact_state : signatures::contact_state {
   /// Angular velocities have no unit of length: they keep their values.
   static void scale(Question& question, int k) {
     auto& [a, b, p, n] = question;
-    const auto longer = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
-    for (MovingBodyd* body : {&a, &b}) longer(body->position), longer(body->velocity);
-    longer(p), longer(n);
+    for (MovingBodyd* body : {&a, &b}) lengthen(body->position, k), lengthen(body->velocity, k);
+    lengthen(p, k), lengthen(n, k);
   }
 
   /// A ball that rises as fast as its edge goes down: moves the velocity's y and the angular velocity's z.

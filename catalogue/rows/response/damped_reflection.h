@@ -12,24 +12,20 @@
 namespace touchstone::catalogue::rows {
 
 struct damped_reflection : signatures::damped_reflection {
-  TOUCHSTONE_MODULES(damped_reflection)
-  using stages = ::touchstone::robust::stages::damped_reflection;
+  TOUCHSTONE_STAGED_MODULES(damped_reflection)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "71",
-        .question = "Which velocity has a body after a bounce that leaves k of its speed along the normal?",
-        .kind = Kind::measure,
-        .fields = {"velocity", "normal", "k"},
-        .answer = "velocity",
-        .ulps = 15,
-        .margin_degree = 0,
-        .longest_vector = 3000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "71",
+      .question = "Which velocity has a body after a bounce that leaves k of its speed along the normal?",
+      .kind = Kind::measure,
+      .fields = {"velocity", "normal", "k"},
+      .answer = "velocity",
+      .ulps = 15,
+      .margin_degree = 0,
+      .longest_vector = 3000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", asked<lattice_bounce, usual>);

@@ -12,24 +12,20 @@
 namespace touchstone::catalogue::rows {
 
 struct elastic_collision : signatures::elastic_collision {
-  TOUCHSTONE_MODULES(elastic_collision)
-  using stages = ::touchstone::robust::stages::elastic_collision;
+  TOUCHSTONE_STAGED_MODULES(elastic_collision)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "69",
-        .question = "Which velocities have two bodies after they bounced off each other without loss?",
-        .kind = Kind::measure,
-        .fields = {"masses", "velocities", "normal"},
-        .answer = "velocities",
-        .ulps = 19,
-        .margin_degree = 0,
-        .longest_vector = 4500};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "69",
+      .question = "Which velocities have two bodies after they bounced off each other without loss?",
+      .kind = Kind::measure,
+      .fields = {"masses", "velocities", "normal"},
+      .answer = "velocities",
+      .ulps = 19,
+      .margin_degree = 0,
+      .longest_vector = 4500};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", asked<lattice_impact>);

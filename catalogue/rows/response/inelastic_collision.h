@@ -12,23 +12,19 @@
 namespace touchstone::catalogue::rows {
 
 struct inelastic_collision : signatures::inelastic_collision {
-  TOUCHSTONE_MODULES(inelastic_collision)
-  using stages = ::touchstone::robust::stages::inelastic_collision;
+  TOUCHSTONE_STAGED_MODULES(inelastic_collision)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "response",
-                                   .pages = "70",
-                                   .question = "Which velocity have two bodies after they met and stuck together?",
-                                   .kind = Kind::measure,
-                                   .fields = {"masses", "velocities"},
-                                   .answer = "velocity",
-                                   .ulps = 5,
-                                   .margin_degree = 0,
-                                   .longest_vector = 3000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "response",
+                                     .pages = "70",
+                                     .question = "Which velocity have two bodies after they met and stuck together?",
+                                     .kind = Kind::measure,
+                                     .fields = {"masses", "velocities"},
+                                     .answer = "velocity",
+                                     .ulps = 5,
+                                     .margin_degree = 0,
+                                     .longest_vector = 3000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", asked<lattice_impact>);

@@ -11,24 +11,20 @@
 namespace touchstone::catalogue::rows {
 
 struct penalty_force : signatures::penalty_force {
-  TOUCHSTONE_MODULES(penalty_force)
-  using stages = ::touchstone::robust::stages::penalty_force;
+  TOUCHSTONE_STAGED_MODULES(penalty_force)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "72-73",
-        .question = "With which force do a spring and a damper act on a particle behind a plane?",
-        .kind = Kind::measure,
-        .fields = {"point", "velocity", "plane", "stiffness", "damping"},
-        .answer = "force",
-        .ulps = 22,
-        .margin_degree = 2,
-        .longest_vector = 4000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "72-73",
+      .question = "With which force do a spring and a damper act on a particle behind a plane?",
+      .kind = Kind::measure,
+      .fields = {"point", "velocity", "plane", "stiffness", "damping"},
+      .answer = "force",
+      .ulps = 22,
+      .margin_degree = 2,
+      .longest_vector = 4000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("behind", [](DrawStream& c) -> Question { return usual(c, -scaled_up(c, 8, 40)); });
@@ -88,10 +84,7 @@ struct penalty_force : signatures::penalty_force {
   /// The normal, the stiffness and the damping are units of their own: they keep their values.
   static void scale(Question& question, int exponent) {
     auto& [p, v, plane, k, d] = question;
-    const auto longer = [exponent](auto& w) {
-      w = {std::ldexp(w.x, exponent), std::ldexp(w.y, exponent), std::ldexp(w.z, exponent)};
-    };
-    longer(p), longer(v), plane.offset = std::ldexp(plane.offset, exponent);
+    lengthen(p, exponent), lengthen(v, exponent), plane.offset = std::ldexp(plane.offset, exponent);
   }
 
   /// On the plane: moves the point's y and the velocity's y.

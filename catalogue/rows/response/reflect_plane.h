@@ -12,24 +12,20 @@
 namespace touchstone::catalogue::rows {
 
 struct reflect_plane : signatures::reflect_plane {
-  TOUCHSTONE_MODULES(reflect_plane)
-  using stages = ::touchstone::robust::stages::reflect_plane;
+  TOUCHSTONE_STAGED_MODULES(reflect_plane)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "68",
-        .question = "Which velocity has a body after it has bounced off a plane with that normal?",
-        .kind = Kind::measure,
-        .fields = {"velocity", "normal"},
-        .answer = "velocity",
-        .ulps = 14,
-        .margin_degree = 0,
-        .longest_vector = 3000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "68",
+      .question = "Which velocity has a body after it has bounced off a plane with that normal?",
+      .kind = Kind::measure,
+      .fields = {"velocity", "normal"},
+      .answer = "velocity",
+      .ulps = 14,
+      .margin_degree = 0,
+      .longest_vector = 3000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", asked<lattice_bounce>);

@@ -15,18 +15,15 @@ struct reflect_wall : signatures::reflect_wall {
   TOUCHSTONE_MODULES(reflect_wall)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "67",
-        .question = "Which velocity has a body after it has bounced off a wall across an axis?",
-        .kind = Kind::measure,
-        .fields = {"velocity", "axis"},
-        .answer = "velocity",
-        .margin_degree = 0};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "67",
+      .question = "Which velocity has a body after it has bounced off a wall across an axis?",
+      .kind = Kind::measure,
+      .fields = {"velocity", "axis"},
+      .answer = "velocity",
+      .margin_degree = 0};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", [](DrawStream& c) -> Question { return bounce(lattice_velocity(c), c); });

@@ -12,25 +12,21 @@
 namespace touchstone::catalogue::rows {
 
 struct restitution_collision : signatures::restitution_collision {
-  TOUCHSTONE_MODULES(restitution_collision)
-  using stages = ::touchstone::robust::stages::restitution_collision;
+  TOUCHSTONE_STAGED_MODULES(restitution_collision)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "70",
-        .question = "Which velocities have two bodies after a bounce with a coefficient of restitution?",
-        .kind = Kind::measure,
-        .fields = {"masses", "velocities", "normal", "e"},
-        .answer = "velocities",
-        .ulps = 21,
-        .margin_degree = 0,
-        .cost = 2,
-        .longest_vector = 4500};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "70",
+      .question = "Which velocities have two bodies after a bounce with a coefficient of restitution?",
+      .kind = Kind::measure,
+      .fields = {"masses", "velocities", "normal", "e"},
+      .answer = "velocities",
+      .ulps = 21,
+      .margin_degree = 0,
+      .cost = 2,
+      .longest_vector = 4500};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", asked<lattice_impact, usual>);

@@ -13,23 +13,19 @@
 namespace touchstone::catalogue::rows {
 
 struct rigid_body_collision : signatures::rigid_body_collision {
-  TOUCHSTONE_MODULES(rigid_body_collision)
-  using stages = ::touchstone::robust::stages::rigid_body_collision;
+  TOUCHSTONE_STAGED_MODULES(rigid_body_collision)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "response",
-                                   .pages = "74",
-                                   .question = "How do two turning bodies move after they collided at a point?",
-                                   .kind = Kind::measure,
-                                   .fields = {"a", "b", "point", "normal", "e"},
-                                   .ulps = 183,
-                                   .margin_degree = 0,
-                                   .cost = 7,
-                                   .longest_vector = 9000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "response",
+                                     .pages = "74",
+                                     .question = "How do two turning bodies move after they collided at a point?",
+                                     .kind = Kind::measure,
+                                     .fields = {"a", "b", "point", "normal", "e"},
+                                     .ulps = 183,
+                                     .margin_degree = 0,
+                                     .cost = 7,
+                                     .longest_vector = 9000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", asked<lattice_rigid, usual>);
@@ -51,11 +47,8 @@ struct rigid_body_collision : signatures::rigid_body_collision {
 
   /// Times in another unit: nothing else has a unit that all of the answer shares.
   static void scale(Question& question, int exponent) {
-    const auto faster = [exponent](Vector3d& v) {
-      v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-    };
     for (RigidBodyd* body : {&std::get<0>(question), &std::get<1>(question)})
-      faster(body->velocity), faster(body->angular_velocity);
+      lengthen(body->velocity, exponent), lengthen(body->angular_velocity, exponent);
   }
 
   static void repair(Question& question) {

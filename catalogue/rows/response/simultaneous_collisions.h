@@ -3,6 +3,7 @@
 
 #include "catalogue/draw/motions.h"
 #include "catalogue/families/bodies/simultaneous_draws.h"
+#include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/response/simultaneous_collisions.h"
 #include "oracle/response/simultaneous_collisions.h"
@@ -15,21 +16,18 @@ struct simultaneous_collisions : signatures::simultaneous_collisions {
   TOUCHSTONE_MODULES(simultaneous_collisions)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "response",
-        .pages = "74",
-        .question = "Which velocities have bodies after all their contacts were resolved at once?",
-        .kind = Kind::measure,
-        .fields = {"bodies", "contacts", "e"},
-        .ulps = 84,
-        .margin_degree = 0,
-        .cost = 11,
-        .time = grows(Growth::cubic),
-        .longest_vector = 6000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "response",
+      .pages = "74",
+      .question = "Which velocities have bodies after all their contacts were resolved at once?",
+      .kind = Kind::measure,
+      .fields = {"bodies", "contacts", "e"},
+      .ulps = 84,
+      .margin_degree = 0,
+      .cost = 11,
+      .time = grows(Growth::cubic),
+      .longest_vector = 6000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("net", asked<lattice_net>);
@@ -53,11 +51,8 @@ struct simultaneous_collisions : signatures::simultaneous_collisions {
   /// e has no unit: it keeps its value.
   static void scale(Question& question, int exponent) {
     auto& [bodies, contacts, e] = question;
-    const auto scale = [exponent](Vector3d& v) {
-      v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-    };
-    for (PointBodyd& body : bodies) body.inverse_mass = std::ldexp(body.inverse_mass, exponent), scale(body.velocity);
-    for (BodyContactd& contact : contacts) scale(contact.normal);
+    for (auto& [w, v] : bodies) w = std::ldexp(w, exponent), lengthen(v, exponent);
+    for (BodyContactd& contact : contacts) lengthen(contact.normal, exponent);
   }
 
   /// At most four bodies and three contacts: exact values of random bits grow by thousands of digits a contact.
@@ -119,18 +114,14 @@ struct simultaneous_collisions : signatures::simultaneous_collisions {
     return masses * masses * masses * n * n * n * normals * normals * normals * restitutions;
   }
   static Question domain_at(int size, std::uint64_t index) {
-    const auto next = [&index](std::uint64_t of) {
-      const std::uint64_t digit = index % of;
-      index /= of;
-      return digit;
-    };
+    Digits digit(size, index);
     constexpr Vector3d along[]{{1, 0, 0}, {-1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    Question question{{}, {}, static_cast<double>(next(restitutions)) / 2};
+    Question question{{}, {}, static_cast<double>(digit.next(restitutions)) / 2};
     auto& [bodies, contacts, e] = question;
     for (Index i = 0; i < 3; ++i) {
-      const auto w = static_cast<double>(next(masses)), x = static_cast<double>(next(static_cast<std::uint64_t>(size)));
+      const auto w = static_cast<double>(digit.next(masses)), x = digit();
       bodies.push_back({w, {x, 0, 0}});
-      contacts.push_back({i, (i + 1) % 3, along[next(normals)]});
+      contacts.push_back({i, (i + 1) % 3, along[digit.next(normals)]});
     }
     return question;
   }

@@ -15,20 +15,17 @@
 namespace touchstone::catalogue::rows {
 
 struct swept_aabb_aabb : signatures::swept_aabb_aabb {
-  TOUCHSTONE_MODULES(swept_aabb_aabb)
-  using stages = ::touchstone::robust::stages::swept_aabb_aabb;
+  TOUCHSTONE_STAGED_MODULES(swept_aabb_aabb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "sweeps",
-                                   .pages = "45-47, 51",
-                                   .question = "When in a step does a moving axis-aligned box first meet one at rest?",
-                                   .kind = Kind::measure,
-                                   .fields = {"a", "b", "velocity"},
-                                   .ulps = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "sweeps",
+      .pages = "45-47, 51",
+      .question = "When in a step does a moving axis-aligned box first meet one at rest?",
+      .kind = Kind::measure,
+      .fields = {"a", "b", "velocity"},
+      .ulps = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("head_on", [](DrawStream& c) -> Question {

@@ -21,27 +21,21 @@
 namespace touchstone::catalogue::rows {
 
 struct swept_convex_polyhedra : signatures::swept_convex_polyhedra {
-  TOUCHSTONE_MODULES(swept_convex_polyhedra)
+  TOUCHSTONE_STAGED_MODULES(swept_convex_polyhedra)
   TOUCHSTONE_PREPARED(swept_convex_polyhedra, ConvexSolid)
-  using stages = ::touchstone::robust::stages::swept_convex_polyhedra;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "sweeps",
-                                   .pages = "51, 54",
-                                   .question = "When in a step does a moving convex polyhedron first meet one at rest?",
-                                   .kind = Kind::measure,
-                                   .fields = {"a", "b", "velocity"},
-                                   .ulps = 32,
-                                   .cost = 248,
-                                   .time = {.robust = Growth::cubic,
-                                            .oracle = Growth::quadratic,
-                                            .ask = Growth::cubic,
-                                            .reference = Growth::cubic},
-                                   .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "sweeps",
+      .pages = "51, 54",
+      .question = "When in a step does a moving convex polyhedron first meet one at rest?",
+      .kind = Kind::measure,
+      .fields = {"a", "b", "velocity"},
+      .ulps = 32,
+      .cost = 248,
+      .time = {.robust = Growth::cubic, .oracle = Growth::quadratic, .ask = Growth::cubic, .reference = Growth::cubic},
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("lattice", [](DrawStream& c) -> Question {

@@ -14,23 +14,19 @@
 namespace touchstone::catalogue::rows {
 
 struct swept_sphere_aabb : signatures::swept_sphere_aabb {
-  TOUCHSTONE_MODULES(swept_sphere_aabb)
-  using stages = ::touchstone::robust::stages::swept_sphere_aabb;
+  TOUCHSTONE_STAGED_MODULES(swept_sphere_aabb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "sweeps",
-        .pages = "23, 45-50",
-        .question = "When in a step does a moving ball first have a common point with an axis-aligned box?",
-        .kind = Kind::measure,
-        .fields = {"sphere", "velocity", "aabb"},
-        .ulps = 26,
-        .margin_degree = 2,
-        .cost = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "sweeps",
+      .pages = "23, 45-50",
+      .question = "When in a step does a moving ball first have a common point with an axis-aligned box?",
+      .kind = Kind::measure,
+      .fields = {"sphere", "velocity", "aabb"},
+      .ulps = 26,
+      .margin_degree = 2,
+      .cost = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("approach", [](DrawStream& c) -> Question {

@@ -14,22 +14,18 @@
 namespace touchstone::catalogue::rows {
 
 struct swept_sphere_plane : signatures::swept_sphere_plane {
-  TOUCHSTONE_MODULES(swept_sphere_plane)
-  using stages = ::touchstone::robust::stages::swept_sphere_plane;
+  TOUCHSTONE_STAGED_MODULES(swept_sphere_plane)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "sweeps",
-        .pages = "22-23, 51",
-        .question = "When in a step does a moving ball first have a common point with a plane?",
-        .kind = Kind::measure,
-        .fields = {"sphere", "velocity", "plane"},
-        .ulps = 20,
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "sweeps",
+      .pages = "22-23, 51",
+      .question = "When in a step does a moving ball first have a common point with a plane?",
+      .kind = Kind::measure,
+      .fields = {"sphere", "velocity", "plane"},
+      .ulps = 20,
+      .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("approach", [](DrawStream& c) -> Question {

@@ -15,20 +15,16 @@
 namespace touchstone::catalogue::rows {
 
 struct swept_sphere_sphere : signatures::swept_sphere_sphere {
-  TOUCHSTONE_MODULES(swept_sphere_sphere)
-  using stages = ::touchstone::robust::stages::swept_sphere_sphere;
+  TOUCHSTONE_STAGED_MODULES(swept_sphere_sphere)
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "sweeps",
-                                   .pages = "23, 51",
-                                   .question = "When in a step do two moving balls first have a common point?",
-                                   .kind = Kind::measure,
-                                   .fields = {"a", "b", "velocity_a", "velocity_b"},
-                                   .ulps = 30,
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "sweeps",
+                                     .pages = "23, 51",
+                                     .question = "When in a step do two moving balls first have a common point?",
+                                     .kind = Kind::measure,
+                                     .fields = {"a", "b", "velocity_a", "velocity_b"},
+                                     .ulps = 30,
+                                     .margin_degree = 2};
 
   struct decision {
     static HitRelation robust(const Question& q) {

@@ -13,21 +13,17 @@
 namespace touchstone::catalogue::rows {
 
 struct aabb_aabb : signatures::aabb_aabb {
-  TOUCHSTONE_MODULES(aabb_aabb)
+  TOUCHSTONE_STAGED_MODULES(aabb_aabb)
   TOUCHSTONE_ARRAYS(aabb_aabb)
-  using stages = ::touchstone::robust::stages::aabb_aabb;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "45-47",
-                                   .question = "Do the two axis-aligned boxes overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"a", "b"},
-                                   .answer = "contact"};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "45-47",
+                                     .question = "Do the two axis-aligned boxes overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"a", "b"},
+                                     .answer = "contact"};
 
   static void hard_cases(HardCases<Question>& add) {
     add("shared_face", [](DrawStream& c) -> Question { return side_by_side(c, 1); });

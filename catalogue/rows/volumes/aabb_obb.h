@@ -13,23 +13,19 @@
 namespace touchstone::catalogue::rows {
 
 struct aabb_obb : signatures::aabb_obb {
-  TOUCHSTONE_MODULES(aabb_obb)
-  using stages = ::touchstone::robust::stages::aabb_obb;
+  TOUCHSTONE_STAGED_MODULES(aabb_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "27, 45-47",
-        .question = "Do an axis-aligned and an oriented box overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"aabb", "obb"},
-        .answer = "contact",
-        .margin_degree = 2,
-        .cost = 10};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "27, 45-47",
+      .question = "Do an axis-aligned and an oriented box overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"aabb", "obb"},
+      .answer = "contact",
+      .margin_degree = 2,
+      .cost = 10};
 
   static void hard_cases(HardCases<Question>& add) {
     add("touching", [](DrawStream& c) -> Question { return touching(c, lattice_half_axes); });

@@ -16,19 +16,16 @@ struct aabb_of_points : signatures::aabb_of_points {
   using stages = ::touchstone::robust::stages::aabb_of_points;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "28-30",
-                                   .question = "Which is the least axis-aligned box that holds all the points?",
-                                   .kind = Kind::measure,
-                                   .fields = {"points"},
-                                   .answer = "aabb",
-                                   .margin_degree = 0,
-                                   .time = grows(Growth::linear),
-                                   .list_length = 3};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "28-30",
+                                     .question = "Which is the least axis-aligned box that holds all the points?",
+                                     .kind = Kind::measure,
+                                     .fields = {"points"},
+                                     .answer = "aabb",
+                                     .margin_degree = 0,
+                                     .time = grows(Growth::linear),
+                                     .list_length = 3};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", [](DrawStream& c) -> Question { return seen(lattice_points(c), c); });

@@ -30,21 +30,18 @@ struct bounding_sphere : signatures::bounding_sphere {
     return ::touchstone::oracle::bounding_sphere(points, method_of(method));
   }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "31-34",
-                                   .question = "Which ball, found by that method, contains all of the points?",
-                                   .kind = Kind::checked,
-                                   .fields = {"points", "method"},
-                                   .answer = "sphere",
-                                   .margin_degree = 0,
-                                   .cost = 6,
-                                   .time = grows(Growth::linear),
-                                   .list_length = 4,
-                                   .longest_vector = 6000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "31-34",
+                                     .question = "Which ball, found by that method, contains all of the points?",
+                                     .kind = Kind::checked,
+                                     .fields = {"points", "method"},
+                                     .answer = "sphere",
+                                     .margin_degree = 0,
+                                     .cost = 6,
+                                     .time = grows(Growth::linear),
+                                     .list_length = 4,
+                                     .longest_vector = 6000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_a_sphere", [](DrawStream& c) -> Question {

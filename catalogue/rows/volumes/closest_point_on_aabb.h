@@ -14,17 +14,14 @@ struct closest_point_on_aabb : signatures::closest_point_on_aabb {
   TOUCHSTONE_MODULES_EITHER(closest_point_on_aabb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "48-50",
-                                   .question = "Which point of an axis-aligned box is nearest to the point?",
-                                   .kind = Kind::measure,
-                                   .fields = {"point", "aabb"},
-                                   .answer = "point",
-                                   .margin_degree = 0};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "48-50",
+                                     .question = "Which point of an axis-aligned box is nearest to the point?",
+                                     .kind = Kind::measure,
+                                     .fields = {"point", "aabb"},
+                                     .answer = "point",
+                                     .margin_degree = 0};
 
   static void hard_cases(HardCases<Question>& add) {
     add("beyond", [](DrawStream& c) -> Question {

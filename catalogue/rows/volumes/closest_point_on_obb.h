@@ -11,24 +11,20 @@
 namespace touchstone::catalogue::rows {
 
 struct closest_point_on_obb : signatures::closest_point_on_obb {
-  TOUCHSTONE_MODULES(closest_point_on_obb)
-  using stages = ::touchstone::robust::stages::closest_point_on_obb;
+  TOUCHSTONE_STAGED_MODULES(closest_point_on_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "27, 48-50",
-        .question = "Which point of an oriented box is nearest to the point, and how far is it?",
-        .kind = Kind::measure,
-        .fields = {"point", "obb"},
-        .ulps = 63,
-        .margin_degree = 0,
-        .cost = 12,
-        .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "27, 48-50",
+      .question = "Which point of an oriented box is nearest to the point, and how far is it?",
+      .kind = Kind::measure,
+      .fields = {"point", "obb"},
+      .ulps = 63,
+      .margin_degree = 0,
+      .cost = 12,
+      .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add_points_and_boxes([&add](const char* family, auto draw) { add(family, draw); });

@@ -13,27 +13,23 @@
 namespace touchstone::catalogue::rows {
 
 struct convex_hull : signatures::convex_hull {
-  TOUCHSTONE_MODULES(convex_hull)
-  using stages = ::touchstone::robust::stages::convex_hull;
+  TOUCHSTONE_STAGED_MODULES(convex_hull)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "35-42",
-        .question = "Which triangles, corners at some of these points, bound their convex hull?",
-        .kind = Kind::checked,
-        .fields = {"points"},
-        .margin_degree = 3,
-        .cost = 19,
-        .time = {.robust = Growth::linearithmic,
-                 .oracle = Growth::quadratic,
-                 .ask = Growth::quadratic,
-                 .reference = Growth::quadratic},
-        .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "35-42",
+      .question = "Which triangles, corners at some of these points, bound their convex hull?",
+      .kind = Kind::checked,
+      .fields = {"points"},
+      .margin_degree = 3,
+      .cost = 19,
+      .time = {.robust = Growth::linearithmic,
+               .oracle = Growth::quadratic,
+               .ask = Growth::quadratic,
+               .reference = Growth::quadratic},
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     cloud_cases(add);

@@ -17,24 +17,20 @@
 namespace touchstone::catalogue::rows {
 
 struct convex_hull_2d : signatures::convex_hull_2d {
-  TOUCHSTONE_MODULES(convex_hull_2d)
-  using stages = ::touchstone::robust::stages::convex_hull_2d;
+  TOUCHSTONE_STAGED_MODULES(convex_hull_2d)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "35-42",
-        .question = "Which of these points of the plane are the corners of their convex hull?",
-        .kind = Kind::checked,
-        .fields = {"points"},
-        .margin_degree = 2,
-        .cost = 3,
-        .time = grows(Growth::linearithmic),
-        .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "35-42",
+      .question = "Which of these points of the plane are the corners of their convex hull?",
+      .kind = Kind::checked,
+      .fields = {"points"},
+      .margin_degree = 2,
+      .cost = 3,
+      .time = grows(Growth::linearithmic),
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("few", [](DrawStream& c) -> Question {

@@ -12,23 +12,19 @@
 namespace touchstone::catalogue::rows {
 
 struct kdop_kdop : signatures::kdop_kdop {
-  TOUCHSTONE_MODULES(kdop_kdop)
-  using stages = ::touchstone::robust::stages::kdop_kdop;
+  TOUCHSTONE_STAGED_MODULES(kdop_kdop)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "43",
-        .question = "Do the two k-DOPs with the same normals overlap, only touch, or neither, slab by slab?",
-        .kind = Kind::decision,
-        .fields = {"a", "b"},
-        .answer = "contact",
-        .time = grows(Growth::linear),
-        .list_length = 1};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "43",
+      .question = "Do the two k-DOPs with the same normals overlap, only touch, or neither, slab by slab?",
+      .kind = Kind::decision,
+      .fields = {"a", "b"},
+      .answer = "contact",
+      .time = grows(Growth::linear),
+      .list_length = 1};
 
   static void hard_cases(HardCases<Question>& add) {
     add("side_by_side",

@@ -12,26 +12,22 @@
 namespace touchstone::catalogue::rows {
 
 struct kdop_of_points : signatures::kdop_of_points {
-  TOUCHSTONE_MODULES(kdop_of_points)
-  using stages = ::touchstone::robust::stages::kdop_of_points;
+  TOUCHSTONE_STAGED_MODULES(kdop_of_points)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "43",
-        .question = "Which slabs of these normals are the narrowest that hold all the points?",
-        .kind = Kind::checked,
-        .fields = {"points", "normals"},
-        .answer = "slabs",
-        .margin_degree = 0,
-        .cost = 4,
-        .time = grows(Growth::quadratic),
-        .list_length = 1,
-        .longest_vector = 6000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "43",
+      .question = "Which slabs of these normals are the narrowest that hold all the points?",
+      .kind = Kind::checked,
+      .fields = {"points", "normals"},
+      .answer = "slabs",
+      .margin_degree = 0,
+      .cost = 4,
+      .time = grows(Growth::quadratic),
+      .list_length = 1,
+      .longest_vector = 6000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_lattice", [](DrawStream& c) -> Question {

@@ -14,22 +14,18 @@
 namespace touchstone::catalogue::rows {
 
 struct obb_obb : signatures::obb_obb {
-  TOUCHSTONE_MODULES(obb_obb)
-  using stages = ::touchstone::robust::stages::obb_obb;
+  TOUCHSTONE_STAGED_MODULES(obb_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "27",
-                                   .question = "Do the two oriented boxes overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"a", "b"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 10};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "27",
+                                     .question = "Do the two oriented boxes overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"a", "b"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 10};
 
   static void standard(const auto& add) {
     add("Gottschalk, in the frame of the first box",

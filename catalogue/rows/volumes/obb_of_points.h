@@ -43,21 +43,18 @@ struct obb_of_points : signatures::obb_of_points {
     return ::touchstone::oracle::obb_of_points(points);
   }
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "27",
-                                   .question = "Which oriented box contains all of the points?",
-                                   .kind = Kind::checked,
-                                   .fields = {"points"},
-                                   .answer = "obb",
-                                   .margin_degree = 0,
-                                   .cost = 7,
-                                   .time = grows(Growth::linear),
-                                   .list_length = 3,
-                                   .longest_vector = 4000};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "27",
+                                     .question = "Which oriented box contains all of the points?",
+                                     .kind = Kind::checked,
+                                     .fields = {"points"},
+                                     .answer = "obb",
+                                     .margin_degree = 0,
+                                     .cost = 7,
+                                     .time = grows(Growth::linear),
+                                     .list_length = 3,
+                                     .longest_vector = 4000};
 
   static void hard_cases(HardCases<Question>& add) {
     add("in_a_box", [](DrawStream& c) -> Question {

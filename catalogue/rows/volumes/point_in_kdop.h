@@ -12,23 +12,20 @@
 namespace touchstone::catalogue::rows {
 
 struct point_in_kdop : signatures::point_in_kdop {
-  TOUCHSTONE_MODULES(point_in_kdop)
-  using stages = ::touchstone::robust::stages::point_in_kdop;
+  TOUCHSTONE_STAGED_MODULES(point_in_kdop)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "43",
-                                   .question = "Does the point lie inside the k-DOP, at the end of a slab, or outside?",
-                                   .kind = Kind::decision,
-                                   .fields = {"kdop", "point"},
-                                   .answer = "location",
-                                   .margin_degree = 2,
-                                   .time = grows(Growth::linear),
-                                   .list_length = 1};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "43",
+      .question = "Does the point lie inside the k-DOP, at the end of a slab, or outside?",
+      .kind = Kind::decision,
+      .fields = {"kdop", "point"},
+      .answer = "location",
+      .margin_degree = 2,
+      .time = grows(Growth::linear),
+      .list_length = 1};
 
   static void hard_cases(HardCases<Question>& add) {
     add("around", [](DrawStream& c) -> Question {
@@ -125,7 +122,7 @@ struct point_in_kdop : signatures::point_in_kdop {
   static void scale(Question& question, int k) {
     auto& [kdop, p] = question;
     for (Slabd& slab : kdop.slabs) slab = {std::ldexp(slab.min, k), std::ldexp(slab.max, k)};
-    p = {std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+    lengthen(p, k);
   }
 
   /// The point (1, 1, 1) is at an end of 0 <= x + y + z <= 3 and within the other slab: moves x and y.

@@ -13,23 +13,19 @@
 namespace touchstone::catalogue::rows {
 
 struct point_in_obb : signatures::point_in_obb {
-  TOUCHSTONE_MODULES(point_in_obb)
-  using stages = ::touchstone::robust::stages::point_in_obb;
+  TOUCHSTONE_STAGED_MODULES(point_in_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "27",
-        .question = "Does the point lie inside the oriented box, on its boundary, or outside?",
-        .kind = Kind::decision,
-        .fields = {"obb", "point"},
-        .answer = "location",
-        .margin_degree = 2,
-        .cost = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "27",
+      .question = "Does the point lie inside the oriented box, on its boundary, or outside?",
+      .kind = Kind::decision,
+      .fields = {"obb", "point"},
+      .answer = "location",
+      .margin_degree = 2,
+      .cost = 2};
 
   static void standard(const auto& add) {
     add("unit axes and half lengths",

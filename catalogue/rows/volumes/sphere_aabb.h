@@ -14,23 +14,19 @@
 namespace touchstone::catalogue::rows {
 
 struct sphere_aabb : signatures::sphere_aabb {
-  TOUCHSTONE_MODULES(sphere_aabb)
+  TOUCHSTONE_STAGED_MODULES(sphere_aabb)
   TOUCHSTONE_ARRAYS(sphere_aabb)
-  using stages = ::touchstone::robust::stages::sphere_aabb;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "volumes",
-        .pages = "48-50",
-        .question = "Do the ball, or disc, and the axis-aligned box overlap, only touch, or neither?",
-        .kind = Kind::decision,
-        .fields = {"sphere", "aabb"},
-        .answer = "contact",
-        .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "volumes",
+      .pages = "48-50",
+      .question = "Do the ball, or disc, and the axis-aligned box overlap, only touch, or neither?",
+      .kind = Kind::decision,
+      .fields = {"sphere", "aabb"},
+      .answer = "contact",
+      .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("tangent", [](DrawStream& c) -> Question {

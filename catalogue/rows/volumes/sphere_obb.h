@@ -12,23 +12,19 @@
 namespace touchstone::catalogue::rows {
 
 struct sphere_obb : signatures::sphere_obb {
-  TOUCHSTONE_MODULES(sphere_obb)
-  using stages = ::touchstone::robust::stages::sphere_obb;
+  TOUCHSTONE_STAGED_MODULES(sphere_obb)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "27, 48-50",
-                                   .question = "Do a ball and an oriented box overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"sphere", "obb"},
-                                   .answer = "contact",
-                                   .margin_degree = 2,
-                                   .cost = 10,
-                                   .longest_vector = 2300};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "27, 48-50",
+                                     .question = "Do a ball and an oriented box overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"sphere", "obb"},
+                                     .answer = "contact",
+                                     .margin_degree = 2,
+                                     .cost = 10,
+                                     .longest_vector = 2300};
 
   static void hard_cases(HardCases<Question>& add) {
     add_balls_and_boxes([&add](const char* family, auto draw) { add(family, draw); });

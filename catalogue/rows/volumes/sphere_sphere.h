@@ -14,22 +14,18 @@
 namespace touchstone::catalogue::rows {
 
 struct sphere_sphere : signatures::sphere_sphere {
-  TOUCHSTONE_MODULES(sphere_sphere)
+  TOUCHSTONE_STAGED_MODULES(sphere_sphere)
   TOUCHSTONE_ARRAYS(sphere_sphere)
-  using stages = ::touchstone::robust::stages::sphere_sphere;
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{.name = name,
-                                   .chapter = "volumes",
-                                   .pages = "44",
-                                   .question = "Do the two balls, or discs, overlap, only touch, or neither?",
-                                   .kind = Kind::decision,
-                                   .fields = {"a", "b"},
-                                   .answer = "contact",
-                                   .margin_degree = 2};
-    return metadata;
-  }
+  static constexpr Metadata metadata{.name = name,
+                                     .chapter = "volumes",
+                                     .pages = "44",
+                                     .question = "Do the two balls, or discs, overlap, only touch, or neither?",
+                                     .kind = Kind::decision,
+                                     .fields = {"a", "b"},
+                                     .answer = "contact",
+                                     .margin_degree = 2};
 
   static void hard_cases(HardCases<Question>& add) {
     add("tangent", [](DrawStream& c) -> Question {

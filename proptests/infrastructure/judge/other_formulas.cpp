@@ -44,7 +44,7 @@ void as_good(const Formula& formula, const Asking& asking = {.each = 200}, bool 
     INFO(one_line(question.operation().print_hexadecimal(question.question()))
          << ": " << exact << ", got " << answered);
     if (judgement.verdict == Verdict::algorithm || (judgement.verdict == Verdict::rounding && !no_digit))
-      FAIL(Row::metadata().name << ": " << name_of(judgement.verdict));
+      FAIL(Row::metadata.name << ": " << name_of(judgement.verdict));
   });
   CHECK((inexact > 0) == rounds);
 }

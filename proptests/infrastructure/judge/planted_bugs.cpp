@@ -29,9 +29,9 @@ void is_seen(double share, const Formula& formula, bool binary32 = false) {
   const Tally tally = audited<Row>(formula, {.binary32 = binary32});
   const Cell total = tally.operations[0].total();
   const auto part = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(total.cases()); };
-  INFO(Row::metadata().name << ": " << total.cases() << " cases, " << total.count(Verdict::algorithm) << " algorithm, "
-                            << total.count(Verdict::rounding) << " rounding, " << total.count(Verdict::inexact)
-                            << " inexact");
+  INFO(Row::metadata.name << ": " << total.cases() << " cases, " << total.count(Verdict::algorithm) << " algorithm, "
+                          << total.count(Verdict::rounding) << " rounding, " << total.count(Verdict::inexact)
+                          << " inexact");
   CHECK(part(total.count(Verdict::algorithm)) >= share);
   CHECK(total.count(Verdict::rounding) < total.count(Verdict::algorithm));
   CHECK(total.wrong() >= total.count(Verdict::algorithm));

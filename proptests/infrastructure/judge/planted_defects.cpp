@@ -24,8 +24,8 @@ template <class Row, class Formula>
 void is_seen(double share, const Formula& formula, bool binary32 = false) {
   const Cell total = audited<Row>(formula, {.each = 30, .binary32 = binary32}).operations[0].total();
   const auto part = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(total.cases()); };
-  INFO(Row::metadata().name << ": " << total.cases() << " cases, " << total.count(Verdict::algorithm) << " algorithm, "
-                            << total.count(Verdict::rounding) << " rounding");
+  INFO(Row::metadata.name << ": " << total.cases() << " cases, " << total.count(Verdict::algorithm) << " algorithm, "
+                          << total.count(Verdict::rounding) << " rounding");
   CHECK(part(total.count(Verdict::algorithm)) >= share);
   CHECK(3 * total.count(Verdict::rounding) <= total.count(Verdict::algorithm));
 }

@@ -44,7 +44,7 @@ template <class Row, class Formula>
 void is_accused(const std::string& family, std::uint64_t percent, const Formula& formula) {
   const Tally tally = audited<Row>(formula, {.each = 200, .family = family});
   const Cell total = tally.operations[0].total();
-  INFO(Row::metadata().name << ", " << family << ": " << findings(total) << " of " << total.cases());
+  INFO(Row::metadata.name << ", " << family << ": " << findings(total) << " of " << total.cases());
   CHECK(findings(total) * 100 >= percent * total.cases());
   CHECK(total.cases() > 0);
 }

@@ -35,8 +35,8 @@ template <class Row, class Formula>
 void passes(const Formula& formula) {
   const Tally tally = audited<Row>(formula, asking);
   const Cell total = tally.operations[0].total();
-  INFO(Row::metadata().name << ": " << total.count(Verdict::algorithm) << " algorithm, " << total.touches_open
-                            << " clear touches as open sets");
+  INFO(Row::metadata.name << ": " << total.count(Verdict::algorithm) << " algorithm, " << total.touches_open
+                          << " clear touches as open sets");
   CHECK(total.count(Verdict::agree) > total.cases() / 2);
   CHECK(passes(tally));
 }
@@ -45,8 +45,8 @@ template <class Row, class Formula>
 void is_caught(const Formula& bug) {
   const Tally tally = audited<Row>(bug, asking);
   const Cell total = tally.operations[0].total();
-  INFO(Row::metadata().name << ": " << total.count(Verdict::algorithm) << " algorithm, "
-                            << total.count(Verdict::rounding) << " rounding");
+  INFO(Row::metadata.name << ": " << total.count(Verdict::algorithm) << " algorithm, " << total.count(Verdict::rounding)
+                          << " rounding");
   CHECK(total.count(Verdict::algorithm) > 5);
   CHECK_FALSE(passes(tally));
 }

@@ -71,7 +71,7 @@ TEST_CASE("point_in_convex_polygon: refused exactly where the polygon is not con
       return convex ? "refused" : "";
     }
   };
-  never(*catalogue::find_operation(Row::metadata().name), "refused as not convex", complaint, 8);
+  never(*catalogue::find_operation(Row::metadata.name), "refused as not convex", complaint, 8);
 }
 
 TEST_CASE("point_in_convex_polygon: p. 16's side tests worked by hand") {
