@@ -138,6 +138,40 @@ void validate(const std::string& field, const T& value, const Rule& rule) {
   validate(field, value);
   Refusing{field}("", rule(value));
 }
+/// A value that has to keep a rule of the operation besides its own.
+template <class T, class Rule>
+struct Under {
+  const T& value;
+  const Rule& rule;
+};
+template <class T, class Rule>
+Under<T, Rule> under(const Rule& rule, const T& value) {
+  return {value, rule};
+}
+template <class T, class Rule>
+void validate_numbers(const std::string& field, const Under<T, Rule>& ruled) {
+  validate_numbers(field, ruled.value);
+}
+template <class T, class Rule>
+void validate(const std::string& field, const Under<T, Rule>& ruled) {
+  validate(field, ruled.value, ruled.rule);
+}
+
+inline void validate_all_numbers() {}
+template <class T, class... Others>
+void validate_all_numbers(const char* field, const T& value, const Others&... others) {
+  validate_numbers(field, value), validate_all_numbers(others...);
+}
+inline void validate_each() {}
+template <class T, class... Others>
+void validate_each(const char* field, const T& value, const Others&... others) {
+  validate(field, value), validate_each(others...);
+}
+/// The numbers of all fields, and then the rules of each: validate_all("ray", ray, "e", under(rule::restitution, e)).
+template <class... FieldsAndValues>
+void validate_all(const FieldsAndValues&... fields_and_values) {
+  validate_all_numbers(fields_and_values...), validate_each(fields_and_values...);
+}
 /// Refuses a value by a rule that was decided in exact arithmetic.
 [[noreturn]] inline void refuse(const std::string& field, const rule::Exact& rule) {
   throw InvalidInput(named(field, rule.member), rule.words);

@@ -13,9 +13,7 @@ using ImplicitCircleScale = CommonScale<Number, 5>;
 template <class Number>
 ImplicitCircleScale<Number> validated_implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
   const ImplicitCircleScale<Number> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
-  if (!n.finite() || validation::negative(circle.radius))
-    validation::validate_numbers("circle", circle), validation::validate_numbers("point", point),
-        validation::validate("circle", circle), validation::validate("point", point);
+  if (!n.finite() || validation::negative(circle.radius)) validation::validate_all("circle", circle, "point", point);
   return n;
 }
 

@@ -17,9 +17,7 @@ template <class Number>
 LineLineScale<Number> validated_line_line(const Line2<Number>& a, const Line2<Number>& b) {
   const LineLineScale<Number> n({a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y});
   const auto is_point = [](const Line2<Number>& line) { return line.p == line.q; };
-  if (!n.finite() || is_point(a) || is_point(b))
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-        validation::validate("b", b);  // names the field: slower
+  if (!n.finite() || is_point(a) || is_point(b)) validation::validate_all("a", a, "b", b);  // names the field: slower
   return n;
 }
 

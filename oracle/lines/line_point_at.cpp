@@ -18,9 +18,7 @@ struct Travelled {
       : lengths({line.origin.x, line.origin.y, line.direction.x, line.direction.y}) {
     const CommonScale<Number, 1> time({t});
     const bool still = validation::zero(line.direction.x) && validation::zero(line.direction.y);
-    if (!lengths.finite() || !time.finite() || still)
-      validation::validate_numbers("line", line), validation::validate_numbers("t", t),
-          validation::validate("line", line), validation::validate("t", t);
+    if (!lengths.finite() || !time.finite() || still) validation::validate_all("line", line, "t", t);
     const Integer factor = time.integer(0);
     const auto step = [&](std::size_t i) { return time.actual(rational(Integer(factor * lengths.integer(i))), 1); };
     x = step(2), y = step(3);

@@ -62,8 +62,7 @@ Found find(const CommonScale<Number, 3>& circle, const Number& u) {
 
 template <class Number>
 CommonScale<Number, 3> validated_parametric_circle(const Circle2<Number>& circle, const Number& u) {
-  validation::validate_numbers("circle", circle), validation::validate_numbers("u", u),
-      validation::validate("circle", circle), validation::validate("u", u);
+  validation::validate_all("circle", circle, "u", u);
   return CommonScale<Number, 3>({circle.center.x, circle.center.y, circle.radius});
 }
 

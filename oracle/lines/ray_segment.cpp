@@ -15,9 +15,7 @@ CommonScale<Number, 8> validated_ray_segment(const Ray2<Number>& ray, const Segm
   const CommonScale<Number, 8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x,
                                   segment.a.y, segment.b.x, segment.b.y});
   const bool still = validation::zero(ray.direction.x) && validation::zero(ray.direction.y);
-  if (!n.finite() || still)
-    validation::validate_numbers("ray", ray), validation::validate_numbers("segment", segment),
-        validation::validate("ray", ray), validation::validate("segment", segment);  // names the field: slower
+  if (!n.finite() || still) validation::validate_all("ray", ray, "segment", segment);  // names the field: slower
   return n;
 }
 

@@ -38,8 +38,7 @@ Certificate common_interior_point(const AabbPlanePoint& center, const AabbPlaneP
 
 template <Exact Number>
 Truth<Contact> aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& plane) {
-  validation::validate_numbers("aabb", aabb), validation::validate_numbers("plane", plane);
-  validation::validate("aabb", aabb), validation::validate("plane", plane);
+  validation::validate_all("aabb", aabb, "plane", plane);
   const Aabb3<Rational> box{exact(aabb.min), exact(aabb.max)};
   const Plane<Rational> exactly = exact(plane);
   const Vector3<Rational> width = box.max - box.min;

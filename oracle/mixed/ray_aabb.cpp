@@ -9,8 +9,7 @@ namespace {
 
 template <class Ray, class Box>
 Truth<Passage<Rational>> truth_ray_aabb(const Ray& ray, const Box& aabb) {
-  validation::validate_numbers("ray", ray), validation::validate_numbers("aabb", aabb);
-  validation::validate("ray", ray), validation::validate("aabb", aabb);
+  validation::validate_all("ray", ray, "aabb", aabb);
   return passage_of_box(line_of(ray), coordinates(aabb.min), coordinates(aabb.max));
 }
 

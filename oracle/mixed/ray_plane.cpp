@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 
 template <Exact Number>
 Truth<LinePlane<Rational>> ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
-  validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
-  validation::validate("ray", ray), validation::validate("plane", plane);
+  validation::validate_all("ray", ray, "plane", plane);
   const auto& [x, y, z] = ray.direction;
   const Point3<Rational> origin = exact(ray.origin);
   const LinePlaneHeights heights(origin, origin + Vector3<Rational>{exact(x), exact(y), exact(z)}, exact(plane));

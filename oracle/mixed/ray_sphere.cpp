@@ -9,8 +9,7 @@ namespace {
 
 template <class Ray, class Ball>
 Truth<Passage<Surd>> truth_ray_sphere(const Ray& ray, const Ball& sphere) {
-  validation::validate_numbers("ray", ray), validation::validate_numbers("sphere", sphere);
-  validation::validate("ray", ray), validation::validate("sphere", sphere);
+  validation::validate_all("ray", ray, "sphere", sphere);
   return passage_of_ball(line_of(ray), coordinates(sphere.center), exact(sphere.radius));
 }
 

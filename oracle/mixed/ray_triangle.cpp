@@ -32,8 +32,7 @@ struct Solved {
 
 template <class Number>
 Truth<RayTriangle<Rational>> truth_of_ray_triangle(const Ray3<Number>& ray, const Triangle3<Number>& triangle) {
-  validation::validate_numbers("ray", ray), validation::validate_numbers("triangle", triangle);
-  validation::validate("ray", ray);
+  validation::validate_all("ray", ray, "triangle", triangle);
   Solved<Number> s(ray, triangle);
   Truth<RayTriangle<Rational>> truth{{Relation::none, {}, {}, {}},
                                      s.scale.actual(s.part.squared_distance_to_touch(), 2)};

@@ -9,8 +9,7 @@ namespace {
 
 template <class Segment, class Box>
 Truth<Passage<Rational>> truth_segment_aabb(const Segment& segment, const Box& aabb) {
-  validation::validate_numbers("segment", segment), validation::validate_numbers("aabb", aabb);
-  validation::validate("aabb", aabb);
+  validation::validate_all("segment", segment, "aabb", aabb);
   return passage_of_box(line_of(segment), coordinates(aabb.min), coordinates(aabb.max));
 }
 

@@ -11,8 +11,7 @@ namespace touchstone::oracle {
 
 template <Exact Number>
 Truth<LinePlane<Rational>> segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
-  validation::validate_numbers("segment", segment), validation::validate_numbers("plane", plane);
-  validation::validate("plane", plane);
+  validation::validate_all("segment", segment, "plane", plane);
   const LinePlaneHeights heights(exact(segment.a), exact(segment.b), exact(plane));
   return {heights.common(true),
           std::min(heights.squared_distance(heights.at_start()), heights.squared_distance(heights.at_end())),

@@ -9,8 +9,7 @@ namespace {
 
 template <class Segment, class Ball>
 Truth<Passage<Surd>> truth_segment_sphere(const Segment& segment, const Ball& sphere) {
-  validation::validate_numbers("segment", segment), validation::validate_numbers("sphere", sphere);
-  validation::validate("sphere", sphere);
+  validation::validate_all("segment", segment, "sphere", sphere);
   return passage_of_ball(line_of(segment), coordinates(sphere.center), exact(sphere.radius));
 }
 

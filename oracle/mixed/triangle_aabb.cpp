@@ -88,8 +88,7 @@ Certificate certificate_triangle_aabb(const Scale& scale, const IntegerInput& q,
 
 template <class Number>
 Truth<Contact> truth_triangle_aabb(const Triangle3<Number>& triangle, const Aabb3<Number>& aabb) {
-  validation::validate_numbers("triangle", triangle), validation::validate_numbers("aabb", aabb);
-  validation::validate("aabb", aabb);
+  validation::validate_all("triangle", triangle, "aabb", aabb);
   const auto& [a, b, c] = triangle;
   const auto& [min, max] = aabb;
   const CommonScale<Number, 15> scale(

@@ -8,8 +8,7 @@ namespace touchstone::oracle {
 
 template <Exact Number>
 Truth<PointPlane<Surd>> point_plane(const Plane<Number>& plane, const Point3<Number>& point) {
-  validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
-      validation::validate("plane", plane), validation::validate("point", point);
+  validation::validate_all("plane", plane, "point", point);
   const Plane<Rational> exactly = exact(plane);
   const Rational height = height_over(exactly, exact(point));
   const Rational square(height * height / dot(exactly.normal, exactly.normal));

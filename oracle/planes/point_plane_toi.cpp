@@ -19,9 +19,7 @@ struct Step {
 
 template <class Number>
 Step examine(const Plane<Number>& plane, const Point3<Number>& start, const Point3<Number>& end) {
-  validation::validate_numbers("plane", plane), validation::validate_numbers("start", start),
-      validation::validate_numbers("end", end), validation::validate("plane", plane),
-      validation::validate("start", start), validation::validate("end", end);
+  validation::validate_all("plane", plane, "start", start, "end", end);
   const Plane<Rational> exactly = exact(plane);
   const Point3<Rational> from = exact(start);
   const Vector3<Rational> direction = exact(end) - from;

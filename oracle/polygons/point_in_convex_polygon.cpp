@@ -38,8 +38,7 @@ void validate_convex(const IntegerRing& ring) {
 
 template <class Number>
 IntegerInput validated_point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
-      validation::validate("polygon", polygon), validation::validate("point", point);
+  validation::validate_all("polygon", polygon, "point", point);
   Polygon2<Number> all = *validation::OpenRing(polygon);
   validate_convex(IntegerRing(all));
   all.vertices.push_back(point);

@@ -23,8 +23,7 @@ struct Around {
 
 template <class Number>
 Around validated_point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
-      validation::validate("polygon", polygon), validation::validate("point", point);
+  validation::validate_all("polygon", polygon, "point", point);
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
   IntegerRing integers(all);

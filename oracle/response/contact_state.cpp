@@ -23,10 +23,7 @@ struct Twist {
 template <class Number>
 Truth<ContactState> truth_contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b,
                                         const Point3<Number>& point, const Vector3<Number>& normal) {
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
-      validation::validate_numbers("point", point), validation::validate_numbers("normal", normal),
-      validation::validate("a", a), validation::validate("b", b), validation::validate("point", point),
-      validation::validate("normal", normal, rule::normal);
+  validation::validate_all("a", a, "b", b, "point", point, "normal", validation::under(rule::normal, normal));
   Twist of_a(a), of_b(b);
   const Vector3<Rational> n = exact_vector(normal), moment = cross(from_origin(point), n);
   const Rational apart(dot(of_a.of_origin - of_b.of_origin, n) + dot(of_a.turn - of_b.turn, moment));

@@ -8,9 +8,7 @@ namespace touchstone::oracle {
 template <Exact Number>
 Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
                                            const Number& k) {
-  validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
-      validation::validate_numbers("k", k), validation::validate("velocity", velocity),
-      validation::validate("normal", normal, rule::normal), validation::validate("k", k);
+  validation::validate_all("velocity", velocity, "normal", validation::under(rule::normal, normal), "k", k);
   return bounced(velocity, normal, exact(k));
 }
 template Truth<Vector3<Rational>> damped_reflection(const Vector3d&, const Vector3d&, const double&);

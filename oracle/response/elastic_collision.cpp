@@ -8,9 +8,8 @@ namespace touchstone::oracle {
 template <Exact Number>
 Truth<Velocities<Rational>> elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                               const Vector3<Number>& normal) {
-  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
-      validation::validate_numbers("normal", normal), validation::validate("masses", masses),
-      validation::validate("velocities", velocities), validation::validate("normal", normal, rule::normal);
+  validation::validate_all("masses", masses, "velocities", velocities, "normal",
+                           validation::under(rule::normal, normal));
   return after_impact(masses, velocities, normal, Rational(1));
 }
 template Truth<Velocities<Rational>> elastic_collision(const Massesd&, const Velocitiesd&, const Vector3d&);

@@ -25,11 +25,9 @@ using Column = std::vector<OverRoot>;
 template <class Number>
 void validate_all_impact_step(const std::vector<StepBody<Number>>& bodies, const std::vector<Plane<Number>>& walls,
                               const Number& restitution, const Number& timestep) {
-  validation::validate_numbers("bodies", bodies), validation::validate_numbers("walls", walls);
-  validation::validate_numbers("restitution", restitution), validation::validate_numbers("timestep", timestep);
-  validation::validate("bodies", bodies), validation::validate("walls", walls);
-  validation::validate("restitution", restitution, rule::restitution);
-  validation::validate("timestep", timestep, rule::timestep);
+  validation::validate_all("bodies", bodies, "walls", walls, "restitution",
+                           validation::under(rule::restitution, restitution), "timestep",
+                           validation::under(rule::timestep, timestep));
 }
 
 /// The nearest number of 53 binary digits, ties to even.

@@ -9,8 +9,7 @@ namespace touchstone::oracle {
 
 template <Exact Number>
 Truth<Vector3<Rational>> inelastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities) {
-  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
-      validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_all("masses", masses, "velocities", velocities);
   Rational mass(exact(masses.first) + exact(masses.second));
   const Rational part(exact(masses.second) / mass);
   const Vector3<Rational> v = exact_vector(velocities.first), w = exact_vector(velocities.second);

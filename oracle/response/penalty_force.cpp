@@ -18,11 +18,8 @@ struct Situation {
 template <class Number>
 Situation examine(const Point3<Number>& point, const Vector3<Number>& velocity, const Plane<Number>& plane,
                   const Number& stiffness, const Number& damping) {
-  validation::validate_numbers("point", point), validation::validate_numbers("velocity", velocity),
-      validation::validate_numbers("plane", plane), validation::validate_numbers("stiffness", stiffness),
-      validation::validate_numbers("damping", damping), validation::validate("point", point),
-      validation::validate("velocity", velocity), validation::validate("plane", plane),
-      validation::validate("stiffness", stiffness), validation::validate("damping", damping);
+  validation::validate_all("point", point, "velocity", velocity, "plane", plane, "stiffness", stiffness, "damping",
+                           damping);
   const Vector3<Number>& n = plane.normal;
   const CommonScale<Number, 3> places({point.x, point.y, point.z}), normals({n.x, n.y, n.z});
   const NormalFrame frame(integer_vector(normals, 0));

@@ -8,10 +8,8 @@ namespace touchstone::oracle {
 template <Exact Number>
 Truth<Velocities<Rational>> restitution_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                                   const Vector3<Number>& normal, const Number& e) {
-  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
-      validation::validate_numbers("normal", normal), validation::validate_numbers("e", e),
-      validation::validate("masses", masses), validation::validate("velocities", velocities),
-      validation::validate("normal", normal, rule::normal), validation::validate("e", e, rule::restitution);
+  validation::validate_all("masses", masses, "velocities", velocities, "normal",
+                           validation::under(rule::normal, normal), "e", validation::under(rule::restitution, e));
   return after_impact(masses, velocities, normal, exact(e));
 }
 template Truth<Velocities<Rational>> restitution_collision(const Massesd&, const Velocitiesd&, const Vector3d&,

@@ -33,11 +33,7 @@ struct AxisMotion {
 template <class Value, class Number, std::size_t N, class Box, class Vector>
 std::array<AxisMotion<Value>, N / 5> validated(const CommonScale<Number, N>& n, const Box& a, const Box& b,
                                                const Vector& v) {
-  const auto validate = [&] {
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b),
-        validation::validate_numbers("velocity", v);
-    validation::validate("a", a), validation::validate("b", b);
-  };
+  const auto validate = [&] { validation::validate_all("a", a, "b", b, "velocity", v); };
   if (!n.finite()) validate();
   std::array<AxisMotion<Value>, N / 5> axes;
   for (std::size_t k = 0; k < axes.size(); ++k) {

@@ -106,9 +106,7 @@ Certificate certificate_of_sweep(const CommonScale<Number, 13>& n, const BallNea
 template <class Number>
 Truth<FirstContact<Surd>> truth_swept_sphere_aabb(const Sphere3<Number>& sphere, const Vector3<Number>& v,
                                                   const Aabb3<Number>& aabb) {
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("velocity", v),
-      validation::validate_numbers("aabb", aabb), validation::validate("sphere", sphere),
-      validation::validate("aabb", aabb);
+  validation::validate_all("sphere", sphere, "velocity", v, "aabb", aabb);
   const auto& [c, radius] = sphere;
   const auto& [min, max] = aabb;
   const CommonScale<Number, 13> n({c.x, v.x, min.x, max.x, c.y, v.y, min.y, max.y, c.z, v.z, min.z, max.z, radius});

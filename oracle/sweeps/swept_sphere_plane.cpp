@@ -22,9 +22,7 @@ struct Approach {
 
 template <class Number>
 Approach examine(const Sphere3<Number>& sphere, const Vector3<Number>& velocity, const Plane<Number>& plane) {
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("velocity", velocity),
-      validation::validate_numbers("plane", plane), validation::validate("sphere", sphere),
-      validation::validate("velocity", velocity), validation::validate("plane", plane);
+  validation::validate_all("sphere", sphere, "velocity", velocity, "plane", plane);
   const Plane<Rational> exactly = exact(plane);
   const Vector3<Rational> v{exact(velocity.x), exact(velocity.y), exact(velocity.z)};
   const Rational radius = exact(sphere.radius);

@@ -19,10 +19,7 @@ Scale<Number> validated_swept_sphere_sphere(const Sphere3<Number>& a, const Sphe
   const Scale<Number> n({a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius,
                          velocity_a.x, velocity_a.y, velocity_a.z, velocity_b.x, velocity_b.y, velocity_b.z});
   if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius)) {
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b),
-        validation::validate_numbers("velocity_a", velocity_a), validation::validate_numbers("velocity_b", velocity_b),
-        validation::validate("a", a), validation::validate("b", b), validation::validate("velocity_a", velocity_a),
-        validation::validate("velocity_b", velocity_b);
+    validation::validate_all("a", a, "b", b, "velocity_a", velocity_a, "velocity_b", velocity_b);
   }
   return n;
 }

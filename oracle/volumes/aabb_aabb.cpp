@@ -71,10 +71,7 @@ std::size_t deciding_aabb_aabb(const Axes& axes) {
 /// everything else here.)
 template <class Value, class Box, class Scale>
 auto validated_aabb_aabb(const Scale& n, const Box& a, const Box& b) {
-  const auto validate = [&a, &b] {
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-        validation::validate("b", b);
-  };
+  const auto validate = [&a, &b] { validation::validate_all("a", a, "b", b); };
   if (!n.finite()) validate();
   const auto axes = axes_of<Value>(n);
   if (!std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.in_order(); })) validate();

@@ -26,8 +26,7 @@ struct Meeting {
 
 template <class Number>
 std::vector<Meeting> meetings(const Kdop3<Number>& a, const Kdop3<Number>& b) {
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-      validation::validate("b", b);
+  validation::validate_all("a", a, "b", b);
   if (a.normals.size() != b.normals.size()) throw InvalidInput("b.normals", "the same normals as a");
   std::vector<Meeting> found;
   for (std::size_t i = 0; i < a.normals.size(); ++i) {

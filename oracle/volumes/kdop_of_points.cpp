@@ -32,9 +32,8 @@ struct Heights {
 /// For every normal; refuses invalid input.
 template <class Number>
 std::vector<Heights> heights(const std::vector<Point3<Number>>& points, const std::vector<Vector3<Number>>& normals) {
-  validation::validate_numbers("points", points), validation::validate_numbers("normals", normals);
-  validation::validate("points", points, rule::points);
-  validation::validate("normals", normals, rule::normals);
+  validation::validate_all("points", validation::under(rule::points, points), "normals",
+                           validation::under(rule::normals, normals));
   std::vector<Heights> all;
   for (const auto& n : normals) {
     validation::validate("normals[" + std::to_string(all.size()) + "]", n, rule::normal);

@@ -20,8 +20,7 @@ struct Depth {
 /// The least depth over all slabs; refuses invalid input.
 template <class Number>
 std::vector<Depth> depths(const Kdop3<Number>& kdop, const Point3<Number>& point) {
-  validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),
-      validation::validate("kdop", kdop), validation::validate("point", point);
+  validation::validate_all("kdop", kdop, "point", point);
   const IntegerList p = integer_list(std::vector<Number>{point.x, point.y, point.z, Number(1)});
   const Integer &x = p.integers[0], &y = p.integers[1], &z = p.integers[2], &w = p.integers[3];
   std::vector<Depth> found;

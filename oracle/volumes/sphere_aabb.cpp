@@ -61,10 +61,7 @@ BallAndBox<Value, N / 3> solids_of(const CommonScale<Number, N>& n) {
 /// The solids; refuses invalid input.
 template <class Value, class Scale, class Ball, class Box>
 auto validated_sphere_aabb(const Scale& n, const Ball& sphere, const Box& aabb) {
-  const auto validate = [&] {
-    validation::validate_numbers("sphere", sphere), validation::validate_numbers("aabb", aabb),
-        validation::validate("sphere", sphere), validation::validate("aabb", aabb);
-  };
+  const auto validate = [&] { validation::validate_all("sphere", sphere, "aabb", aabb); };
   if (!n.finite()) validate();
   const auto solids = solids_of<Value>(n);
   const auto in_order = [](const auto& axis) { return axis.min <= axis.max; };

@@ -53,8 +53,7 @@ SphereSpherePair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
 template <class Scale, class Solid>
 void validate_sphere_sphere(const Scale& n, const Solid& a, const Solid& b) {
   if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius))
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-        validation::validate("b", b);
+    validation::validate_all("a", a, "b", b);
 }
 
 template <class Scale, class SphereSpherePair>

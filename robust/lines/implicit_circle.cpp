@@ -18,8 +18,7 @@ Location location(const std::array<Integer, 5>& n) {
 
 void validate_implicit_circle(const Circle2d& circle, const Point2d& point) {
   if (kernel::valid(circle) && kernel::valid(point)) return;
-  validation::validate_numbers("circle", circle), validation::validate_numbers("point", point),
-      validation::validate("circle", circle), validation::validate("point", point);
+  validation::validate_all("circle", circle, "point", point);
 }
 
 }  // namespace

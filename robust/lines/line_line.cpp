@@ -32,8 +32,7 @@ auto as_integers(const Line2d& a, const Line2d& b) {
 
 void validate_line_line(const Line2d& a, const Line2d& b) {
   if (kernel::valid(a) && kernel::valid(b)) return;
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-      validation::validate("b", b);
+  validation::validate_all("a", a, "b", b);
 }
 
 }  // namespace

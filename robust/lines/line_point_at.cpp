@@ -61,8 +61,7 @@ namespace {
 
 void validate_line_point_at(const ParametricLine2d& line, double t) {
   if (kernel::valid(line) && kernel::all_finite(t)) return;
-  validation::validate_numbers("line", line), validation::validate_numbers("t", t), validation::validate("line", line),
-      validation::validate("t", t);
+  validation::validate_all("line", line, "t", t);
 }
 
 /// Out of line, so that the usual path has no registers to save.

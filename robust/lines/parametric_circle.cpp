@@ -55,8 +55,7 @@ double sum_rounded(double a, double b) {
 
 void validate_parametric_circle(const Circle2d& circle, double u) {
   if (kernel::valid(circle) && kernel::all_finite(u)) return;
-  validation::validate_numbers("circle", circle), validation::validate_numbers("u", u),
-      validation::validate("circle", circle), validation::validate("u", u);
+  validation::validate_all("circle", circle, "u", u);
 }
 
 }  // namespace

@@ -71,8 +71,7 @@ Question<mpz_class> as_integers(const Ray2d& ray, const Segment2d& s) {
 
 void validate_ray_segment(const Ray2d& ray, const Segment2d& segment) {
   if (kernel::valid(ray) && kernel::valid(segment)) return;
-  validation::validate_numbers("ray", ray), validation::validate_numbers("segment", segment),
-      validation::validate("ray", ray), validation::validate("segment", segment);
+  validation::validate_all("ray", ray, "segment", segment);
 }
 
 }  // namespace

@@ -27,8 +27,7 @@ Contact contact(int sign, const Aabb3d& box) {
 
 void validate_aabb_plane(const Aabb3d& aabb, const Plane3d& plane) {
   if (kernel::valid(aabb) && kernel::valid(plane)) return;
-  validation::validate_numbers("aabb", aabb), validation::validate_numbers("plane", plane);
-  validation::validate("aabb", aabb), validation::validate("plane", plane);
+  validation::validate_all("aabb", aabb, "plane", plane);
 }
 
 }  // namespace

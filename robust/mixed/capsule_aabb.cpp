@@ -10,8 +10,7 @@ namespace {
 
 void validate_capsule_aabb(const Capsule3d& capsule, const Aabb3d& aabb) {
   if (kernel::valid(capsule) && kernel::valid(aabb)) return;
-  validation::validate_numbers("capsule", capsule), validation::validate_numbers("aabb", aabb);
-  validation::validate("capsule", capsule), validation::validate("aabb", aabb);
+  validation::validate_all("capsule", capsule, "aabb", aabb);
 }
 
 }  // namespace

@@ -10,8 +10,7 @@ namespace {
 
 void validate_capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
   if (kernel::valid(a) && kernel::valid(b)) return;
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
-  validation::validate("a", a), validation::validate("b", b);
+  validation::validate_all("a", a, "b", b);
 }
 
 }  // namespace

@@ -10,8 +10,7 @@ namespace {
 
 void validate_capsule_triangle(const Capsule3d& capsule, const Triangle3d& triangle) {
   if (kernel::valid(capsule) && kernel::valid(triangle)) return;
-  validation::validate_numbers("capsule", capsule), validation::validate_numbers("triangle", triangle);
-  validation::validate("capsule", capsule);
+  validation::validate_all("capsule", capsule, "triangle", triangle);
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ kernel::CrossingLine line_of(const Ray3d& ray, const Plane3d& plane) {
 
 void validate_ray_plane(const Ray3d& ray, const Plane3d& plane) {
   if (kernel::valid(ray.origin) && kernel::valid(ray.direction, rule::direction) && kernel::valid(plane)) return;
-  validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
-  validation::validate("ray", ray), validation::validate("plane", plane);
+  validation::validate_all("ray", ray, "plane", plane);
 }
 
 }  // namespace

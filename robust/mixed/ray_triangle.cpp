@@ -16,8 +16,7 @@ void validate_ray_triangle(const Ray3d& ray, const Triangle3d& t) {
   using kernel::valid;
   if (valid(ray.origin) && kernel::valid(ray.direction, rule::direction) && valid(t.a) && valid(t.b) && valid(t.c))
     return;
-  validation::validate_numbers("ray", ray), validation::validate_numbers("triangle", t);
-  validation::validate("ray", ray);
+  validation::validate_all("ray", ray, "triangle", t);
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ kernel::CrossingLine line_of(const Segment3d& segment, const Plane3d& plane) {
 
 void validate_segment_plane(const Segment3d& segment, const Plane3d& plane) {
   if (kernel::valid(segment.a) && kernel::valid(segment.b) && kernel::valid(plane)) return;
-  validation::validate_numbers("segment", segment), validation::validate_numbers("plane", plane);
-  validation::validate("plane", plane);
+  validation::validate_all("segment", segment, "plane", plane);
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ namespace {
 
 void validate_sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
   if (kernel::valid(sphere) && kernel::valid(capsule)) return;
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("capsule", capsule);
-  validation::validate("sphere", sphere), validation::validate("capsule", capsule);
+  validation::validate_all("sphere", sphere, "capsule", capsule);
 }
 
 /// At least the sum of both, in every environment: the sum loses no more than 2^-52 of itself, and if a part is flushed

@@ -16,8 +16,7 @@ Contact around_center(double radius) { return validation::zero(radius) ? Contact
 
 void validate_sphere_plane(const Sphere3d& sphere, const Plane3d& plane) {
   if (kernel::valid(sphere) && kernel::valid(plane)) return;
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("plane", plane);
-  validation::validate("sphere", sphere), validation::validate("plane", plane);
+  validation::validate_all("sphere", sphere, "plane", plane);
 }
 
 }  // namespace

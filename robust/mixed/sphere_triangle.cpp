@@ -11,8 +11,7 @@ namespace {
 
 void validate_sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {
   if (kernel::valid(sphere) && kernel::valid(triangle)) return;
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("triangle", triangle);
-  validation::validate("sphere", sphere);
+  validation::validate_all("sphere", sphere, "triangle", triangle);
 }
 
 }  // namespace

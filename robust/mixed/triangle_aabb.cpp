@@ -128,8 +128,7 @@ auto numbers_of(const Triangle3d& t, const Aabb3d& box, const Numbers& numbers) 
 
 void validate_triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {
   if (kernel::valid(triangle) && kernel::valid(aabb)) return;
-  validation::validate_numbers("triangle", triangle), validation::validate_numbers("aabb", aabb);
-  validation::validate("aabb", aabb);
+  validation::validate_all("triangle", triangle, "aabb", aabb);
 }
 
 }  // namespace

@@ -11,8 +11,7 @@ namespace {
 
 void validate_capsule_plane(const Capsule3d& capsule, const Plane3d& plane) {
   if (kernel::valid(capsule) && kernel::valid(plane)) return;
-  validation::validate_numbers("capsule", capsule), validation::validate_numbers("plane", plane);
-  validation::validate("capsule", capsule), validation::validate("plane", plane);
+  validation::validate_all("capsule", capsule, "plane", plane);
 }
 
 }  // namespace

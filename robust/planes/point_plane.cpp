@@ -14,8 +14,7 @@ PlaneSide side(int sign) { return sign > 0 ? PlaneSide::front : sign < 0 ? Plane
 
 void validate_point_plane(const Plane3d& plane, const Point3d& point) {
   if (kernel::valid(plane) && kernel::valid(point)) return;
-  validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
-      validation::validate("plane", plane), validation::validate("point", point);
+  validation::validate_all("plane", plane, "point", point);
 }
 
 }  // namespace

@@ -88,9 +88,7 @@ std::optional<Int128> in_units(const kernel::Scaled<Int128>& x, int exponent) {
 
 void validate_point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {
   if (kernel::valid(plane) && kernel::valid(start) && kernel::valid(end)) return;
-  validation::validate_numbers("plane", plane), validation::validate_numbers("start", start),
-      validation::validate_numbers("end", end), validation::validate("plane", plane),
-      validation::validate("start", start), validation::validate("end", end);
+  validation::validate_all("plane", plane, "start", start, "end", end);
 }
 
 }  // namespace

@@ -10,8 +10,7 @@
 namespace touchstone::robust {
 
 Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& given, const Point2d& point) {
-  validation::validate_numbers("polygon", given), validation::validate_numbers("point", point),
-      validation::validate("polygon", given);
+  validation::validate_all("polygon", given, "point", point);
   const validation::OpenRing open(given);
   const Polygon2d& polygon = *open;
   Stage latest = Stage::filter;

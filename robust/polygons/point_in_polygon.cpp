@@ -211,9 +211,7 @@ Part integer(const Polygon2d& polygon) {
 void validate(const Polygon2d& polygon, const Point2d& point) {
   bool valid = !validation::fewer_than_three(polygon.vertices) && kernel::valid(point);
   for (const Point2d& vertex : polygon.vertices) valid &= kernel::valid(vertex);
-  if (!valid)
-    validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
-        validation::validate("polygon", polygon), validation::validate("point", point);
+  if (!valid) validation::validate_all("polygon", polygon, "point", point);
 }
 
 /// Runs the stages for one part after another: one hard edge does not make all of them hard.

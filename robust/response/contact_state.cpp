@@ -70,10 +70,7 @@ std::optional<Vector3<Int128>> shifted(const Vector3<Int128>& v, int shift) {
 
 void validate_contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point, const Vector3d& normal) {
   if (kernel::valid(a) && kernel::valid(b) && kernel::valid(point) && kernel::valid(normal, rule::normal)) return;
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
-      validation::validate_numbers("point", point), validation::validate_numbers("normal", normal),
-      validation::validate("a", a), validation::validate("b", b), validation::validate("point", point),
-      validation::validate("normal", normal, rule::normal);
+  validation::validate_all("a", a, "b", b, "point", point, "normal", validation::under(rule::normal, normal));
 }
 
 }  // namespace

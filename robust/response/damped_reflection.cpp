@@ -28,9 +28,7 @@ namespace {
 
 void validate_damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
   if (kernel::valid(velocity) && kernel::valid(normal, rule::normal) && kernel::all_finite(k)) return;
-  validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
-      validation::validate_numbers("k", k), validation::validate("velocity", velocity),
-      validation::validate("normal", normal, rule::normal), validation::validate("k", k);
+  validation::validate_all("velocity", velocity, "normal", validation::under(rule::normal, normal), "k", k);
 }
 
 }  // namespace

@@ -23,9 +23,8 @@ namespace {
 
 void validate_elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
   if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid(normal, rule::normal)) return;
-  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
-      validation::validate_numbers("normal", normal), validation::validate("masses", masses),
-      validation::validate("velocities", velocities), validation::validate("normal", normal, rule::normal);
+  validation::validate_all("masses", masses, "velocities", velocities, "normal",
+                           validation::under(rule::normal, normal));
 }
 
 }  // namespace

@@ -23,11 +23,9 @@ using Rational = mpq_class;
 
 void validate_impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
                           double timestep) {
-  validation::validate_numbers("bodies", bodies), validation::validate_numbers("walls", walls);
-  validation::validate_numbers("restitution", restitution), validation::validate_numbers("timestep", timestep);
-  validation::validate("bodies", bodies), validation::validate("walls", walls);
-  validation::validate("restitution", restitution, rule::restitution);
-  validation::validate("timestep", timestep, rule::timestep);
+  validation::validate_all("bodies", bodies, "walls", walls, "restitution",
+                           validation::under(rule::restitution, restitution), "timestep",
+                           validation::under(rule::timestep, timestep));
 }
 
 Rational rational(double value) {

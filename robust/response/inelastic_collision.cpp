@@ -19,8 +19,7 @@ kernel::Enclosed<Float> momentum(const kernel::Factor<Float>& m1, const Float& v
 
 void validate_inelastic_collision(const Massesd& masses, const Velocitiesd& velocities) {
   if (kernel::valid(masses) && kernel::valid(velocities)) return;
-  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
-      validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_all("masses", masses, "velocities", velocities);
 }
 
 }  // namespace

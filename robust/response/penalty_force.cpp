@@ -62,11 +62,8 @@ void validate_penalty_force(const Point3d& point, const Vector3d& velocity, cons
                             double damping) {
   if (kernel::valid(point) && kernel::valid(velocity) && kernel::valid(plane) && kernel::all_finite(stiffness, damping))
     return;
-  validation::validate_numbers("point", point), validation::validate_numbers("velocity", velocity),
-      validation::validate_numbers("plane", plane), validation::validate_numbers("stiffness", stiffness),
-      validation::validate_numbers("damping", damping), validation::validate("point", point),
-      validation::validate("velocity", velocity), validation::validate("plane", plane),
-      validation::validate("stiffness", stiffness), validation::validate("damping", damping);
+  validation::validate_all("point", point, "velocity", velocity, "plane", plane, "stiffness", stiffness, "damping",
+                           damping);
 }
 
 }  // namespace

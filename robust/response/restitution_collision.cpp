@@ -29,10 +29,8 @@ void validate_restitution_collision(const Massesd& masses, const Velocitiesd& ve
   if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid(normal, rule::normal) &&
       kernel::valid(e, rule::restitution))
     return;
-  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
-      validation::validate_numbers("normal", normal), validation::validate_numbers("e", e),
-      validation::validate("masses", masses), validation::validate("velocities", velocities),
-      validation::validate("normal", normal, rule::normal), validation::validate("e", e, rule::restitution);
+  validation::validate_all("masses", masses, "velocities", velocities, "normal",
+                           validation::under(rule::normal, normal), "e", validation::under(rule::restitution, e));
 }
 
 }  // namespace

@@ -17,10 +17,7 @@ using kernel::Dyadic;
 
 void validate_simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
                               const StepSettingsd& settings) {
-  validation::validate_numbers("bodies", bodies), validation::validate_numbers("walls", walls);
-  validation::validate_numbers("settings", settings);
-  validation::validate("bodies", bodies), validation::validate("walls", walls);
-  validation::validate("settings", settings);
+  validation::validate_all("bodies", bodies, "walls", walls, "settings", settings);
 }
 
 int sign(const Dyadic& a) { return sgn(a.n); }

@@ -130,9 +130,7 @@ bool valid(const Vector3d& v) { return kernel::valid(v); }
 template <class Box, class Vector>
 void validate_swept_aabb_aabb(const Box& a, const Box& b, const Vector& velocity) {
   if (kernel::valid(a) && kernel::valid(b) && valid(velocity)) return;
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
-      validation::validate_numbers("velocity", velocity);
-  validation::validate("a", a), validation::validate("b", b);
+  validation::validate_all("a", a, "b", b, "velocity", velocity);
 }
 
 }  // namespace

@@ -68,9 +68,7 @@ std::vector<TimeOfStep> times_of_change(const CenterOnAxes& axes) {
 
 void validate_swept_sphere_aabb(const Sphere3d& sphere, const Vector3d& velocity, const Aabb3d& aabb) {
   if (kernel::valid(sphere) && kernel::valid(velocity) && kernel::valid(aabb)) return;
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("velocity", velocity),
-      validation::validate_numbers("aabb", aabb), validation::validate("sphere", sphere),
-      validation::validate("aabb", aabb);
+  validation::validate_all("sphere", sphere, "velocity", velocity, "aabb", aabb);
 }
 
 }  // namespace

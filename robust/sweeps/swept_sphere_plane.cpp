@@ -81,9 +81,7 @@ struct Integers {
 
 void validate_swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
   if (kernel::valid(sphere) && kernel::valid(velocity) && kernel::valid(plane)) return;
-  validation::validate_numbers("sphere", sphere), validation::validate_numbers("velocity", velocity),
-      validation::validate_numbers("plane", plane), validation::validate("sphere", sphere),
-      validation::validate("velocity", velocity), validation::validate("plane", plane);
+  validation::validate_all("sphere", sphere, "velocity", velocity, "plane", plane);
 }
 
 }  // namespace

@@ -177,10 +177,7 @@ Motion<mpz_class> on_integers(const Sphere3d& a, const Sphere3d& b, const Vector
 void validate_swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                   const Vector3d& velocity_b) {
   if (kernel::valid(a) && kernel::valid(b) && kernel::valid(velocity_a) && kernel::valid(velocity_b)) return;
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
-      validation::validate_numbers("velocity_a", velocity_a), validation::validate_numbers("velocity_b", velocity_b),
-      validation::validate("a", a), validation::validate("b", b), validation::validate("velocity_a", velocity_a),
-      validation::validate("velocity_b", velocity_b);
+  validation::validate_all("a", a, "b", b, "velocity_a", velocity_a, "velocity_b", velocity_b);
 }
 
 }  // namespace

@@ -44,9 +44,7 @@ Contact contact_of(const AxisContact& all) {
 
 template <class Box>
 void validate_aabb_aabb(const Box& a, const Box& b) {
-  if (!kernel::valid(a) || !kernel::valid(b))
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-        validation::validate("b", b);
+  if (!kernel::valid(a) || !kernel::valid(b)) validation::validate_all("a", a, "b", b);
 }
 
 }  // namespace

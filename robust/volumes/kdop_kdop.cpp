@@ -17,9 +17,7 @@ bool same(const Vector3d& n, const Vector3d& m) {
 }
 
 void validate_kdop_kdop(const Kdop3d& a, const Kdop3d& b) {
-  if (!kernel::valid(a) || !kernel::valid(b))
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-        validation::validate("b", b);
+  if (!kernel::valid(a) || !kernel::valid(b)) validation::validate_all("a", a, "b", b);
   if (a.normals.size() != b.normals.size()) throw InvalidInput("b.normals", "the same normals as a");
   for (std::size_t i = 0; i < a.normals.size(); ++i) {
     if (!same(a.normals[i], b.normals[i]))

@@ -48,8 +48,7 @@ Perhaps<Location> location(const Kdop3d& kdop, const Depth& depth) {
 
 void validate_point_in_kdop(const Kdop3d& kdop, const Point3d& point) {
   if (kernel::valid(kdop) && kernel::valid(point)) return;
-  validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),
-      validation::validate("kdop", kdop), validation::validate("point", point);
+  validation::validate_all("kdop", kdop, "point", point);
 }
 
 }  // namespace

@@ -42,9 +42,7 @@ auto integers_of(const Sphere3d& s, const Aabb3d& b) {
 
 template <class Ball, class Box>
 void validate_sphere_aabb(const Ball& sphere, const Box& aabb) {
-  if (!kernel::valid(sphere) || !kernel::valid(aabb))
-    validation::validate_numbers("sphere", sphere), validation::validate_numbers("aabb", aabb),
-        validation::validate("sphere", sphere), validation::validate("aabb", aabb);
+  if (!kernel::valid(sphere) || !kernel::valid(aabb)) validation::validate_all("sphere", sphere, "aabb", aabb);
 }
 
 }  // namespace

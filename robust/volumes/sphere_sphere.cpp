@@ -18,9 +18,7 @@ namespace {
 
 /// A disc's ball has the disc's field names, and a third coordinate that is always valid.
 void validate_sphere_sphere(const Sphere3d& a, const Sphere3d& b) {
-  if (!kernel::valid(a) || !kernel::valid(b))
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
-        validation::validate("b", b);
+  if (!kernel::valid(a) || !kernel::valid(b)) validation::validate_all("a", a, "b", b);
 }
 
 }  // namespace
