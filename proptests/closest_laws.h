@@ -128,4 +128,18 @@ inline bool keeps_distance(double distance, double squared, const Rational& squa
   return abs(exact(squared) - square) <= of_square(square, e);
 }
 
+/// The numbers of robust's answer: `constexpr RoundsTo<Row> rounds_to;`
+template <class Row>
+struct RoundsTo {
+  void operator()(const typename Row::Question& question, const std::vector<double>& numbers) const {
+    CHECK(numbers_of(catalogue::ask_robust<Row>(question)) == numbers);
+  }
+};
+
+/// The test case of distances_scale, in the types of the file's `Row`; NORMAL_LAW and others are alike.
+#define LENGTHS_LAW(operation)                                         \
+  TEST_CASE(operation ": all lengths times a power of two") {          \
+    robust_law<Row>("points and distances too", distances_scale<Row>); \
+  }
+
 }  // namespace touchstone::proptests

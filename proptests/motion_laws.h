@@ -67,4 +67,10 @@ void right_but_at_the_start() {
   never(catalogue::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start", complaint, 3);
 }
 
+/// The test case of velocities_divide_t, in the types of the file's `Row`.
+#define VELOCITIES_LAW(operation, ...)                                      \
+  TEST_CASE(operation ": velocities times a power of two divide t by it") { \
+    law<Row>("faster and slower", velocities_divide_t<__VA_ARGS__>);        \
+  }
+
 }  // namespace touchstone::proptests

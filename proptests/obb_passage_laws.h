@@ -15,15 +15,11 @@ namespace touchstone::proptests {
 
 namespace obb_passages {
 
-using Relation = PassageRelation;
-inline const Passage<Rational> none{Relation::none, {}, {}};
-inline Passage<Rational> from_to(const Rational& first, const Rational& last) { return {Relation::hit, first, last}; }
+using namespace passages;
 inline constexpr Obb3d unit_cube{{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 inline constexpr Obb3d dependent{{0, 0, 0}, {{1, 1, 0}, {0, 1, 1}, {1, 2, 1}}};
 
 /// What the laws need to know of a ray or a segment: its start and its way, as the formula computes it, and exactly.
-inline bool ends(const Ray3d&) { return false; }
-inline bool ends(const Segment3d&) { return true; }
 inline Point3d start(const Ray3d& r) { return r.origin; }
 inline Point3d start(const Segment3d& s) { return s.a; }
 inline Vector3d way(const Ray3d& r) { return r.direction; }
@@ -45,7 +41,7 @@ inline bool is_nearest(const Rational& number, const Rational& exactly) { return
 /// segment without length.
 template <class Answer, class Line>
 bool is_by_formula(const Answer& answer, const Line& line, const Obb3d& box) {
-  if (!has_right_angles(box) || (ends(line) && equal(way(line), Vector3d{0, 0, 0}))) return true;
+  if (!has_right_angles(box) || (ends<Line> && equal(way(line), Vector3d{0, 0, 0}))) return true;
   const Passage<Rational> exactly = by_formula(line, box);
   if (answer.relation != exactly.relation) return false;
   return !exactly.first || (is_nearest(*answer.first, *exactly.first) && is_nearest(*answer.last, *exactly.last));
@@ -59,7 +55,7 @@ bool slabs_keep(const Answer& answer, const Line& line, const Obb3d& box) {
     std::size_t axis;
   };
   std::vector<Time> entries{{0, 0, 3}}, exits;
-  if (ends(line)) exits.push_back({1, 0, 4});
+  if (ends<Line>) exits.push_back({1, 0, 4});
   const Rational u = unit(), underflow = power_of_two(-1073);
   const Vector3<Rational> d = exact_point(start(line)) - exact_point(box.center), v = exact_way(line);
   std::size_t axis = 0;
@@ -72,7 +68,7 @@ bool slabs_keep(const Answer& answer, const Line& line, const Obb3d& box) {
     };
     const Rational reach = dot(a, a), height = dot(a, d), f = dot(a, v), q = sizes(v),
                    of_n = (5 + 12 * u) * u * (sizes(d) + reach) + power_of_two(-1071),
-                   of_f = (ends(line) ? Rational(4 + 7 * u) : Rational(3 + 4 * u)) * u * q + underflow;
+                   of_f = (ends<Line> ? Rational(4 + 7 * u) : Rational(3 + 4 * u)) * u * q + underflow;
     if (sgn(q) == 0) {
       const Rational inside(reach - abs(height));
       if (abs(inside) <= of_n) return true;
@@ -107,7 +103,7 @@ bool slabs_keep(const Answer& answer, const Line& line, const Obb3d& box) {
 /// OBB_PASSAGE_LAWS("ray_obb") is six test cases, in the types of the file's `Row`.
 #define OBB_PASSAGE_LAWS(operation)                                                                                    \
   LAW(operation ": first comes before last, and both are on the line", line) {                                         \
-    return in_order(ask(asked), obb_passages::ends(line));                                                             \
+    return in_order(ask(asked), ends<std::decay_t<decltype(line)>>);                                                   \
   }                                                                                                                    \
   LAW(operation ": a box that is twice as large is met wherever it was, not later, and left not earlier", line, box) { \
     const auto larger = twice_as_large(box);                                                                           \

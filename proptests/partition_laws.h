@@ -286,4 +286,22 @@ std::size_t real_rings() {
   return rings;
 }
 
+/// PARTITION_LAWS("convex_partition", "pieces") is five test cases, in the types of the file's `Row`.
+#define PARTITION_LAWS(operation, kind)                                                                \
+  TEST_CASE(operation ": " kind " fit, from any vertex, either way round, in every image and scale") { \
+    pieces_fit<Row>(kind);                                                                             \
+  }                                                                                                    \
+  TEST_CASE(operation ": rings that are not simple are refused by the first offending vertex") {       \
+    simple_rings_only<Row>();                                                                          \
+  }                                                                                                    \
+  TEST_CASE(operation ": the checker and that of certificates say the same of altered answers") {      \
+    checkers_agree<Row>();                                                                             \
+  }                                                                                                    \
+  TEST_CASE(operation ": rings drawn by others") {                                                     \
+    if (real_rings<Row>() == 0) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");  \
+  }                                                                                                    \
+  TEST_CASE(operation ": the formula in double is right beyond the margins of its contract") {         \
+    formula_keeps_contract<Row>();                                                                     \
+  }
+
 }  // namespace touchstone::proptests

@@ -80,10 +80,29 @@ struct SlabAxis {
   double from, to, min, max;
 };
 
-/// What reference/mixed/ray_aabb.h and segment_aabb.h promise of times that are off by `roundings` u of themselves.
-template <class Truth, class Answer>
-bool slab_times_keep(const Truth& truth, const Answer& answer, const std::vector<SlabAxis>& axes, bool ends,
-                     int roundings) {
+/// Whether the line is a segment, which ends; and what it says after its start: its end or its direction.
+template <class Line>
+inline constexpr bool ends = requires(const Line& line) {
+  line.b;
+};
+inline const auto& start_of(const auto& line) {
+  if constexpr (ends<std::decay_t<decltype(line)>>) return line.a;
+  else return line.origin;
+}
+inline const auto& goal_of(const auto& line) {
+  if constexpr (ends<std::decay_t<decltype(line)>>) return line.b;
+  else return line.direction;
+}
+
+/// What reference/mixed/ray_aabb.h and segment_aabb.h promise of times that are off by 3 u or 4 u of themselves.
+template <class Truth, class Answer, class Line, class Box>
+bool slab_times_keep(const Truth& truth, const Answer& answer, const Line& line, const Box& box) {
+  constexpr bool ends = proptests::ends<Line>;
+  constexpr int roundings = ends ? 4 : 3;
+  const auto start = coordinates(start_of(line)), goal = coordinates(goal_of(line)), low = coordinates(box.min),
+             high = coordinates(box.max);
+  std::vector<SlabAxis> axes;
+  for (std::size_t k = 0; k < start.size(); ++k) axes.push_back({start[k], goal[k], low[k], high[k]});
   struct Time {
     Rational value, error;
     std::size_t axis;
@@ -156,5 +175,67 @@ Rational squared_distance(const Place& p, const Place& q) {
     sum += Rational(exact(x[k]) - exact(y[k])) * Rational(exact(x[k]) - exact(y[k]));
   return sum;
 }
+
+inline bool reversed(const std::optional<Surd>& t, const std::optional<Surd>& s) {
+  return t.has_value() == s.has_value() && (!t || *s == Surd(Rational(1)) - *t);
+}
+
+/// Words of worked examples.
+namespace passages {
+using Relation = PassageRelation;
+inline const Passage<Rational> none{Relation::none, {}, {}};
+inline Passage<Rational> from_to(const Rational& first, const Rational& last) { return {Relation::hit, first, last}; }
+}  // namespace passages
+namespace surd_passages {
+using Relation = PassageRelation;
+inline const Passage<Surd> none{Relation::none, {}, {}};
+inline Passage<Surd> from_to(const Surd& first, const Surd& last) { return {Relation::hit, first, last}; }
+}  // namespace surd_passages
+
+/// AABB_PASSAGE_LAWS("ray_aabb", "ray") is four test cases, in the types of the file's `Row`; the others are alike.
+#define AABB_PASSAGE_LAWS(operation, kind)                                                                          \
+  LAW(operation ": first comes before last, and both are on the " kind, line) {                                     \
+    return in_order(ask(asked), ends<std::decay_t<decltype(line)>>);                                                \
+  }                                                                                                                 \
+  LAW(operation ": a box that holds another is met wherever that is, not later, and left not earlier", line, box) { \
+    auto larger = box;                                                                                              \
+    larger.max.x = catalogue::moved_by_ulps(box.max.x, 1), larger.min.y = catalogue::moved_by_ulps(box.min.y, -3);  \
+    return held_by(ask(asked), ask(std::tuple(line, larger)));                                                      \
+  }                                                                                                                 \
+  LAW(operation ": in the plane the same as in space, in a flat box or in one with an inside", line, box) {         \
+    if constexpr (requires { box.min.z; }) return true;                                                             \
+    const auto answer = ask(asked);                                                                                 \
+    const auto& [low, high] = in_space(box);                                                                        \
+    const Aabb3d thick{{low.x, low.y, -1}, {high.x, high.y, 1}};                                                    \
+    return equal(ask(Row::InSpace{in_space(line), {low, high}}), answer) &&                                         \
+           equal(ask(Row::InSpace{in_space(line), thick}), answer);                                                 \
+  }                                                                                                                 \
+  CONTRACT(operation ": the formula in double keeps its contract", line, box) {                                     \
+    return slab_times_keep(truth, answer, line, box);                                                               \
+  }
+#define BALL_PASSAGE_LAWS(operation, kind)                                                                   \
+  LAW(operation ": first comes before last, and both are on the " kind, line) {                              \
+    return in_order(ask(asked), ends<std::decay_t<decltype(line)>>);                                         \
+  }                                                                                                          \
+  LAW(operation ": a ball that grows is met wherever it was, not later, and left not earlier", line, ball) { \
+    auto larger = ball;                                                                                      \
+    larger.radius = catalogue::moved_by_ulps(larger.radius, 2);                                              \
+    return held_by(ask(asked), ask(std::tuple(line, larger)));                                               \
+  }                                                                                                          \
+  LAW(operation ": in the plane the same as in space", line, ball) {                                         \
+    return equal(ask(Row::InSpace{in_space(line), in_space(ball)}), ask(asked));                             \
+  }
+#define REVERSED_PASSAGE_LAW(operation)                                                     \
+  LAW(operation ": the reversed segment enters where the segment leaves", segment, solid) { \
+    const std::decay_t<decltype(segment)> back{segment.b, segment.a};                       \
+    const auto answer = ask(asked), found = ask(std::tuple(back, solid));                   \
+    if (segment.a == segment.b) return equal(answer, found);                                \
+    return answer.relation == found.relation && reversed(answer.first, found.last) &&       \
+           reversed(answer.last, found.first);                                              \
+  }
+#define DIRECTION_PASSAGE_LAW(operation)                                                   \
+  TEST_CASE(operation ": a direction times a power of two divides first and last by it") { \
+    law<Row>("longer and shorter", directions_divide_t<Row>);                              \
+  }
 
 }  // namespace touchstone::proptests

@@ -38,4 +38,22 @@ inline bool close_along(const Vector3d& direction, double t, const Rational& err
          close(direction.z, computed.z, truth.z);
 }
 
+/// Words of worked examples.
+namespace plane_passages {
+using Relation = LinePlaneRelation;
+inline const LinePlane<Rational> none{Relation::none, {}, {}}, inside{Relation::inside, {}, {}};
+inline LinePlane<Rational> at(const Rational& t, const Point3<Rational>& point) { return {Relation::point, t, point}; }
+inline constexpr Plane3d ground{{0, 1, 0}, 0};
+}  // namespace plane_passages
+
+/// PLANE_PASSAGE_LAWS("ray_plane") is three test cases, in the types of the file's `Row`.
+#define PLANE_PASSAGE_LAWS(operation)                                                         \
+  EQUATION_LAW(operation, 1)                                                                  \
+  LAW(operation ": seen from its other side the plane has the same in common", line, plane) { \
+    return equal(ask(asked), ask(Row::Question{line, other_side(plane)}));                    \
+  }                                                                                           \
+  TEST_CASE(operation ": the exact point is on the plane") {                                  \
+    law_of<Row>("oracle: the point", oracles<Row>, exact_point_on_plane, 3);                  \
+  }
+
 }  // namespace touchstone::proptests

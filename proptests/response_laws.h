@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/steps.h"
 #include "proptests/space_laws.h"
 
 /// Laws of motion, as identities over rationals.
@@ -112,5 +113,56 @@ bool inverse_masses_have_any_unit(const Asked& asked, const Ask& ask) {
   }
   return true;
 }
+
+/// Whether the answer stays when the normals of all walls, the second argument, are longer or shorter.
+template <class Asked, class Ask>
+bool normals_of_walls_have_any_length(const Asked& asked, const Ask& ask) {
+  for (const int k : {1, -30, 300}) {
+    auto other = asked;
+    bool held = true;
+    for (Plane3d& wall : std::get<1>(other)) {
+      const auto normal = longer(wall.normal, k);
+      const double offset = std::ldexp(wall.offset, k);
+      held = held && normal && finite(offset) && std::ldexp(offset, -k) == wall.offset;
+      if (held) wall = {*normal, offset};
+    }
+    if (held && !equal(ask(other), ask(asked))) return false;
+  }
+  return true;
+}
+
+/// A question of a step with its bodies and walls in reverse order.
+template <class Asked>
+Asked in_reverse_order(Asked asked) {
+  std::reverse(std::get<0>(asked).begin(), std::get<0>(asked).end());
+  std::reverse(std::get<1>(asked).begin(), std::get<1>(asked).end());
+  return asked;
+}
+/// Contacts of that, as those of the question itself.
+inline void reverse_back(std::vector<IndexPair>& contacts, std::size_t bodies, std::size_t walls) {
+  const auto turned = [&](Index place) {
+    return static_cast<Index>(place < bodies ? bodies - 1 - place : bodies + walls - 1 - (place - bodies));
+  };
+  for (auto& [i, j] : contacts) {
+    const Index a = turned(i), b = turned(j);
+    i = std::min(a, b), j = std::max(a, b);
+  }
+  std::sort(contacts.begin(), contacts.end(),
+            [](const IndexPair& a, const IndexPair& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+}
+
+/// Of worked examples in the plane.
+namespace steps_in_the_plane {
+inline StepBodyd ball(double x, double y, double radius, double vx, double vy, double inverse_mass = 1) {
+  return {inverse_mass, {vx, vy, 0}, {{x, y, 0}, radius}};
+}
+inline const Plane3d ground{{0, 1, 0}, 0};
+}  // namespace steps_in_the_plane
+
+/// The test case of any_normal_of_the_plane, in the types of the file's `Row`.
+#define NORMAL_LAW(operation, normal)                                   \
+  TEST_CASE(operation ": the normal's length and side do not matter") { \
+    law<Row>("the same plane", any_normal_of_the_plane<normal>);        \
+  }
 
 }  // namespace touchstone::proptests

@@ -99,6 +99,16 @@ bool meets_with_parts(const Ask& ask, const Solid& solid, const Other& other) {
   return true;
 }
 
+/// The promise of the contracts of capsules for solids that are disjoint: where the numbers of `places` make it certain,
+/// the formula says so. `underflow`: in units of the least number.
+template <class Truth, class Places>
+bool is_apart_where_certain(const Truth& truth, Contact answer, const Places& places, int underflow, double radius) {
+  Rational sizes;
+  for (const double number : numbers_of(places)) sizes += abs(exact(number));
+  const Rational e(5 * unit() * sizes + underflow * power_of_two(-1074)), r = exact(radius);
+  return answer == Contact::disjoint || !certainly_apart(Rational(*truth.margin + r * r), e, r);
+}
+
 /// ROUND_LAWS("sphere_obb") is three test cases, in the types of the file's `Row`.
 #define ROUND_LAWS(operation)                                                                    \
   LAW(operation ": a solid that is written in another way has the same contact", a, b) {         \

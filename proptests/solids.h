@@ -52,6 +52,19 @@ Meshd with_each_face(Meshd mesh, const Change& change) {
   return mesh;
 }
 
+/// Whether a law `holds` where the corners of faces, the faces, or the vertices are listed in another order.
+template <class Holds>
+bool in_any_order(const Meshd& mesh, const Holds& holds) {
+  const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
+  Meshd permuted{mesh.vertices, mesh.faces, {}};
+  std::reverse(permuted.faces.begin(), permuted.faces.end());
+  std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
+  const auto last = static_cast<Index>(mesh.vertices.size() - 1);
+  Meshd renumbered = with_each_face(mesh, [last](Face& f) { f = {last - f.a, last - f.b, last - f.c}; });
+  std::reverse(renumbered.vertices.begin(), renumbered.vertices.end());
+  return holds(corners) && holds(permuted) && holds(renumbered);
+}
+
 inline Meshd mapped(Meshd mesh, double factor, double shift = 0) {
   for (Point3d& p : mesh.vertices) p = {factor * p.x + shift, factor * p.y + shift, factor * p.z + shift};
   return mesh;

@@ -100,4 +100,10 @@ bool certain(const Ball& a, const Ball& b) {
   return abs(s - r) > (5 + 11 * u) * u * s + (3 + 4 * u) * u * r + power_of_two(-1072);
 }
 
+/// The test case of any_equation_of_the_plane, in the types of the file's `Row`.
+#define EQUATION_LAW(operation, plane)                                                                               \
+  TEST_CASE(operation ": the plane's equation times a power of two, or times 3 on the lattice, is the same plane") { \
+    law<Row>("the same plane", any_equation_of_the_plane<plane>);                                                    \
+  }
+
 }  // namespace touchstone::proptests

@@ -46,4 +46,12 @@ inline bool certainly_beyond_a(const Point3d& p, const Triangle3d& t) {
   return beyond(t.b) && beyond(t.c);
 }
 
+/// Whether a point is farther beside the triangle's plane than the bound of E, the sixfold volume of a tetrahedron.
+inline bool certainly_beside(const Triangle3d& t, const Point3d& p) {
+  if (!finite(dot(cross(t.b - t.a, t.c - t.a), p - t.a))) return false;
+  const Point3<Rational> a = exact_point(t.a), b = exact_point(t.b);
+  const Rational volume = dot(cross(b - a, exact_point(t.c) - a), exact_point(p) - a);
+  return abs(volume) > SideBound(t, p).error;
+}
+
 }  // namespace touchstone::proptests

@@ -4,11 +4,8 @@
 #include "proptests/laws.h"
 
 namespace touchstone::proptests::implicit_circle_tests {
-namespace {
 
 using Row = rows::implicit_circle;
-
-}  // namespace
 
 LAW("implicit_circle: centre and point may be swapped", circle, p) {
   return ask(asked) == ask(Row::Question{{p, circle.radius}, circle.center});

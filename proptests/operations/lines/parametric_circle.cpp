@@ -5,15 +5,12 @@
 #include "proptests/rounded_answers.h"
 
 namespace touchstone::proptests::parametric_circle_tests {
-namespace {
 
 using Row = rows::parametric_circle;
 
 constexpr double pi = 0x1.921fb54442d18p+1;  // the nearest double, 1.2246467991473532e-16 short of it
 
 constexpr Gives<Row> gives;
-
-}  // namespace
 
 TEST_CASE("parametric_circle: -u is the reflection in the axis through the centre") {
   robust_law<Row>(

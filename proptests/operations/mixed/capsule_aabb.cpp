@@ -5,7 +5,6 @@
 #include "robust/mixed/capsule_obb.h"
 
 namespace touchstone::proptests::capsule_aabb_tests {
-namespace {
 
 using Row = rows::capsule_aabb;
 
@@ -13,8 +12,6 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 constexpr Aabb3d cube{{-2, -2, -2}, {2, 2, 2}}, flat{{-2, -2, 0}, {2, 2, 0}}, point{{1, 1, 1}, {1, 1, 1}};
 
 constexpr Worked<Row> worked;
-
-}  // namespace
 
 ROUND_LAWS("capsule_aabb")
 
@@ -66,10 +63,7 @@ CONTRACT("capsule_aabb: where the formula in double is certain by its contract i
   const Point3d x = reference::nearest_to_aabb(capsule.segment, aabb);
   const Vector3d beyond = x - reference::closest_point_on_aabb(x, aabb);
   if (truth.answer != disjoint || !finite(dot(beyond, beyond), r * r)) return true;
-  Rational sizes;
-  for (const double number : numbers_of(std::tuple{capsule.segment})) sizes += abs(exact(number));
-  const Rational e(5 * unit() * sizes + 3 * power_of_two(-1074));
-  return answer == disjoint || !certainly_apart(Rational(*truth.margin + exact(r) * exact(r)), e, exact(r));
+  return is_apart_where_certain(truth, answer, std::tuple{capsule.segment}, 3, r);
 }
 
 }  // namespace touchstone::proptests::capsule_aabb_tests

@@ -4,7 +4,6 @@
 #include "proptests/round_laws.h"
 
 namespace touchstone::proptests::capsule_obb_tests {
-namespace {
 
 using Row = rows::capsule_obb;
 
@@ -12,8 +11,6 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 using namespace worked_boxes;
 
 constexpr Worked<Row> worked;
-
-}  // namespace
 
 ROUND_LAWS("capsule_obb")
 
@@ -53,10 +50,7 @@ CONTRACT("capsule_obb: where the formula in double is certain by its contract it
   const Point3d x = reference::nearest_to_obb(capsule.segment, obb);
   const Vector3d beyond = x - reference::nearest_in_obb(x, obb);
   if (truth.answer != disjoint || !finite(dot(beyond, beyond), r * r)) return true;
-  Rational sizes;
-  for (const double number : numbers_of(Row::Question{{capsule.segment, 0}, obb})) sizes += abs(exact(number));
-  const Rational e(5 * unit() * sizes + 9 * power_of_two(-1074));
-  return answer == disjoint || !certainly_apart(Rational(*truth.margin + exact(r) * exact(r)), e, exact(r));
+  return is_apart_where_certain(truth, answer, Row::Question{{capsule.segment, 0}, obb}, 9, r);
 }
 
 }  // namespace touchstone::proptests::capsule_obb_tests

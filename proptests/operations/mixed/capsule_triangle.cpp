@@ -7,7 +7,6 @@
 #include "robust/polyhedra/segment_triangle.h"
 
 namespace touchstone::proptests::capsule_triangle_tests {
-namespace {
 
 using Row = rows::capsule_triangle;
 
@@ -17,8 +16,6 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 const Triangle3d corner{{0, 0, 0}, {4, 0, 0}, {0, 0, 3}};
 
 constexpr Worked<Row> worked;
-
-}  // namespace
 
 ROUND_LAWS("capsule_triangle")
 
@@ -78,10 +75,7 @@ CONTRACT("capsule_triangle: where the formula in double is certain by its contra
   const auto certain = [](const SideBound& side) { return size(side.computed) > side.error; };
   if (!certain(of_p) || !certain(of_q) || (of_p.computed > 0) != (of_q.computed > 0)) return true;
   if (!certainly_beyond_a(p, t) || !certainly_beyond_a(q, t)) return true;
-  Rational sizes;
-  for (const double number : numbers_of(Row::Question{{capsule.segment, 0}, t})) sizes += abs(exact(number));
-  const Rational e(5 * unit() * sizes + 6 * power_of_two(-1074));
-  return answer == disjoint || !certainly_apart(Rational(*truth.margin + exact(r) * exact(r)), e, exact(r));
+  return is_apart_where_certain(truth, answer, Row::Question{{capsule.segment, 0}, t}, 6, r);
 }
 
 }  // namespace touchstone::proptests::capsule_triangle_tests

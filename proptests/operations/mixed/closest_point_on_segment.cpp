@@ -35,9 +35,7 @@ void worked(const Point2d& p, const Segment2d& s, const Point2<Rational>& neares
   example<Row>(InSpace{{p.x, p.y, -7}, {{s.a.x, s.a.y, -7}, {s.b.x, s.b.y, -7}}},
                ClosestPoint3<oracle::Surd>{{nearest.x, nearest.y, Rational(-7)}, square, distance}, by_reference);
 }
-void rounds_to(const Row::Question& question, const std::vector<double>& numbers) {
-  CHECK(numbers_of(catalogue::ask_robust<Row>(question)) == numbers);
-}
+constexpr RoundsTo<Row> rounds_to;
 
 }  // namespace
 
@@ -53,9 +51,7 @@ LAW("closest_point_on_segment: no end is nearer, and either is nearest to itself
          is_zero(distance_of(ask(std::tuple(s.a, s)))) && is_zero(distance_of(ask(std::tuple(s.b, s))));
 }
 
-TEST_CASE("closest_point_on_segment: all lengths times a power of two") {
-  robust_law<Row>("points and distances too", distances_scale<Row>);
-}
+LENGTHS_LAW("closest_point_on_segment")
 
 LAW("closest_point_on_segment: in the plane it is what it is in space at any height", p, s) {
   if constexpr (requires { p.z; }) return true;

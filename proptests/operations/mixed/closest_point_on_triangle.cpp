@@ -19,9 +19,7 @@ void worked(const Point3d& p, const Triangle3d& t, const Point3<Rational>& neare
                ClosestPoint3<oracle::Surd>{{nearest.x, nearest.y, nearest.z}, Rational(distance * distance), distance},
                by_reference);
 }
-void rounds_to(const Row::Question& question, const std::vector<double>& numbers) {
-  CHECK(numbers_of(catalogue::ask_robust<Row>(question)) == numbers);
-}
+constexpr RoundsTo<Row> rounds_to;
 
 }  // namespace
 
@@ -54,9 +52,7 @@ ROBUST_LAW("closest_point_on_triangle: a point of the triangle has the distance 
          (found.distance == 0 && equal(found.point, p));
 }
 
-TEST_CASE("closest_point_on_triangle: all lengths times a power of two") {
-  robust_law<Row>("points and distances too", distances_scale<Row>);
-}
+LENGTHS_LAW("closest_point_on_triangle")
 
 LAW("closest_point_on_triangle: the formula is right in exact arithmetic, but for a == b and an acute angle there", p,
     t) {

@@ -59,9 +59,7 @@ Mesh<Rational> exactly(const Meshd& mesh) {
 
 constexpr Worked<Row> worked;
 
-void rounds_to(const Row::Question& question, const std::vector<double>& numbers) {
-  CHECK(numbers_of(catalogue::ask_robust<Row>(question)) == numbers);
-}
+constexpr RoundsTo<Row> rounds_to;
 
 }  // namespace
 
@@ -100,9 +98,7 @@ ROBUST_LAW("convex_distance: boxes around them are as far apart as their interva
   return of_boxes.squared_distance == square && ask(asked).squared_distance >= square;
 }
 
-TEST_CASE("convex_distance: all lengths times a power of two") {
-  robust_law<Row>("points and distances too", distances_scale<Row>);
-}
+LENGTHS_LAW("convex_distance")
 
 ROBUST_LAW("convex_distance: the formula has the right distance in exact arithmetic", a, b) {
   if (a.vertices.size() + b.vertices.size() > 40) return true;

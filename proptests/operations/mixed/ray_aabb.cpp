@@ -6,48 +6,24 @@
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests::ray_aabb_tests {
-namespace {
 
 using Row = rows::ray_aabb;
 using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
-using Answer = exact_answer_t<Row>;
-using Relation = PassageRelation;
-
-const Answer none{Relation::none, {}, {}};
-Answer from_to(const Rational& first, const Rational& last) { return {Relation::hit, first, last}; }
+using namespace passages;
 
 constexpr Worked<Row> worked;
 constexpr Aabb2d square{{0, 0}, {4, 4}};
 constexpr Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 
-}  // namespace
-
-LAW("ray_aabb: first comes before last, and both are on the ray") { return in_order(ask(asked), false); }
-
-LAW("ray_aabb: a box that holds another is met wherever that is, not later, and left not earlier", ray, box) {
-  auto larger = box;
-  larger.max.x = catalogue::moved_by_ulps(larger.max.x, 1), larger.min.y = catalogue::moved_by_ulps(larger.min.y, -3);
-  return held_by(ask(asked), ask(std::tuple(ray, larger)));
-}
-
-LAW("ray_aabb: in the plane the same as in space, in a flat box or in one with an inside", ray, box) {
-  if constexpr (requires { box.min.z; }) return true;
-  const auto answer = ask(asked);
-  const auto& [low, high] = in_space(box);
-  const Aabb3d thick{{low.x, low.y, -1}, {high.x, high.y, 1}};
-  return equal(ask(InSpace{in_space(ray), {low, high}}), answer) && equal(ask(InSpace{in_space(ray), thick}), answer);
-}
+AABB_PASSAGE_LAWS("ray_aabb", "ray")
+DIRECTION_PASSAGE_LAW("ray_aabb")
 
 ROBUST_LAW("ray_aabb: first is 0 where aabb_aabb sees the origin in the box, and only where t underflows else", ray,
            box) {
   const bool within = robust::aabb_aabb(std::decay_t<decltype(box)>{ray.origin, ray.origin}, box) != Contact::disjoint;
   const auto answer = ask(asked);
   return !within || (answer.relation == Relation::hit && *answer.first == 0);
-}
-
-TEST_CASE("ray_aabb: a direction times a power of two divides first and last by it") {
-  law<Row>("longer and shorter", directions_divide_t<Row>);
 }
 
 ROBUST_LAW("ray_aabb: on the lattice a ray meets what the segment of its direction meets", ray, box) {
@@ -88,14 +64,6 @@ TEST_CASE("ray_aabb: flat boxes and points are met") {
 TEST_CASE("ray_aabb: rounding moves an entry to an exit") {
   // x: from (1 + 2^-60) / 4, which is 1 / 4 in double; y: until 1 / 4.
   worked(InPlane{{{-0x1p-60, 0}, {4, 4}}, {{1, -1}, {2, 1}}}, none, power_of_two(-61), "rounding");
-}
-
-CONTRACT("ray_aabb: the formula in double keeps its contract", ray, box) {
-  const auto from = coordinates(ray.origin), to = coordinates(ray.direction), min = coordinates(box.min),
-             max = coordinates(box.max);
-  std::vector<SlabAxis> axes;
-  for (std::size_t k = 0; k < from.size(); ++k) axes.push_back({from[k], to[k], min[k], max[k]});
-  return slab_times_keep(truth, answer, axes, false, 3);
 }
 
 TEST_CASE("ray_aabb: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }

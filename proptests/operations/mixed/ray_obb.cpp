@@ -5,7 +5,6 @@
 #include "robust/mixed/segment_obb.h"
 
 namespace touchstone::proptests::ray_obb_tests {
-namespace {
 
 using Row = rows::ray_obb;
 using namespace worked_boxes;
@@ -13,19 +12,14 @@ using namespace obb_passages;
 
 constexpr Worked<Row> worked;
 
-}  // namespace
-
 OBB_PASSAGE_LAWS("ray_obb")
+DIRECTION_PASSAGE_LAW("ray_obb")
 
 ROBUST_LAW("ray_obb: first is 0 where point_in_obb sees the origin in the box, and only where t underflows else", ray,
            box) {
   const auto answer = ask(asked);
   if (holds_point(box, ray.origin)) return answer.relation == Relation::hit && *answer.first == 0;
   return answer.relation == Relation::none || *answer.first > 0 || !on_lattice(asked);
-}
-
-TEST_CASE("ray_obb: a direction times a power of two divides first and last by it") {
-  law<Row>("longer and shorter", directions_divide_t<Row>);
 }
 
 ROBUST_LAW("ray_obb: on the lattice a ray meets what the segment of its direction meets", ray, box) {

@@ -8,26 +8,15 @@ namespace touchstone::proptests::ray_plane_tests {
 namespace {
 
 using Row = rows::ray_plane;
-using Answer = exact_answer_t<Row>;
-using Relation = LinePlaneRelation;
+using namespace plane_passages;
 
-const Answer none{Relation::none, {}, {}}, inside{Relation::inside, {}, {}};
-Answer at(const Rational& t, const Point3<Rational>& point) { return {Relation::point, t, point}; }
-
-constexpr Plane3d ground{{0, 1, 0}, 0};
 constexpr Worked<Row> worked;
 
 Vector3d backwards(const Vector3d& v) { return -1.0 * v; }
 
 }  // namespace
 
-TEST_CASE("ray_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<1>);
-}
-
-LAW("ray_plane: seen from its other side the plane has the same in common", ray, plane) {
-  return equal(ask(asked), ask(Row::Question{ray, other_side(plane)}));
-}
+PLANE_PASSAGE_LAWS("ray_plane")
 
 LAW("ray_plane: of a ray and its opposite one at most meets the plane, but for the origin and all of it", ray, plane) {
   const auto answer = ask(asked), found = ask(Row::Question{{ray.origin, backwards(ray.direction)}, plane});
@@ -54,10 +43,6 @@ ROBUST_LAW("ray_plane: on the lattice a ray meets what the segment of its direct
   if (!on_small_lattice(asked)) return true;
   const auto answer = ask(asked), part = robust::segment_plane({ray.origin, ray.origin + ray.direction}, plane);
   return part.relation == Relation::none ? !answer.t || *answer.t >= 1 : equal(answer, part);
-}
-
-TEST_CASE("ray_plane: the exact point is on the plane") {
-  law_of<Row>("oracle: the point", oracles<Row>, exact_point_on_plane, 3);
 }
 
 TEST_CASE("ray_plane: -E0 / R worked by hand; margin: the origin's height, or the rise") {

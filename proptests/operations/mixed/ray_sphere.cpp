@@ -5,38 +5,18 @@
 #include "robust/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::proptests::ray_sphere_tests {
-namespace {
 
 using Row = rows::ray_sphere;
 using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
-using Answer = exact_answer_t<Row>;
-using Relation = PassageRelation;
-
-const Answer none{Relation::none, {}, {}};
-Answer from_to(const Surd& first, const Surd& last) { return {Relation::hit, first, last}; }
+using namespace surd_passages;
 
 constexpr Worked<Row> worked;
 constexpr Circle2d disc{{0, 0}, 5};
 constexpr Sphere3d ball{{0, 0, 0}, 2};
 
-}  // namespace
-
-LAW("ray_sphere: first comes before last, and both are on the ray") { return in_order(ask(asked), false); }
-
-LAW("ray_sphere: a ball that grows is met wherever it was, not later, and left not earlier", ray, ball) {
-  auto larger = ball;
-  larger.radius = catalogue::moved_by_ulps(larger.radius, 2);
-  return held_by(ask(asked), ask(std::tuple(ray, larger)));
-}
-
-LAW("ray_sphere: in the plane the same as in space", ray, ball) {
-  return equal(ask(InSpace{in_space(ray), in_space(ball)}), ask(asked));
-}
-
-TEST_CASE("ray_sphere: a direction times a power of two divides first and last by it") {
-  law<Row>("longer and shorter", directions_divide_t<Row>);
-}
+BALL_PASSAGE_LAWS("ray_sphere", "ray")
+DIRECTION_PASSAGE_LAW("ray_sphere")
 
 ROBUST_LAW("ray_sphere: a point that moves with the direction first meets the ball at first, if that is not after 1",
            ray, ball) {

@@ -6,45 +6,18 @@
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests::segment_aabb_tests {
-namespace {
 
 using Row = rows::segment_aabb;
 using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
-using Answer = exact_answer_t<Row>;
-using Relation = PassageRelation;
-
-const Answer none{Relation::none, {}, {}};
-Answer from_to(const Rational& first, const Rational& last) { return {Relation::hit, first, last}; }
+using namespace passages;
 
 constexpr Worked<Row> worked;
 constexpr Aabb2d square{{0, 0}, {4, 4}};
 constexpr Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 
-}  // namespace
-
-LAW("segment_aabb: first comes before last, and both are on the segment") { return in_order(ask(asked), true); }
-
-LAW("segment_aabb: a box that holds another is met wherever that is, not later, and left not earlier", segment, box) {
-  auto larger = box;
-  larger.max.x = catalogue::moved_by_ulps(larger.max.x, 1), larger.min.y = catalogue::moved_by_ulps(larger.min.y, -3);
-  return held_by(ask(asked), ask(std::tuple(segment, larger)));
-}
-
-LAW("segment_aabb: in the plane the same as in space, in a flat box or in one with an inside", segment, box) {
-  if constexpr (requires { box.min.z; }) return true;
-  const auto answer = ask(asked);
-  const auto& [low, high] = in_space(box);
-  const Aabb3d thick{{low.x, low.y, -1}, {high.x, high.y, 1}};
-  return equal(ask(InSpace{in_space(segment), {low, high}}), answer) &&
-         equal(ask(InSpace{in_space(segment), thick}), answer);
-}
-
-LAW("segment_aabb: the reversed segment enters where the segment leaves", segment, box) {
-  const auto answer = ask(asked), found = ask(std::tuple(std::decay_t<decltype(segment)>{segment.b, segment.a}, box));
-  if (segment.a == segment.b) return equal(answer, found);
-  return answer.relation == found.relation && reversed(answer.first, found.last) && reversed(answer.last, found.first);
-}
+AABB_PASSAGE_LAWS("segment_aabb", "segment")
+REVERSED_PASSAGE_LAW("segment_aabb")
 
 ROBUST_LAW("segment_aabb: first is 0 and last is 1 where aabb_aabb sees the ends in the box", segment, box) {
   const auto meets = [&box = box](const auto& p) {
@@ -97,14 +70,6 @@ TEST_CASE("segment_aabb: rounding moves an entry to an exit") {
   // x: from (1 + 2^-60) / (4 + 2^-60), y: until 1 / 4; both are 1 / 4 in double.
   const Rational hair = power_of_two(-60);
   worked(InPlane{{{-0x1p-60, 0}, {4, 4}}, {{1, -1}, {2, 1}}}, none, Rational(3 * hair / (8 + hair)), "rounding");
-}
-
-CONTRACT("segment_aabb: the formula in double keeps its contract", segment, box) {
-  const auto from = coordinates(segment.a), to = coordinates(segment.b), min = coordinates(box.min),
-             max = coordinates(box.max);
-  std::vector<SlabAxis> axes;
-  for (std::size_t k = 0; k < from.size(); ++k) axes.push_back({from[k], to[k], min[k], max[k]});
-  return slab_times_keep(truth, answer, axes, true, 4);
 }
 
 }  // namespace touchstone::proptests::segment_aabb_tests

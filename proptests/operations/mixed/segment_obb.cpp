@@ -5,7 +5,6 @@
 #include "robust/mixed/capsule_obb.h"
 
 namespace touchstone::proptests::segment_obb_tests {
-namespace {
 
 using Row = rows::segment_obb;
 using namespace worked_boxes;
@@ -13,15 +12,8 @@ using namespace obb_passages;
 
 constexpr Worked<Row> worked;
 
-}  // namespace
-
 OBB_PASSAGE_LAWS("segment_obb")
-
-LAW("segment_obb: the reversed segment enters where the segment leaves", segment, box) {
-  const auto answer = ask(asked), found = ask(Row::Question{{segment.b, segment.a}, box});
-  if (segment.a == segment.b) return equal(answer, found);
-  return answer.relation == found.relation && reversed(answer.first, found.last) && reversed(answer.last, found.first);
-}
+REVERSED_PASSAGE_LAW("segment_obb")
 
 ROBUST_LAW("segment_obb: first is 0 and last is 1 where point_in_obb sees the ends in the box", segment, box) {
   const auto answer = ask(asked);

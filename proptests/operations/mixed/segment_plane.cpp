@@ -4,27 +4,13 @@
 #include "proptests/ray_laws.h"
 
 namespace touchstone::proptests::segment_plane_tests {
-namespace {
 
 using Row = rows::segment_plane;
-using Answer = exact_answer_t<Row>;
-using Relation = LinePlaneRelation;
+using namespace plane_passages;
 
-const Answer none{Relation::none, {}, {}}, inside{Relation::inside, {}, {}};
-Answer at(const Rational& t, const Point3<Rational>& point) { return {Relation::point, t, point}; }
-
-constexpr Plane3d ground{{0, 1, 0}, 0};
 constexpr Worked<Row> worked;
 
-}  // namespace
-
-TEST_CASE("segment_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<1>);
-}
-
-LAW("segment_plane: seen from its other side the plane has the same in common", segment, plane) {
-  return equal(ask(asked), ask(Row::Question{segment, other_side(plane)}));
-}
+PLANE_PASSAGE_LAWS("segment_plane")
 
 LAW("segment_plane: the reversed segment has the same in common", segment, plane) {
   const auto answer = ask(asked), found = ask(Row::Question{{segment.b, segment.a}, plane});
@@ -37,10 +23,6 @@ LAW("segment_plane: its ends alone are inside exactly where the segment is, or m
   const bool a = meets(segment.a), b = meets(segment.b);
   if (answer.relation != Relation::point) return (a && b) == (answer.relation == Relation::inside) && a == b;
   return !(a && b) && (!a || *answer.t == 0) && (!b || *answer.t == 1);
-}
-
-TEST_CASE("segment_plane: the exact point is on the plane") {
-  law_of<Row>("oracle: the point", oracles<Row>, exact_point_on_plane, 3);
 }
 
 TEST_CASE("segment_plane: E0 / (E0 - E1) worked by hand; margin: the nearer end") {

@@ -28,9 +28,7 @@ void worked(const Segment2d& a, const Segment2d& b, const Point2<Rational>& on_a
                ClosestPair3<oracle::Surd>{{on_a.x, on_a.y, height}, {on_b.x, on_b.y, height}, square, distance},
                by_reference);
 }
-void rounds_to(const Row::Question& question, const std::vector<double>& numbers) {
-  CHECK(numbers_of(catalogue::ask_robust<Row>(question)) == numbers);
-}
+constexpr RoundsTo<Row> rounds_to;
 
 }  // namespace
 
@@ -59,9 +57,7 @@ ROBUST_LAW("segment_segment_distance: segments of the plane that meet have the d
   else return robust::segment_segment(a, b).relation == SegmentRelation::disjoint || distance_of(ask(asked)) == 0;
 }
 
-TEST_CASE("segment_segment_distance: all lengths times a power of two") {
-  robust_law<Row>("points and distances too", distances_scale<Row>);
-}
+LENGTHS_LAW("segment_segment_distance")
 
 LAW("segment_segment_distance: the formula is right in exact arithmetic, but for parallel segments", a, b) {
   if constexpr (requires { a.a.z; }) {

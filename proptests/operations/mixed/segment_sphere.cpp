@@ -5,44 +5,18 @@
 #include "robust/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::proptests::segment_sphere_tests {
-namespace {
 
 using Row = rows::segment_sphere;
 using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
-using Answer = exact_answer_t<Row>;
-using Relation = PassageRelation;
-
-const Answer none{Relation::none, {}, {}};
-Answer from_to(const Surd& first, const Surd& last) { return {Relation::hit, first, last}; }
+using namespace surd_passages;
 
 constexpr Worked<Row> worked;
 constexpr Circle2d disc{{0, 0}, 5};
 constexpr Sphere3d ball{{0, 0, 0}, 2};
 
-}  // namespace
-
-LAW("segment_sphere: first comes before last, and both are on the segment") { return in_order(ask(asked), true); }
-
-LAW("segment_sphere: a ball that grows is met wherever it was, not later, and left not earlier", segment, ball) {
-  auto larger = ball;
-  larger.radius = catalogue::moved_by_ulps(larger.radius, 2);
-  return held_by(ask(asked), ask(std::tuple(segment, larger)));
-}
-
-LAW("segment_sphere: in the plane the same as in space", segment, ball) {
-  return equal(ask(InSpace{in_space(segment), in_space(ball)}), ask(asked));
-}
-
-LAW("segment_sphere: the reversed segment enters where the segment leaves", segment, ball) {
-  const auto answer = ask(asked), found = ask(std::tuple(std::decay_t<decltype(segment)>{segment.b, segment.a}, ball));
-  if (segment.a == segment.b) return equal(answer, found);
-  if constexpr (std::is_same_v<std::decay_t<decltype(*answer.first)>, Surd>) {
-    if (answer.first && !(*found.last == Surd(Rational(1)) - *answer.first)) return false;
-    if (answer.last && !(*found.first == Surd(Rational(1)) - *answer.last)) return false;
-  }
-  return answer.relation == found.relation;
-}
+BALL_PASSAGE_LAWS("segment_sphere", "segment")
+REVERSED_PASSAGE_LAW("segment_sphere")
 
 ROBUST_LAW("segment_sphere: a point that moves along the segment first meets the ball at first", segment, ball) {
   const auto [a, b] = in_space(segment);

@@ -9,7 +9,6 @@
 #include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::proptests::sphere_triangle_tests {
-namespace {
 
 using Row = rows::sphere_triangle;
 
@@ -19,8 +18,6 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 const Triangle3d corner{{0, 0, 0}, {4, 0, 0}, {0, 0, 3}};
 
 constexpr Worked<Row> worked;
-
-}  // namespace
 
 ROUND_LAWS("sphere_triangle")
 

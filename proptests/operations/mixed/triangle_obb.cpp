@@ -7,7 +7,6 @@
 #include "robust/polyhedra/segment_triangle.h"
 
 namespace touchstone::proptests::triangle_obb_tests {
-namespace {
 
 using Row = rows::triangle_obb;
 using namespace worked_boxes;
@@ -15,8 +14,6 @@ using namespace worked_boxes;
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
 
 constexpr Worked<Row> worked;
-
-}  // namespace
 
 LAW("triangle_obb: the order of corners and half axes does not matter, nor where half axes lead", t, obb) {
   return same_if_rewritten(ask, t, obb);

@@ -46,9 +46,7 @@ LAW("point_plane: a point mirrored in the origin, with the offset's sign changed
   return equal(ask(Row::Question{{plane.normal, -plane.offset}, {-p.x, -p.y, -p.z}}), turned(ask(asked)));
 }
 
-TEST_CASE("point_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<0>);
-}
+EQUATION_LAW("point_plane", 0)
 
 LAW("point_plane: exchanges of the axes keep the answer") {
   const auto answer = ask(asked);

@@ -58,9 +58,7 @@ LAW("point_plane_toi: backwards through the plane turned over the same point is 
   return equal(back.option_2.point, answer.option_2.point) && reversed(answer.option_2.t, back.option_2.t);
 }
 
-TEST_CASE("point_plane_toi: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<0>);
-}
+EQUATION_LAW("point_plane_toi", 0)
 
 LAW("point_plane_toi: exchanges of the axes exchange the point's coordinates") {
   const auto answer = ask(asked);

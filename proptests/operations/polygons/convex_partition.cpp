@@ -23,9 +23,7 @@ std::size_t reflex(const Polygon2d& given) {
 
 }  // namespace
 
-TEST_CASE("convex_partition: pieces fit, from any vertex, either way round, in every image and scale") {
-  pieces_fit<Row>("pieces");
-}
+PARTITION_LAWS("convex_partition", "pieces")
 
 LAW("convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
     "reflex angle",
@@ -56,22 +54,6 @@ TEST_CASE("convex_partition: huge, subnormal, and where the formula's products l
   only_answer<Row>(times(0x1p1021, dart), {{0, 1, 3}, {1, 2, 3}});
   only_answer<Row>(times(tiny, dart), {{0, 1, 3}, {1, 2, 3}}, false);
   only_answer<Row>(times(tiny, square), {{0, 1, 2, 3}}, false);
-}
-
-TEST_CASE("convex_partition: rings that are not simple are refused by the first offending vertex") {
-  simple_rings_only<Row>();
-}
-
-TEST_CASE("convex_partition: the checker and that of certificates say the same of altered answers") {
-  checkers_agree<Row>();
-}
-
-TEST_CASE("convex_partition: rings drawn by others") {
-  if (real_rings<Row>() == 0) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
-}
-
-TEST_CASE("convex_partition: the formula in double is right beyond the margins of its contract") {
-  formula_keeps_contract<Row>();
 }
 
 }  // namespace touchstone::proptests::convex_partition_tests

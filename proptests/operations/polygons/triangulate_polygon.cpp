@@ -4,15 +4,10 @@
 #include "proptests/partition_laws.h"
 
 namespace touchstone::proptests::triangulate_polygon_tests {
-namespace {
 
 using Row = rows::triangulate_polygon;
 
-}  // namespace
-
-TEST_CASE("triangulate_polygon: triangles fit, from any vertex, either way round, in every image and scale") {
-  pieces_fit<Row>("triangles");
-}
+PARTITION_LAWS("triangulate_polygon", "triangles")
 
 LAW("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
   const std::size_t n = opened(std::get<0>(asked)).size();
@@ -50,10 +45,6 @@ TEST_CASE("triangulate_polygon: huge, subnormal, and where the formula's product
   only_answer<Row>({{{1e6 + 0.1, 0}, {1e6 + 0.2, 0x1p-52}, {1e6 + 0.3, 0}, {1e6 + 0.2, 1}}}, expected);
 }
 
-TEST_CASE("triangulate_polygon: rings that are not simple are refused by the first offending vertex") {
-  simple_rings_only<Row>();
-}
-
 TEST_CASE("triangulate_polygon: a comb of 20,000 vertices, upright and lying") {
   Polygon2d comb;
   for (int i = 0; i < 10000; ++i)
@@ -66,18 +57,6 @@ TEST_CASE("triangulate_polygon: a comb of 20,000 vertices, upright and lying") {
     CHECK(fits(comb, triangles));
     for (Point2d& p : comb.vertices) p = {-p.y, p.x};
   }
-}
-
-TEST_CASE("triangulate_polygon: the checker and that of certificates say the same of altered answers") {
-  checkers_agree<Row>();
-}
-
-TEST_CASE("triangulate_polygon: rings drawn by others") {
-  if (real_rings<Row>() == 0) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
-}
-
-TEST_CASE("triangulate_polygon: the formula in double is right beyond the margins of its contract") {
-  formula_keeps_contract<Row>();
 }
 
 }  // namespace touchstone::proptests::triangulate_polygon_tests

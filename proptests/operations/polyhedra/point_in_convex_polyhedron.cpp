@@ -4,31 +4,21 @@
 #include <set>
 
 #include "geometry/validation.h"
+#include "proptests/solids.h"
 #include "proptests/space_laws.h"
+#include "proptests/triangle_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 
 namespace touchstone::proptests::point_in_convex_polyhedron_tests {
 namespace {
 
 using Row = rows::point_in_convex_polyhedron;
+using solids::together, solids::with_each_face;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
 const Meshd tetrahedron{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-/// [0, 4]^3: vertex number x + 2 y + 4 z.
-const Meshd cube{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {0, 0, 4}, {4, 0, 4}, {0, 4, 4}, {4, 4, 4}},
-                 {{0, 2, 3},
-                  {0, 3, 1},
-                  {4, 5, 7},
-                  {4, 7, 6},
-                  {0, 1, 5},
-                  {0, 5, 4},
-                  {2, 6, 7},
-                  {2, 7, 3},
-                  {0, 4, 6},
-                  {0, 6, 2},
-                  {1, 3, 7},
-                  {1, 7, 5}}};
+const Meshd cube = solids::mesh_of({{0, 0, 0}, {4, 4, 4}});
 
 template <class Change>
 Row::Question with_each_point(Row::Question question, const Change& change) {
@@ -38,13 +28,7 @@ Row::Question with_each_point(Row::Question question, const Change& change) {
   return question;
 }
 
-template <class Change>
-Meshd with_each_face(Meshd mesh, const Change& change) {
-  mesh.polygons.clear();  // the faces are those of the cut
-  std::for_each(mesh.faces.begin(), mesh.faces.end(), change);
-  return mesh;
-}
-
+/// Negative zeros too.
 Meshd times(double factor, Meshd mesh) {
   for (Point3d& p : mesh.vertices) p = {factor * p.x, factor * p.y, factor * p.z};
   return mesh;
@@ -52,15 +36,6 @@ Meshd times(double factor, Meshd mesh) {
 
 Meshd turned_inside_out(const Meshd& mesh) {
   return with_each_face(mesh, [](Face& face) { std::swap(face.b, face.c); });
-}
-
-/// Two meshes as one list of vertices and one of faces.
-Meshd together(Meshd mesh, const Meshd& other) {
-  mesh.polygons.clear();
-  const auto shift = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
-  return mesh;
 }
 
 Meshd with_faces(Meshd mesh, const std::vector<Face>& faces) {
@@ -80,23 +55,9 @@ constexpr Worked<Row> worked;
 
 /// Whether every E of the slide is certain by the bound of the contract. What overflows stays infinite or NaN up to E.
 bool certain(const Meshd& mesh, const Point3d& p) {
-  const Rational u = unit();
-  const auto between = [](const Point3d& from, const Point3d& to) {
-    return Vector3<Rational>{Rational(exact(to.x) - exact(from.x)), Rational(exact(to.y) - exact(from.y)),
-                             Rational(exact(to.z) - exact(from.z))};
-  };
-  const auto size = [](const Vector3<Rational>& v) { return Vector3<Rational>{abs(v.x), abs(v.y), abs(v.z)}; };
-  for (const Face& face : mesh.faces) {
-    const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
-    if (!finite(dot(cross(b - a, c - a), p - a))) return false;
-    const Vector3<Rational> v = between(a, b), w = between(a, c), d = between(a, p);
-    const Vector3<Rational> s = size(v), t = size(w), r = size(d);
-    const Rational products =
-        r.x * (s.y * t.z + s.z * t.y) + r.y * (s.z * t.x + s.x * t.z) + r.z * (s.x * t.y + s.y * t.x);
-    const Rational bound = 8 * (1 + 4 * u) * u * products + power_of_two(-1073) * (r.x + r.y + r.z + 2);
-    if (abs(dot(cross(v, w), d)) <= bound) return false;
-  }
-  return true;
+  return std::all_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
+    return certainly_beside({mesh.vertices[face.a], mesh.vertices[face.b], mesh.vertices[face.c]}, p);
+  });
 }
 
 /// Twice the pyramid over a ring, to both sides of its plane: it cuts the plane in the ring, n times as large. The tips
@@ -133,16 +94,9 @@ LAW("point_in_convex_polyhedron: powers of two of each axis, where they are exac
 }
 
 LAW("point_in_convex_polyhedron: it does not matter in which order faces and vertices are listed", mesh, p) {
-  const Location location = ask(asked);
-  const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
-  Meshd permuted{mesh.vertices, mesh.faces, {}};
-  std::reverse(permuted.faces.begin(), permuted.faces.end());
-  std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
-  const auto last = static_cast<Index>(mesh.vertices.size() - 1);
-  Meshd renumbered = with_each_face(mesh, [last](Face& f) { f = {last - f.a, last - f.b, last - f.c}; });
-  std::reverse(renumbered.vertices.begin(), renumbered.vertices.end());
-  return ask(Row::Question{corners, p}) == location && ask(Row::Question{permuted, p}) == location &&
-         ask(Row::Question{renumbered, p}) == location;
+  return solids::in_any_order(mesh, [&, location = ask(asked)](const Meshd& other) {
+    return ask(Row::Question{other, p}) == location;
+  });
 }
 
 LAW("point_in_convex_polyhedron: a mesh turned inside out, or listed twice, is the same solid", mesh, p) {

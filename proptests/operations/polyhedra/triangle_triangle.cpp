@@ -7,7 +7,6 @@
 #include "robust/polyhedra/segment_triangle.h"
 
 namespace touchstone::proptests::triangle_triangle_tests {
-namespace {
 
 using Row = rows::triangle_triangle;
 using Relation = TriangleTriangleRelation;
@@ -17,8 +16,6 @@ constexpr Worked<Row> worked;
 constexpr Triangle3d flat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};  // x, y >= 0, x + y <= 4
 constexpr Triangle3d thin{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}};  // the segment from 0 to 4
 constexpr Triangle3d dot_at_1{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
-
-}  // namespace
 
 LAW("triangle_triangle: the order of corners does not matter", a, b) {
   const auto answer = ask(asked);

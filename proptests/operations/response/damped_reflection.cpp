@@ -7,11 +7,8 @@
 #include "robust/response/reflect_plane.h"
 
 namespace touchstone::proptests::damped_reflection_tests {
-namespace {
 
 using Row = rows::damped_reflection;
-
-}  // namespace
 
 EXACT_LAW("damped_reflection: what is along the normal becomes -k times that, what is across it stays", v, n, k) {
   const Motion3 after = ask(asked);
@@ -39,9 +36,7 @@ EXACT_LAW("damped_reflection: k = 1 is exactly reflect_plane, k = -1 keeps every
          same(ask(std::tuple(v, n, Rational(-1))), v);
 }
 
-TEST_CASE("damped_reflection: the normal's length and side do not matter") {
-  law<Row>("the same plane", any_normal_of_the_plane<1>);
-}
+NORMAL_LAW("damped_reflection", 1)
 
 LAW("damped_reflection: the opposite velocity gives the opposite one", v, n, k) {
   const auto answer = ask(asked), opposite = ask(Row::Question{-1.0 * v, n, k});

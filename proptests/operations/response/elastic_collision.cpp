@@ -4,11 +4,8 @@
 #include "proptests/impact_laws.h"
 
 namespace touchstone::proptests::elastic_collision_tests {
-namespace {
 
 using Row = rows::elastic_collision;
-
-}  // namespace
 
 EXACT_LAW("elastic_collision: momentum and energy are kept, the relative velocity along the normal is turned round", m,
           v, n) {
@@ -25,9 +22,7 @@ EXACT_LAW("elastic_collision: what is across the normal stays, and a second boun
 
 TEST_CASE("elastic_collision: exchanged bodies, other units of mass and other observers") { impact_laws<Row>(); }
 
-TEST_CASE("elastic_collision: the normal's length and side do not matter") {
-  law<Row>("the same plane", any_normal_of_the_plane<2>);
-}
+NORMAL_LAW("elastic_collision", 2)
 
 ROBUST_LAW("elastic_collision: bodies of one mass exchange what they have along the normal", m, v) {
   const auto found = ask(Row::Question{{m.first, m.first}, v, {0, 1, 0}});

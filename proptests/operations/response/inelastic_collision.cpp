@@ -4,11 +4,8 @@
 #include "proptests/impact_laws.h"
 
 namespace touchstone::proptests::inelastic_collision_tests {
-namespace {
 
 using Row = rows::inelastic_collision;
-
-}  // namespace
 
 EXACT_LAW("inelastic_collision: momentum is kept, and the energy of the relative motion is lost", m, v) {
   const Motion3 together = ask(asked), apart = v.first - v.second;

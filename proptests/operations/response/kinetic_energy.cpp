@@ -5,11 +5,8 @@
 #include "proptests/body_laws.h"
 
 namespace touchstone::proptests::kinetic_energy_tests {
-namespace {
 
 using Row = rows::kinetic_energy;
-
-}  // namespace
 
 TEST_CASE("kinetic_energy: bodies in any order, in other units") {
   law<Row>("any order", in_any_order);

@@ -4,11 +4,8 @@
 #include "proptests/body_laws.h"
 
 namespace touchstone::proptests::momentum_tests {
-namespace {
 
 using Row = rows::momentum;
-
-}  // namespace
 
 TEST_CASE("momentum: bodies in any order, in other units") {
   law<Row>("any order", in_any_order);

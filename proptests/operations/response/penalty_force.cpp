@@ -38,9 +38,7 @@ EXACT_LAW("penalty_force: spring and damper add up; a damper of 1 alone leaves t
   return sgn(height_over(plane, p)) >= 0 ? same(held, none()) : sgn(Rational(dot(v + held, plane.normal))) == 0;
 }
 
-TEST_CASE("penalty_force: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", any_equation_of_the_plane<2>);
-}
+EQUATION_LAW("penalty_force", 2)
 
 LAW("penalty_force: exchanges of the axes exchange the components") {
   const auto answer = ask(asked);

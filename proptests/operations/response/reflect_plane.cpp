@@ -6,11 +6,8 @@
 #include "robust/response/reflect_wall.h"
 
 namespace touchstone::proptests::reflect_plane_tests {
-namespace {
 
 using Row = rows::reflect_plane;
-
-}  // namespace
 
 EXACT_LAW("reflect_plane: reflected twice, every velocity is what it was; speed is kept", v, n) {
   const Motion3 after = ask(asked);
@@ -23,9 +20,7 @@ EXACT_LAW("reflect_plane: what is along the normal is turned round, what is acro
          same(ask(std::tuple(n, n)), Rational(-1) * n);
 }
 
-TEST_CASE("reflect_plane: the normal's length and side do not matter") {
-  law<Row>("the same plane", any_normal_of_the_plane<1>);
-}
+NORMAL_LAW("reflect_plane", 1)
 
 LAW("reflect_plane: the opposite velocity is reflected to the opposite one, and velocities scale", v, n) {
   const auto answer = ask(asked), opposite = ask(Row::Question{-1.0 * v, n});

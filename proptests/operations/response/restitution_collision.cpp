@@ -6,11 +6,8 @@
 #include "robust/response/elastic_collision.h"
 
 namespace touchstone::proptests::restitution_collision_tests {
-namespace {
 
 using Row = rows::restitution_collision;
-
-}  // namespace
 
 EXACT_LAW("restitution_collision: momentum is kept, the relative velocity along the normal becomes -e times that", m, v,
           n, e) {
@@ -41,9 +38,7 @@ EXACT_LAW("restitution_collision: one bounce after the other multiplies e", m, v
 
 TEST_CASE("restitution_collision: exchanged bodies, other units of mass and other observers") { impact_laws<Row>(); }
 
-TEST_CASE("restitution_collision: the normal's length and side do not matter") {
-  law<Row>("the same plane", any_normal_of_the_plane<2>);
-}
+NORMAL_LAW("restitution_collision", 2)
 
 TEST_CASE("restitution_collision: p. 70 worked by hand") {
   example<Row>({{2, 2}, {{3, 1, 0}, {-1, 0, 5}}, {1, 0, 0}, 0.5}, {{0, 1, 0}, {2, 0, 5}});

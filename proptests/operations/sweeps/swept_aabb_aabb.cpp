@@ -79,9 +79,7 @@ LAW("swept_aabb_aabb: a motion and the same backwards both meet, or neither does
   return !end || ask(std::tuple(*end, b, reversed(v))).relation == ask(std::tuple(a, b, v)).relation;
 }
 
-TEST_CASE("swept_aabb_aabb: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", velocities_divide_t<2>);
-}
+VELOCITIES_LAW("swept_aabb_aabb", 2)
 
 LAW("swept_aabb_aabb: a common place plays no part", a, b, v) {
   auto offset = v;

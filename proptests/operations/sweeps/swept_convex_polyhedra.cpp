@@ -82,9 +82,7 @@ LAW("swept_convex_polyhedra: a motion and the same backwards both meet, or neith
   return !end || ask(Row::Question{*end, b, -1.0 * v}).relation == ask(asked).relation;
 }
 
-TEST_CASE("swept_convex_polyhedra: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", velocities_divide_t<2>);
-}
+VELOCITIES_LAW("swept_convex_polyhedra", 2)
 
 LAW("swept_convex_polyhedra: order of the faces, their turning, and vertices of no face play no part") {
   auto [a, b, v] = asked;

@@ -22,9 +22,7 @@ constexpr Worked<Row> worked;
 
 }  // namespace
 
-TEST_CASE("swept_sphere_aabb: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", velocities_divide_t<1>);
-}
+VELOCITIES_LAW("swept_sphere_aabb", 1)
 
 ROBUST_LAW("swept_sphere_aabb: at rest it is sphere_aabb, and a ball that meets the box then does so at the start",
            sphere, velocity, aabb) {

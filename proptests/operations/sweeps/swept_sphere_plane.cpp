@@ -57,9 +57,7 @@ LAW("swept_sphere_plane: a plane has two sides alike", sphere, velocity, plane) 
   return equal(ask(Row::Question{sphere, velocity, {-1.0 * plane.normal, -plane.offset}}), ask(asked));
 }
 
-TEST_CASE("swept_sphere_plane: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", velocities_divide_t<1>);
-}
+VELOCITIES_LAW("swept_sphere_plane", 1)
 
 LAW("swept_sphere_plane: a larger ball never meets later", sphere, velocity, plane) {
   const auto answer = ask(asked);

@@ -87,9 +87,7 @@ LAW("swept_sphere_sphere: only the sum of the radii counts", a, b, va, vb) {
   return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
 }
 
-TEST_CASE("swept_sphere_sphere: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", velocities_divide_t<2, 3>);
-}
+VELOCITIES_LAW("swept_sphere_sphere", 2, 3)
 
 LAW("swept_sphere_sphere: larger balls never meet later", a, b, va, vb) {
   const auto answer = ask(asked);

@@ -48,9 +48,7 @@ ROBUST_LAW("closest_point_on_obb: a ball reaches the box if its radius is not le
          robust::sphere_obb({p, less}, box) == Contact::disjoint;
 }
 
-TEST_CASE("closest_point_on_obb: all lengths times a power of two") {
-  robust_law<Row>("points and distances too", distances_scale<Row>);
-}
+LENGTHS_LAW("closest_point_on_obb")
 
 LAW("closest_point_on_obb: at right angles the formula is right in exact arithmetic", p, box) {
   if (!has_right_angles(box)) return true;

@@ -7,7 +7,6 @@
 #include "robust/volumes/sphere_aabb.h"
 
 namespace touchstone::proptests::sphere_obb_tests {
-namespace {
 
 using Row = rows::sphere_obb;
 
@@ -15,8 +14,6 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 using namespace worked_boxes;
 
 constexpr Worked<Row> worked;
-
-}  // namespace
 
 ROUND_LAWS("sphere_obb")
 
