@@ -92,14 +92,23 @@ def proved_apart(claim, everything):
     return pairs
 
 
+def are_apart(a, b):
+    if isinstance(a, Ball):
+        return squared_distance(a.center, b.center) > (a.radius + b.radius) ** 2
+    return any(a.high[k] < b.low[k] or b.high[k] < a.low[k] for k in range(3))
+
+
 def check_all_pairs(claim):
     if isinstance(claim.certificate, dict) and claim.certificate.get("kind") == "tree":
         expect_pair_tree(claim)
         return
     everything = solids(claim)
     claim.answers("pairs")
-    claim.expect_kind("sweep"), claim.facts("axis", "order", "meet", "apart")
-    meeting, apart = proved_to_meet(claim, everything), proved_apart(claim, everything)
+    compares = claim.kind() == "compared_sweep"
+    if not compares:
+        claim.expect_kind("sweep")
+    claim.facts("axis", "order", "meet", *([] if compares else ["apart"]))
+    meeting, apart = proved_to_meet(claim, everything), set() if compares else proved_apart(claim, everything)
     along = axis(claim)
     order, seen = [], set()
     for index in claim.list("order"):
@@ -115,7 +124,8 @@ def check_all_pairs(claim):
             if everything[j].low[along] > everything[i].high[along]:
                 break
             pair = (min(i, j), max(i, j))
-            expect((pair in meeting) + (pair in apart) == 1, "certificate: a pair is left open")
+            asunder = are_apart(everything[i], everything[j]) if compares else pair in apart
+            expect((pair in meeting) != asunder, "certificate: a pair is left open")
 
 
 def body(bodies, index, what):

@@ -2,7 +2,10 @@
 #include <ctime>
 
 #include "catalogue/families/numbers.h"
+#include "catalogue/operation/probes/explained.h"
+#include "catalogue/signatures/broad_phase/all_pairs.h"
 #include "oracle/broad_phase/all_pairs.h"
+#include "oracle/certificates/check.h"
 #include "oracle/exact/systems/guessed_complement.h"
 #include "oracle/exact/systems/principal_pivots.h"
 #include "oracle/response/simultaneous_collisions.h"
@@ -76,6 +79,22 @@ oracle::Complementary problem(DrawStream& draws, std::size_t contacts, std::size
 }
 
 }  // namespace
+
+TEST_CASE("many elements: of a long list, checkers compare what the sweep leaves, and miss no pair") {
+  DrawStream draws = DrawStream::seeded(5);
+  const catalogue::Operation& operation = *catalogue::find_operation("all_pairs");
+  const auto check = [&](const auto& all) {
+    const catalogue::signatures::all_pairs::Question asked{std::tuple(all)};
+    auto claim = catalogue::claim_of(*operation.examine(catalogue::packed(asked)));
+    REQUIRE(claim["certificate"]["kind"] == "compared_sweep");
+    REQUIRE(claim["truth"]["pairs"].size() > 10);
+    CHECK_FALSE(certify::refuse(claim).has_value());
+    claim["truth"]["pairs"].erase(3), claim["certificate"]["meet"].erase(3);
+    CHECK(certify::refuse(claim) == "certificate: a pair is left open");
+  };
+  check(solids<Sphere3d>(draws, 120));
+  check(solids<Aabb3d>(draws, 120));
+}
 
 TEST_CASE("many elements: the pairs of many solids and their margin are those of each two alone") {
   for (std::uint64_t i = 0; i < 60; ++i) {
