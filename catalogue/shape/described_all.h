@@ -8,6 +8,7 @@
 #include "geometry/commands.h"
 #include "geometry/complexity.h"
 #include "geometry/impacts.h"
+#include "geometry/penetration.h"
 #include "geometry/points.h"
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"

@@ -9,12 +9,6 @@
 namespace touchstone::oracle {
 namespace {
 
-IntegerSolid solid(const ConvexMesh& mesh, const std::vector<Coordinates>& vertices) {
-  std::vector<Point3<Integer>> at;
-  for (const Coordinates& p : vertices) at.push_back({p[0], p[1], p[2]});
-  return {mesh, std::move(at)};
-}
-
 std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
 
 Truth<ConvexDistance<Surd>> meeting(const Motion& m, const Meeting& found) {
@@ -53,8 +47,8 @@ ConvexDistance<Surd> as_near(const Meshd& a, const Meshd& b, const ConvexDistanc
     return {Rational(v.x / m.unit), Rational(v.y / m.unit), Rational(v.z / m.unit)};
   };
   const Vector3<Rational> displacement = rational(*truth.on_a) - rational(*truth.on_b);
-  const Point3<Rational> nearest =
-      nearest_to(in_units(exact_in_space(on_a)), solid(first, m.a), solid(second, m.b), in_units(displacement));
+  const Point3<Rational> nearest = nearest_to(in_units(exact_in_space(on_a)), IntegerSolid(first, m.a),
+                                              IntegerSolid(second, m.b), in_units(displacement));
   const Point3<Rational> point{Rational(nearest.x * m.unit), Rational(nearest.y * m.unit),
                                Rational(nearest.z * m.unit)};
   return {truth.relation, in_space(point), in_space(point + Rational(-1) * displacement), truth.squared_distance,
@@ -68,7 +62,7 @@ Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Number>& a, const Mesh<Nu
   const Motion m = motion(first, second, {});
   Meeting found(m);
   if (found.program().feasible()) return meeting(m, found);
-  return apart(m, solid(first, m.a), solid(second, m.b));
+  return apart(m, IntegerSolid(first, m.a), IntegerSolid(second, m.b));
 }
 template Truth<ConvexDistance<Surd>> convex_distance(const Meshd&, const Meshd&);
 template Truth<ConvexDistance<Surd>> convex_distance(const Mesh<Rational>&, const Mesh<Rational>&);

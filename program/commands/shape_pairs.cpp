@@ -44,6 +44,7 @@ std::string question_about(const Operation& operation) {
   const Shape& answer = operation.answer_shape();
   const std::string type = name_in(type_text(answer.kind == Shape::Kind::choice ? *answer.parts[0].shape : answer));
   if (type == "FirstContact") return "sweep";
+  if (type == "Penetration") return "depth";
   const bool nearest =
       type.rfind("Closest", 0) == 0 || type == "ConvexDistance" || type == "Point2" || type == "Point3";
   return nearest ? "distance" : "contact";
@@ -77,7 +78,8 @@ void print_shape_pairs(std::ostream& out) {
 ## Shape against shape
 
 A cell links to the operations on two shapes: *contact* is whether or where they meet; *distance*, which of their points
-are nearest; *sweep*, when they first meet while they move. An empty cell is a pair that no operation takes.
+are nearest; *depth*, how deep they overlap; *sweep*, when they first meet while they move. An empty cell is a pair that
+no operation takes.
 )";
   for (const auto& [title, shapes] : tables) {
     out << "\n| " << title << " |";

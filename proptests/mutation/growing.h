@@ -234,6 +234,10 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
        [](L l) -> Json {
          return {{"a", l.sphere(0, 2)}, {"b", l.sphere(3, 2)}};
        }},
+      {"penetration",
+       [](L l) -> Json {
+         return {{"a", l.sphere(0, 2)}, {"b", l.sphere(1.5, 2)}, {"radius_a", 0.1}, {"radius_b", 0}};
+       }},
       {"swept_convex_polyhedra",
        [](L l) -> Json {
          return {{"a", l.sphere(0, 2)}, {"b", l.sphere(3, 2)}, {"velocity", {2, 0.1, 0.2}}};

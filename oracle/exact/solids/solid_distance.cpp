@@ -160,8 +160,8 @@ Vector multiplier_of_lowest(const std::vector<Vector>& of_a, const std::vector<V
 
 }  // namespace
 
-IntegerSolid::IntegerSolid(const ConvexMesh& mesh, std::vector<IntegerPoint> at)
-    : vertices(std::move(at)), faces(mesh.faces) {
+IntegerSolid::IntegerSolid(const ConvexMesh& mesh, const std::vector<std::array<Integer, 3>>& at) : faces(mesh.faces) {
+  for (const auto& [x, y, z] : at) vertices.push_back({x, y, z});
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const IntegerPoint& corner = vertices[faces[i].a];
     const Displacement& normal = mesh.planes[i].normal;

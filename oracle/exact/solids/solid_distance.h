@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct IntegerSolid {
   std::vector<std::pair<Index, Index>> edges;  // without duplicates
   std::vector<IntegerPlane> planes;
 
-  IntegerSolid(const ConvexMesh& mesh, std::vector<Point3<Integer>> at);
+  IntegerSolid(const ConvexMesh& mesh, const std::vector<std::array<Integer, 3>>& at);
   bool holds(const Point3<Rational>& p) const;
   /// Weights of all vertices, for a point of the surface.
   std::vector<Rational> weights(const Point3<Rational>& p) const;

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The second truth of the distance of two convex solids, for simplest_truth.py."""
+"""The second truths of the distance and of the overlap of two convex solids, for simplest_truth.py."""
 from fractions import Fraction
 from itertools import combinations
+from math import lcm
 
 import simplest_truth_sweeps
 from simplest_truth_polyhedra import cross
-from simplest_truth_reading import Root, dot, minus, point, triangles
+from simplest_truth_reading import Root, by_sign, dot, minus, number, point, triangles
 
 
 def solved(matrix, right):
@@ -84,3 +85,82 @@ def truth_convex_distance(q):
     square = dot(way, way)
     return {"relation": "apart", "on_a": [str(n) for n in x], "on_b": [str(n) for n in minus(x, way)],
             "squared_distance": str(square), "distance": Root(square, 1)}, margin
+
+
+class PlusRoot(Root):
+    """A rational number and a square root with a sign."""
+
+    def __init__(self, rational, square, sign):
+        super().__init__(square, sign)
+        self.rational = rational
+
+    def __eq__(self, said):
+        if "sqrt(" not in said:
+            return Root.__eq__(self, str(Fraction(said) - self.rational))
+        place = max(said.rfind("+"), said.rfind("-"))
+        before, root = (said[:place], said[place:].removeprefix("+")) if place > 0 else ("0", said)
+        return Fraction(before) == self.rational and Root.__eq__(self, root)
+
+
+def directions_of(vectors):
+    """Without their multiples."""
+    found = {}
+    for v in filter(any, vectors):
+        first = next(x for x in v if x)
+        found.setdefault(tuple(Fraction(x, first) for x in v), v)
+    return list(found.values())
+
+
+def level(points, direction):
+    heights = [dot(direction, p) for p in points]
+    return [i for i, height in enumerate(heights) if height == max(heights)], max(heights)
+
+
+def spans(points, indices):
+    return [minus(points[i], points[indices[0]]) for i in indices]
+
+
+def dimension(vectors):
+    """Returns that of what they span, up to 2."""
+    some = next((v for v in vectors if any(v)), None)
+    if some is None:
+        return 0
+    return 2 if any(any(cross(some, v)) for v in vectors) else 1
+
+
+def truth_penetration(q):
+    """Every direction at a right angle to two edges, and the opposite one. Where it is the least, the farthest vertices
+    must span a plane: otherwise it is no face's."""
+    a, b = ([point(v) for v in q[name]["vertices"]] for name in "ab")
+    unit = lcm(*(x.denominator for p in a + b for x in p))
+    a, b = ([tuple(int(x * unit) for x in p) for p in points] for points in (a, b))
+    radii = number(q["radius_a"]) + number(q["radius_b"])
+    edges = directions_of(minus(points[j], points[i]) for points, name in ((a, "a"), (b, "b"))
+                          for face in triangles(q[name]) for i, j in zip(face, face[1:] + face[:1]))
+    found = []
+    for normal in directions_of(cross(v, w) for v, w in combinations(edges, 2)):
+        for side in (normal, tuple(-x for x in normal)):
+            (of_a, back), (of_b, front) = level(a, tuple(-x for x in side)), level(b, side)
+            height = front + back
+            if height < 0:
+                found = []
+                break
+            flat = height > 0 or dimension(spans(a, of_a) + spans(b, of_b)) == 2
+            found += flat * [(Fraction(height**2, dot(side, side)), of_a, of_b, height, side)]
+        else:
+            continue
+        break
+    if found:
+        _, of_a, of_b, height, side = min(found)
+    else:
+        side = shortest([minus(v, w) for v in a for w in b])
+        height, of_a, of_b = -dot(side, side), level(a, tuple(-x for x in side))[0], level(b, side)[0]
+    square, height = dot(side, side), Fraction(height) / unit
+    of_cores, sign = height**2 / square, by_sign(height, -1, 1, 1)
+    depth = radii**2 + sign * of_cores
+    parts = [("vertex", "edge", "face")[dimension(spans(p, of))] for p, of in ((a, of_a), (b, of_b))]
+    return {"contact": by_sign(depth, "disjoint", "touching", "overlapping"), "depth": PlusRoot(radii, of_cores, sign),
+            "direction": [Root(Fraction(n**2) / square, by_sign(n, -1, 1, 1)) for n in side],
+            "translation": [PlusRoot(n * height / square, Fraction(n**2) / square * radii**2, by_sign(n, -1, 1, 1))
+                            for n in side],
+            "feature": dict(zip("ab", parts))}, abs(depth)

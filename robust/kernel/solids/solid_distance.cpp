@@ -266,30 +266,52 @@ ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a,
   return answer;
 }
 
-}  // namespace
+bool moderate_pair(const Meshd& a, const Meshd& b) { return all_moderate(a) && all_moderate(b); }
+
+/// The nearest parts, and all vertices on their levels; no vertices if the hulls meet.
+struct NearestLevels {
+  Nearest nearest;
+  std::vector<Index> of_a, of_b;
+};
 
 /// The displacement gets shorter with each vertex found beyond it, and there are finitely many sets of corners.
-ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
-  const bool moderate = all_moderate(a) && all_moderate(b);
-  std::vector<Corners> corners = moderate ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b);
-  if (moderate) {
-    if (const auto certain = certain_distance(a, b, corners)) return *certain;
-  }
+NearestLevels nearest_levels(const Meshd& a, const Meshd& b, std::vector<Corners> corners) {
   for (;;) {
     Nearest nearest = nearest_of(a, b, corners);
     const IntegerVector against = mpz_class(-1) * nearest.normal;
-    if (sgn(dot(nearest.normal, nearest.normal)) == 0) return {ConvexRelation::meeting, {}, {}, 0, 0};
+    if (sgn(dot(nearest.normal, nearest.normal)) == 0) return {std::move(nearest), {}, {}};
     std::vector<Index> of_a, of_b;
     for (const auto& [i, j] : nearest.corners) of_a.push_back(i), of_b.push_back(j);
-    const auto lowest = lowest_vertices(a.vertices, level(nearest.on_a, of_a, nearest.normal), nearest.normal);
-    const auto highest = lowest_vertices(b.vertices, level(nearest.on_b, of_b, against), against);
+    auto lowest = lowest_vertices(a.vertices, level(nearest.on_a, of_a, nearest.normal), nearest.normal);
+    auto highest = lowest_vertices(b.vertices, level(nearest.on_b, of_b, against), against);
     const auto on_level = [](const std::vector<Index>& found, const std::vector<Index>& used) {
       return std::all_of(used.begin(), used.end(),
                          [&](Index k) { return std::find(found.begin(), found.end(), k) != found.end(); });
     };
-    if (on_level(lowest, of_a) && on_level(highest, of_b)) return answer_of(a, lowest, b, highest, nearest);
+    if (on_level(lowest, of_a) && on_level(highest, of_b))
+      return {std::move(nearest), std::move(lowest), std::move(highest)};
     corners = std::move(nearest.corners), corners.push_back({lowest[0], highest[0]});
   }
+}
+
+}  // namespace
+
+ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
+  const bool moderate = moderate_pair(a, b);
+  std::vector<Corners> corners = moderate ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b);
+  if (moderate) {
+    if (const auto certain = certain_distance(a, b, corners)) return *certain;
+  }
+  const auto [nearest, of_a, of_b] = nearest_levels(a, b, std::move(corners));
+  if (of_a.empty()) return {ConvexRelation::meeting, {}, {}, 0, 0};
+  return answer_of(a, of_a, b, of_b, nearest);
+}
+
+Separation separation_of_solids(const Meshd& a, const Meshd& b) {
+  const auto [nearest, of_a, of_b] =
+      nearest_levels(a, b, moderate_pair(a, b) ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b));
+  return {weighted(nearest, nearest.on_a) - weighted(nearest, nearest.on_b), nearest.total, nearest.exponent, of_a,
+          of_b};
 }
 
 }  // namespace touchstone::robust::kernel

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/penetration.h"
+#include "geometry/polyhedra.h"
+#include "reference/mixed/convex_distance.h"
+
+namespace touchstone::reference {
+
+/// A direction of any length, how far b's core reaches along it beyond the beginning of a's, times that length, and the
+/// parts of both of which the direction was made.
+template <class Real>
+struct Overlap {
+  Vector3<Real> direction;
+  Real height;
+  std::optional<SolidPart> of_a{}, of_b{};
+};
+
+/// A point and the normal of a face; a point of an edge, its direction, and the normals of both its faces.
+template <class Real>
+struct OutwardFace {
+  Point3<Real> point;
+  Vector3<Real> normal;
+};
+template <class Real>
+struct OutwardEdge {
+  Point3<Real> point;
+  Vector3<Real> along, left, right;
+};
+
+template <class Real>
+Point3<Real> mean_of_vertices(const Mesh<Real>& mesh) {
+  Vector3<Real> sum{Real(0), Real(0), Real(0)};
+  for (const Point3<Real>& p : mesh.vertices) sum = sum + (p - mesh.vertices[0]);
+  return mesh.vertices[0] + Real(Real(1) / Real(static_cast<int>(mesh.vertices.size()))) * sum;
+}
+
+template <class Real>
+std::vector<OutwardFace<Real>> outward_faces(const Mesh<Real>& mesh) {
+  const Point3<Real> inside = mean_of_vertices(mesh);
+  std::vector<OutwardFace<Real>> faces;
+  for (const Face& f : mesh.faces) {
+    const Point3<Real>& p = mesh.vertices[f.a];
+    const Vector3<Real> normal = cross(mesh.vertices[f.b] - p, mesh.vertices[f.c] - p);
+    faces.push_back({p, dot(normal, inside - p) > Real(0) ? Real(-1) * normal : normal});
+  }
+  return faces;
+}
+
+template <class Real>
+std::vector<OutwardEdge<Real>> outward_edges(const Mesh<Real>& mesh, const std::vector<OutwardFace<Real>>& faces) {
+  std::map<std::pair<Index, Index>, std::size_t> face_at;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Face& f = mesh.faces[i];
+    face_at[{f.a, f.b}] = i, face_at[{f.b, f.c}] = i, face_at[{f.c, f.a}] = i;
+  }
+  std::vector<OutwardEdge<Real>> edges;
+  for (const auto& [ends, face] : face_at) {
+    const auto [from, to] = ends;
+    if (from > to) continue;
+    const Point3<Real>& p = mesh.vertices[from];
+    edges.push_back({p, mesh.vertices[to] - p, faces[face].normal, faces[face_at.at({to, from})].normal});
+  }
+  return edges;
+}
+
+/// True if the arc between the normals of a's edge crosses the arc between those of b's, reversed, on the sphere of
+/// directions: then both edges together are an edge of the Minkowski difference's face.
+template <class Real>
+bool makes_face(const OutwardEdge<Real>& of_a, const OutwardEdge<Real>& of_b) {
+  const Vector3<Real>&a = of_a.left, &b = of_a.right, c = Real(-1) * of_b.left, d = Real(-1) * of_b.right;
+  const Vector3<Real> b_a = cross(b, a), d_c = cross(d, c);
+  const Real cba = dot(c, b_a), dba = dot(d, b_a), adc = dot(a, d_c), bdc = dot(b, d_c);
+  return cba * dba < Real(0) && adc * bdc < Real(0) && cba * bdc > Real(0);
+}
+
+/// The least overlap over all faces of both and all pairs of edges; any of those that are below 0, if there are such.
+template <class Real>
+Overlap<Real> least_overlap(const Mesh<Real>& a, const Mesh<Real>& b) {
+  const auto faces_of_a = outward_faces(a), faces_of_b = outward_faces(b);
+  Overlap<Real> least{{Real(0), Real(0), Real(0)}, Real(0)};
+  Real least_square(0);
+  bool first = true;
+  const auto consider = [&](const Overlap<Real>& found) {
+    const Real square = Real(found.height * found.height / dot(found.direction, found.direction));
+    const bool apart = found.height < Real(0);
+    if (first || apart || square < least_square) least = found, least_square = square;
+    first = false;
+    return apart;
+  };
+  const auto farthest = [](const Mesh<Real>& mesh, const Point3<Real>& p, const Vector3<Real>& direction) {
+    Real height = dot(direction, mesh.vertices[0] - p);
+    for (const Point3<Real>& q : mesh.vertices)
+      if (dot(direction, q - p) > height) height = dot(direction, q - p);
+    return height;
+  };
+  for (const auto& [point, normal] : faces_of_a) {
+    const Vector3<Real> inward = Real(-1) * normal;
+    if (consider({inward, farthest(b, point, inward), SolidPart::face})) return least;
+  }
+  for (const auto& [point, normal] : faces_of_b)
+    if (consider({normal, farthest(a, point, Real(-1) * normal), std::nullopt, SolidPart::face})) return least;
+  const Point3<Real> inside_b = mean_of_vertices(b);
+  const auto edges_of_b = outward_edges(b, faces_of_b);
+  for (const OutwardEdge<Real>& of_a : outward_edges(a, faces_of_a)) {
+    for (const OutwardEdge<Real>& of_b : edges_of_b) {
+      if (!makes_face(of_a, of_b)) continue;
+      const Vector3<Real> across = cross(of_a.along, of_b.along);
+      const Vector3<Real> outward = dot(across, of_b.point - inside_b) < Real(0) ? Real(-1) * across : across;
+      if (consider({outward, dot(outward, of_b.point - of_a.point), SolidPart::edge, SolidPart::edge})) return least;
+    }
+  }
+  return least;
+}
+
+/// The part of the solid on the level of the vertices that are farthest along the direction, unless it is known.
+template <class Real>
+SolidPart farthest_part(const std::optional<SolidPart>& known, const Mesh<Real>& mesh, const Vector3<Real>& direction) {
+  if (known) return *known;
+  const auto height = [&](const Point3<Real>& p) { return dot(direction, p - mesh.vertices[0]); };
+  Real most(0);
+  for (const Point3<Real>& p : mesh.vertices)
+    if (height(p) > most) most = height(p);
+  std::vector<Vector3<Real>> spans;  // from the first vertex of the level
+  const Point3<Real>* first = nullptr;
+  for (const Point3<Real>& p : mesh.vertices) {
+    if (height(p) != most) continue;
+    if (first == nullptr) first = &p;
+    else if (!(p == *first)) spans.push_back(p - *first);
+  }
+  for (const Vector3<Real>& span : spans) {
+    const Vector3<Real> normal = cross(spans[0], span);
+    if (dot(normal, normal) > Real(0)) return SolidPart::face;
+  }
+  return spans.empty() ? SolidPart::vertex : SolidPart::edge;
+}
+
+/// How far two round convex solids overlap, and the least translation of the first that leaves them only touching. Each
+/// is a convex polyhedron, its core, with all points that are no farther from it than a radius.
+///
+/// No page of the deck asks this. The formula is that of separating axes (Gregorius, The separating axis test between
+/// convex polyhedra, 2013; Ericson, Real-Time Collision Detection, 5.2.1), put together from p. 53-54's faces and
+/// edges: along the normal of a face of either, or across an edge of both, that bounds the Minkowski difference, the
+/// cores overlap by a height over the length of the normal, and the least of these is how deep they overlap. Where one
+/// is below 0 they are apart, and the formula of convex_distance (p. 48-50) gives their distance, which counts as a
+/// negative depth. The radii add to the depth. a, b: meshes, with radius_a and radius_b, any unit of length, the same
+/// for all. Closed sets: `contact` is `touching` where the depth is 0, `overlapping` where it is positive. Where it is
+/// negative, `disjoint`, it is minus the distance: the translation is then the least that makes them touch. So depth,
+/// direction and translation are always there, and the translation is depth times direction, which points from b to a.
+///
+/// Where the cores meet, the direction is that of a face of the Minkowski difference: of a face of a, of one of b, or
+/// across an edge of each. Where several are as deep, because solids are symmetric, the contract names one: of each,
+/// the vertices of a that are farthest against it, listed in ascending order, count; the least list in lexicographic
+/// order has it, and if two have the same, the least list of the vertices of b that are farthest along it. No two
+/// directions share both. Vertices of no face count too. Engines promise no such choice: they may name another
+/// direction that is as deep, unless they declare that they name this one (`nearest`, docs/engines.md). Where the cores
+/// are apart there is one direction only, that of the shortest displacement from b to a. feature: whether the vertices
+/// of a that are farthest against the direction, and those of b that are farthest along it, span a point, an edge or a
+/// face.
+///
+/// Refused by robust and oracle: NaN or infinity; then what is not the surface of a convex solid, by the rules and in
+/// the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh; then a negative radius
+/// ("radius_a" or "radius_b", "radius >= 0"). That page also says which meshes are valid. A core is a solid: a point, a
+/// segment or a polygon is refused as a mesh without an inside.
+///
+/// In exact arithmetic contact and depth are always right: the difference's faces have these normals. Among several
+/// directions that are as deep the formula returns any (cause: algorithm).
+///
+/// Margin: |(radius_a + radius_b)^2 + s|, s being the square of the depth of the cores, negative where they are apart.
+///
+/// Rounding (binary64, to nearest, u = 2^-53): where the coordinates are integers below 2^20, every two vertices at
+/// most 2^7 apart on each axis, no more than 2^10, and the cores meet, normals, heights and the signs that choose them
+/// are exact, the squares of two depths are mistaken for each other only if they differ by less than 3 u, and the
+/// contact is right; root, quotient and two sums of numbers that are not negative follow: the depth is off by at most 8
+/// u of itself. There is no bound elsewhere: a short normal, of a sliver or of edges that are nearly parallel, is off
+/// by any part of itself, and its height counts as any depth. ulps: 72 roundings behind each number (those of
+/// convex_distance, or nine in the normal, eight in the height, then five in a square, root and quotient; the sums of
+/// radii and depth, and the product).
+template <class Real>
+Penetration<Real> penetration(const Mesh<Real>& a, const Mesh<Real>& b, const Real& radius_a, const Real& radius_b) {
+  using std::sqrt;
+  Overlap<Real> overlap = least_overlap(a, b);
+  if (overlap.height < Real(0)) {
+    const Vector3<Real> displacement = nearest_simplex(a, b).displacement();
+    overlap = {displacement, Real(-dot(displacement, displacement))};
+  }
+  const Vector3<Real>& n = overlap.direction;
+  const Real length = Real(sqrt(dot(n, n))), depth = Real(radius_a + radius_b + overlap.height / length);
+  const Vector3<Real> unit{Real(n.x / length), Real(n.y / length), Real(n.z / length)};
+  const Contact contact = depth > Real(0)    ? Contact::overlapping
+                          : depth == Real(0) ? Contact::touching
+                                             : Contact::disjoint;
+  return {contact,
+          depth,
+          unit,
+          depth * unit,
+          {farthest_part(overlap.of_a, a, Real(-1) * n), farthest_part(overlap.of_b, b, n)}};
+}
+
+}  // namespace touchstone::reference

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <vector>
+
+#include "geometry/polyhedra.h"
+#include "robust/kernel/filters/strict_math.h"
+
+namespace touchstone::robust::kernel {
+
+/// Along a direction n of any length b reaches beyond the beginning of a by height / (total |n|) * 2^exponent; of_a and
+/// of_b: the vertices that are farthest against the direction and along it, in ascending order.
+struct CoreOverlap {
+  Vector3<mpz_class> direction;
+  mpz_class height, total;
+  int exponent;
+  std::vector<Index> of_a, of_b;
+};
+
+/// The least overlap of convex solids that have a common point; of several the one of the least of_a, then of_b, in
+/// lexicographic order. The numbers are finite.
+CoreOverlap least_overlap(const Meshd& a, const Meshd& b);
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/invalid_input.h"
+#include "geometry/penetration.h"
+#include "geometry/polyhedra.h"
+#include "robust/kernel/filters/strict_math.h"
+
+namespace touchstone::robust {
+
+/// Decides how deep two convex polyhedra, each with a radius around it, overlap, and returns the least translation of a
+/// that leaves them touching: depth times direction, which has length 1 and points from b to a.
+///
+/// Where they are disjoint the depth is negative, minus their distance, and the translation makes them touch. If
+/// several directions are as deep, the one whose farthest vertices of a come first in lexicographic order of their
+/// indices, then those of b. The meshes are closed, and their faces are triangles that run counter-clockwise as seen
+/// from outside, or all clockwise; the radii are not negative. Every call checks that the meshes are closed and convex.
+/// It takes as many steps as there are pairs of edges. Right for all finite doubles in every floating-point
+/// environment, and every number is correctly rounded on its own. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face), and a
+/// negative radius. Contract: reference/mixed/penetration.h.
+Penetration<double> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b);
+
+}  // namespace touchstone::robust
