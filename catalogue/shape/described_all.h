@@ -9,6 +9,7 @@
 #include "geometry/complexity.h"
 #include "geometry/impacts.h"
 #include "geometry/penetration.h"
+#include "geometry/point_mesh_distance.h"
 #include "geometry/points.h"
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"

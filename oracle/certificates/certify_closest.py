@@ -7,7 +7,7 @@ from certify_meshes import mesh, outward_planes
 from certify_obbs import at, greatest, obb
 from certify_reading import WRONG_KIND, exact_value, expect, number, only
 from certify_space import ball, box_holds, box_in_space, plane, point_in_space, triple, two_or_three
-from certify_surd import exact_surd, expect_kind_of_root, is_square
+from certify_surd import expect_distance
 
 
 def dot(p, q):
@@ -81,14 +81,6 @@ def expect_position(claim, name, x):
     expect(isinstance(value, list) and len(value) == len(x), f"truth.{name}: as many coordinates as the input")
     for axis, coordinate in enumerate(x):
         expect(exact_value(value[axis], f"truth.{name}[{axis}]") == coordinate, f"truth: {name} is wrong")
-
-
-def expect_distance(claim, square):
-    """The squared distance, and its root, which is a fraction or is not, as the kind says."""
-    expect(claim.exact("squared_distance") == square, "truth: squared_distance is wrong")
-    distance = exact_surd(claim.truth["distance"], "truth.distance")
-    expect(distance.sign() >= 0 and distance.has_square(square), "truth: distance is wrong")
-    expect_kind_of_root(claim, is_square(square))
 
 
 def expect_closest(claim, points, x, p):

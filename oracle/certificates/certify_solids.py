@@ -38,17 +38,21 @@ def crossing(corners, direction):
     return t if t > 0 else None
 
 
+def from_weights(proof, corners):
+    """The point of a triangle that the weights of the certificate give."""
+    weights = proof.list("weights")
+    expect(len(weights) == 3, "certificate: three weights")
+    expect(all(weight >= 0 for weight in weights), "certificate: a weight is negative")
+    expect(sum(weights) == 1, "certificate: the weights give another point")
+    return tuple(dot(weights, along_axis) for along_axis in zip(*corners))
+
+
 def proved_location(proof, vertices, faces, p):
     if proof.kind() == "on_face":
         proof.facts("face", "weights")
         face = faces[index(proof.single("face"), len(faces))]
-        weights = proof.list("weights")
-        expect(len(weights) == 3, "certificate: three weights")
-        combination = (0, 0, 0)
-        for corner, weight in zip(face, weights):
-            expect(weight >= 0, "certificate: a weight is negative")
-            combination = tuple(c + weight * v for c, v in zip(combination, vertices[corner]))
-        expect(sum(weights) == 1 and combination == p, "certificate: the weights give another point")
+        there = from_weights(proof, [vertices[corner] for corner in face]) == p
+        expect(there, "certificate: the weights give another point")
         return "boundary"
     proof.expect_kind("crossings"), proof.facts("direction", "faces", "t")
     direction, scale = over_one(triple(proof, "direction"))

@@ -64,3 +64,11 @@ def exact_surd(value, what):
     expect(part is not None or sign != "+", malformed)
     coefficient = Fraction(size or 1)
     return Surd(Fraction(part or 0), -coefficient if sign == "-" else coefficient, int(radicand))
+
+
+def expect_distance(claim, square):
+    """The squared distance, and its root, which is a fraction or is not, as the kind says."""
+    expect(claim.exact("squared_distance") == square, "truth: squared_distance is wrong")
+    distance = exact_surd(claim.truth["distance"], "truth.distance")
+    expect(distance.sign() >= 0 and distance.has_square(square), "truth: distance is wrong")
+    expect_kind_of_root(claim, is_square(square))

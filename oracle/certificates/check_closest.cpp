@@ -107,15 +107,6 @@ void expect_position(const Claim& claim, const char* name, const Position& x) {
            "truth: " + what.substr(6) + " is wrong");
 }
 
-/// Checks the squared distance, and its root, which is rational or not, according to the kind.
-void expect_distance(const Claim& claim, const Rational& square) {
-  expect(exact_value(claim.truth["squared_distance"], "truth.squared_distance") == square,
-         "truth: squared_distance is wrong");
-  const Surd distance = exact_surd(claim.truth["distance"], "truth.distance");
-  expect(sign(distance) >= 0 && sign(certify::square(distance) + Rational(-square)) == 0, "truth: distance is wrong");
-  expect_kind_of_root(claim, is_square(square));
-}
-
 /// x, which the claim's facts give, is the point of the hull that is nearest to p.
 void expect_closest(const Claim& claim, const Hull& hull, const Position& x, const Position& p) {
   expect_nearest(hull, x, p);

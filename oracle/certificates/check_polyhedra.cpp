@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "oracle/certificates/check_solids.h"
+#include "oracle/certificates/check_surd.h"
 
 namespace touchstone::certify {
 namespace {
@@ -45,11 +51,92 @@ void check_point_in_polyhedron(const Claim& claim) {
   expect(claim.word("location") == location, "truth: location is wrong");
 }
 
+Rational squared_length(const Triple& v) { return dot(v, v); }
+bool before(const Triple& p, const Triple& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); }
+
+/// The squared distance of a point from the box around a triangle.
+Rational square_to_box(const std::array<Triple, 3>& t, const Triple& p) {
+  Rational sum;
+  for (Rational Triple::*axis : {&Triple::x, &Triple::y, &Triple::z}) {
+    const auto [low, high] = std::minmax({t[0].*axis, t[1].*axis, t[2].*axis});
+    sum += square(std::max({Rational(0), Rational(low - p.*axis), Rational(p.*axis - high)}));
+  }
+  return sum;
+}
+
+/// The point of a triangle that is nearest to p: the foot of the perpendicular if it is on the inner side of each edge,
+/// else the nearest of the feet on edges, moved between their ends.
+Triple nearest_in(const std::array<Triple, 3>& t, const Triple& p) {
+  const Triple normal = cross(t[1] - t[0], t[2] - t[0]);
+  bool over = sgn(squared_length(normal)) > 0;
+  Triple nearest = t[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Triple &from = t[k], edge = t[(k + 1) % 3] - from;
+    const Rational length = squared_length(edge), foot = dot(p - from, edge);
+    const Triple x = sgn(foot) <= 0 ? from : along(from, foot < length ? Rational(foot / length) : Rational(1), edge);
+    if (squared_length(x - p) < squared_length(nearest - p)) nearest = x;
+    over = over && sgn(dot(cross(normal, edge), p - from)) >= 0;
+  }
+  return over ? along(p, Rational(dot(t[0] - p, normal) / squared_length(normal)), normal) : nearest;
+}
+
+/// The place of a point of a face in it, with any number of corners.
+const char* part_of(const Mesh& mesh, std::size_t face, const Triple& x) {
+  const std::vector<std::size_t>& corners = mesh.named[face];
+  const char* part = "inside";
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Triple from = x - mesh.vertices[corners[k]], to = x - mesh.vertices[corners[(k + 1) % corners.size()]];
+    if (from == Triple{0, 0, 0}) return "vertex";
+    if (cross(from, to) == Triple{0, 0, 0} && sgn(dot(from, to)) <= 0) part = "edge";
+  }
+  return part;
+}
+
+void check_point_mesh_distance(const Claim& claim) {
+  claim.inputs({"point", "mesh"});
+  const Triple p = point_in_space(claim.input["point"], "point");
+  const Mesh surface = mesh(claim.input["mesh"], "mesh");
+  expect_even(surface, "mesh");
+  claim.answers({"location", "nearest", "squared_distance", "distance", "signed_distance"});
+  claim.facts({"face", "weights", "location"});
+  const std::vector<Claim> proofs = claim.proofs("location");
+  expect(proofs.size() == 1, "certificate.location: a list of one");
+  const std::string location = proved_location(proofs[0], surface, p);
+  expect(claim.word("location") == location, "truth: location is wrong");
+  const auto corners = [&surface](std::size_t i) {
+    const auto& [a, b, c] = surface.faces[i];
+    return std::array{surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+  };
+  const std::size_t face = index(claim.single("face"), surface.faces.size());
+  const Triple x = from_weights(claim, corners(face));
+  const Rational least = squared_length(x - p);
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    if (square_to_box(corners(i), p) > least) continue;
+    const Triple y = nearest_in(corners(i), p);
+    const Rational here = squared_length(y - p);
+    expect(here >= least, "certificate: a face is nearer");
+    expect(here > least || (x == y ? face <= i : before(x, y)), "certificate: another place comes first");
+  }
+  expect_distance(claim, least);
+  const Surd with_sign = exact_surd(claim.truth["signed_distance"], "truth.signed_distance");
+  const int side = location == "inside" ? -1 : location == "outside" ? 1 : 0;
+  expect(sign(with_sign) == side && sign(certify::square(with_sign) + Rational(-least)) == 0,
+         "truth: signed_distance is wrong");
+  const std::size_t named = surface.face_of[face];
+  const Claim nearest{claim.input, claim.truth["nearest"], claim.certificate};
+  nearest.answers({"point", "face", "part"});
+  expect(exact_triple(nearest.truth["point"], "truth.point") == x, "truth: point is wrong");
+  const json& answered = nearest.truth["face"];
+  expect(answered.is_number_unsigned() && answered.get<std::uint64_t>() == named, "truth: face is wrong");
+  expect(nearest.word("part") == part_of(surface, named, x), "truth: part is wrong");
+}
+
 }  // namespace
 
 Checks checks_of_polyhedra() {
   return {{"point_in_convex_polyhedron", check_point_in_convex_polyhedron},
-          {"point_in_polyhedron", check_point_in_polyhedron}};
+          {"point_in_polyhedron", check_point_in_polyhedron},
+          {"point_mesh_distance", check_point_mesh_distance}};
 }
 
 }  // namespace touchstone::certify

@@ -32,21 +32,27 @@ void expect_even(const Mesh& mesh, const std::string& what) {
   }
 }
 
+Triple from_weights(const Claim& proof, const std::array<Triple, 3>& corners) {
+  const std::vector<Rational> weights = proof.list("weights");
+  expect(weights.size() == 3, "certificate: three weights");
+  Rational sum;
+  Triple combination{0, 0, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    expect(sgn(weights[k]) >= 0, "certificate: a weight is negative");
+    sum += weights[k];
+    combination = along(combination, weights[k], corners[k]);
+  }
+  expect(sum == 1, "certificate: the weights give another point");
+  return combination;
+}
+
 std::string proved_location(const Claim& proof, const Mesh& mesh, const Triple& p) {
   const auto corner = [&](std::size_t face, std::size_t k) { return mesh.vertices[mesh.faces[face][k]]; };
   if (proof.kind() == "on_face") {
     proof.facts({"face", "weights"});
     const std::size_t face = index(proof.single("face"), mesh.faces.size());
-    const std::vector<Rational> weights = proof.list("weights");
-    expect(weights.size() == 3, "certificate: three weights");
-    Rational sum;
-    Triple combination{0, 0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-      expect(sgn(weights[k]) >= 0, "certificate: a weight is negative");
-      sum += weights[k];
-      combination = along(combination, weights[k], corner(face, k));
-    }
-    expect(sum == 1 && combination == p, "certificate: the weights give another point");
+    expect(from_weights(proof, {corner(face, 0), corner(face, 1), corner(face, 2)}) == p,
+           "certificate: the weights give another point");
     return "boundary";
   }
   proof.expect_kind("crossings");

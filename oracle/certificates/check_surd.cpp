@@ -86,4 +86,12 @@ Surd exact_surd(const json& value, const std::string& what) {
   return *result;
 }
 
+void expect_distance(const Claim& claim, const Rational& square) {
+  expect(exact_value(claim.truth["squared_distance"], "truth.squared_distance") == square,
+         "truth: squared_distance is wrong");
+  const Surd distance = exact_surd(claim.truth["distance"], "truth.distance");
+  expect(sign(distance) >= 0 && sign(certify::square(distance) + Rational(-square)) == 0, "truth: distance is wrong");
+  expect_kind_of_root(claim, is_square(square));
+}
+
 }  // namespace touchstone::certify

@@ -38,4 +38,7 @@ struct Quadratic {
 /// where p and q are rationals.
 Surd exact_surd(const json& value, const std::string& what);
 
+/// Checks the truth's squared_distance, and distance, its root, which is rational or not, according to the kind.
+void expect_distance(const Claim& claim, const Rational& square);
+
 }  // namespace touchstone::certify

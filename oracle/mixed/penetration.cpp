@@ -188,15 +188,12 @@ Truth<Penetration<Surd>> truth_of_penetration(const Mesh<Number>& a, const Mesh<
 
 }  // namespace
 
-Truth<Penetration<Surd>> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b) {
-  return truth_of_penetration(a, b, radius_a, radius_b);
-}
-
 template <Exact Number>
 Truth<Penetration<Surd>> penetration(const Mesh<Number>& a, const Mesh<Number>& b, const Number& radius_a,
                                      const Number& radius_b) {
   return truth_of_penetration(a, b, radius_a, radius_b);
 }
+template Truth<Penetration<Surd>> penetration(const Meshd&, const Meshd&, const double&, const double&);
 template Truth<Penetration<Surd>> penetration(const Mesh<Rational>&, const Mesh<Rational>&, const Rational&,
                                               const Rational&);
 

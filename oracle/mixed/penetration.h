@@ -19,8 +19,7 @@ namespace touchstone::oracle {
 /// less a's, are the corners of a convex polyhedron, `faces`, three of these corners each, whose planes bound all
 /// differences; and `face`, the index of one that is as near to the origin as any. "nearest_points": `on_a`, `on_b`,
 /// weights of all vertices for two points between which the displacement is as long as the gap that it leaves.
-Truth<Penetration<Surd>> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b);
-template <Exact Number>
+template <Exact Number = double>
 Truth<Penetration<Surd>> penetration(const Mesh<Number>& a, const Mesh<Number>& b, const Number& radius_a,
                                      const Number& radius_b);
 

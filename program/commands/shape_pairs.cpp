@@ -46,7 +46,7 @@ std::string question_about(const Operation& operation) {
   if (type == "FirstContact") return "sweep";
   if (type == "Penetration") return "depth";
   const bool nearest =
-      type.rfind("Closest", 0) == 0 || type == "ConvexDistance" || type == "Point2" || type == "Point3";
+      type.starts_with("Closest") || type.ends_with("Distance") || type == "Point2" || type == "Point3";
   return nearest ? "distance" : "contact";
 }
 

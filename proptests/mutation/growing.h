@@ -214,6 +214,10 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
        [origin](L l) -> Json {
          return {{"mesh", l.sphere()}, {"point", origin}};
        }},
+      {"point_mesh_distance",
+       [origin](L l) -> Json {
+         return {{"point", origin}, {"mesh", l.sphere()}};
+       }},
       {"ray_mesh",
        [origin](L l) -> Json {
          return {{"ray", {{"origin", origin}, {"direction", {1, 0.2, 0.1}}}}, {"mesh", l.sphere()}};

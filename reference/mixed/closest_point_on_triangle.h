@@ -1,43 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
+#include "reference/polyhedra/point_mesh_distance.h"
 
 namespace touchstone::reference {
 
-/// The fraction of a total that a number is.
-struct ByQuotient {
-  template <class Real>
-  static std::array<Real, 2> parts(const Real& x, const Real& y, const Real& total) {
-    return {Real(x / total), Real(y / total)};
-  }
-};
-
-/// Selects the region in which p lies: of a corner, of an edge, or of the face.
+/// The point of a triangle that is nearest to p.
 template <class Real, class Division = ByQuotient>
 Point3<Real> nearest_of_triangle(const Point3<Real>& p, const Triangle3<Real>& triangle) {
-  const auto& [a, b, c] = triangle;
-  const Vector3<Real> ab = b - a, ac = c - a;
-  const Real zero(0), from_a = dot(ab, p - a), on_ac = dot(ac, p - a);
-  if (from_a <= zero && on_ac <= zero) return a;
-  const Real from_b = dot(ab, p - b), on_ac_of_b = dot(ac, p - b);
-  if (from_b >= zero && on_ac_of_b <= from_b) return b;
-  const Real of_c = Real(from_a * on_ac_of_b - from_b * on_ac);
-  if (of_c <= zero && from_a >= zero && from_b <= zero) return a + Real(from_a / Real(from_a - from_b)) * ab;
-  const Real from_c = dot(ab, p - c), on_ac_of_c = dot(ac, p - c);
-  if (on_ac_of_c >= zero && from_c <= on_ac_of_c) return c;
-  const Real of_b = Real(from_c * on_ac - from_a * on_ac_of_c);
-  if (of_b <= zero && on_ac >= zero && on_ac_of_c <= zero) return a + Real(on_ac / Real(on_ac - on_ac_of_c)) * ac;
-  const Real of_a = Real(from_b * on_ac_of_c - from_c * on_ac_of_b);
-  const Real leaves_b = Real(on_ac_of_b - from_b), leaves_c = Real(from_c - on_ac_of_c);
-  if (of_a <= zero && leaves_b >= zero && leaves_c >= zero)
-    return b + Real(leaves_b / Real(leaves_b + leaves_c)) * (c - b);
-  const auto [to_b, to_c] = Division::parts(of_b, of_c, Real(of_a + of_b + of_c));
-  return a + (to_b * ab + to_c * ac);
+  return nearest_place_in_triangle<Real, Division>(p, triangle).point;
 }
 
 /// The point of a closed triangle in space that is nearest to a point, its distance and the square of that.

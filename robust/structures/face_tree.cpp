@@ -132,4 +132,12 @@ FaceTree::Slabs::Slabs(const Ray3d& ray, float greatest) {
   }
 }
 
+FaceTree::Gaps::Gaps(const Point3d& p, float greatest) {
+  const Place at = rounded(p);
+  for (const float x : at) greatest = std::max(greatest, std::fabs(x));
+  moderate = greatest >= 0x1p-50F && greatest <= 0x1p60F;
+  const float more = greatest * 0x1p-20F;
+  for (std::size_t axis = 0; axis < 3; ++axis) above[axis] = at[axis] + more, below[axis] = at[axis] - more;
+}
+
 }  // namespace touchstone::robust::structures

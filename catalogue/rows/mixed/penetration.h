@@ -22,25 +22,21 @@ struct penetration : signatures::penetration {
   TOUCHSTONE_MODULES(penetration)
   using decision = NoDecision;
 
-  static const Metadata& metadata() {
-    static const Metadata metadata{
-        .name = name,
-        .chapter = "mixed",
-        .pages = "48-50, 53-54",
-        .question =
-            "How deep do two round convex solids overlap, and which least translation of a leaves them touching?",
-        .kind = Kind::measure,
-        .fields = {"a", "b", "radius_a", "radius_b"},
-        .ulps = 72,
-        .margin_degree = 2,
-        .cost = 300,
-        .time = {.robust = Growth::quadratic,
-                 .oracle = Growth::quartic,
-                 .ask = Growth::quartic,
-                 .reference = Growth::quadratic},
-        .list_length = 4};
-    return metadata;
-  }
+  static constexpr Metadata metadata{
+      .name = name,
+      .chapter = "mixed",
+      .pages = "48-50, 53-54",
+      .question = "How deep do two round convex solids overlap, and which least translation of a leaves them touching?",
+      .kind = Kind::measure,
+      .fields = {"a", "b", "radius_a", "radius_b"},
+      .ulps = 72,
+      .margin_degree = 2,
+      .cost = 300,
+      .time = {.robust = Growth::quadratic,
+               .oracle = Growth::quartic,
+               .ask = Growth::quartic,
+               .reference = Growth::quadratic},
+      .list_length = 4};
 
   static void hard_cases(HardCases<Question>& add) {
     add("lattice", [](DrawStream& c) -> Question {

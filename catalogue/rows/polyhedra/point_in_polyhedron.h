@@ -4,6 +4,7 @@
 #include "catalogue/families/list_draws.h"
 #include "catalogue/families/meshes/mesh_draws.h"
 #include "catalogue/families/meshes/part_draws.h"
+#include "catalogue/families/meshes/place_draws.h"
 #include "catalogue/families/meshes/polygon_draws.h"
 #include "catalogue/families/meshes/prism_draws.h"
 #include "catalogue/families/meshes/reported_meshes.h"
@@ -61,20 +62,8 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       return {mesh, beside(on_a_face_plane(mesh, c), c)};
     });
     add("between_vertices", mesh_and_point<lattice_solid, between_vertices>);
-    add("tetrahedra", [](DrawStream& c) -> Question {
-      const Meshd mesh = tetrahedra_together(c);
-      const Point3d p = c.coin() ? on_a_face_plane(mesh, c) : between_vertices(mesh, c);
-      return {mesh, {p.x + 4 * small_integer(c, 2), p.y, p.z}};
-    });
-    add("needless_faces", [](DrawStream& c) -> Question {
-      Meshd mesh = lattice_solid(c);
-      for (std::uint64_t left = 1 + c.below(3); left > 0; --left) {
-        for (Point3d& p : mesh.vertices) p = {6 * p.x, 6 * p.y, 6 * p.z};
-        mesh = with_needless_faces(mesh, c);
-      }
-      const Point3d p = mesh.vertices[c.coin() ? 0 : mesh.vertices.size() - 1], q = on_a_face_plane(mesh, c);
-      return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
-    });
+    add("tetrahedra", place_at_tetrahedra);
+    add("needless_faces", place_at_needless_faces);
     add("mapped", [](DrawStream& c) -> Question {
       Question question = mesh_and_point<lattice_solid, on_a_face_plane>(c);
       map_linearly(c, std::get<0>(question), std::get<1>(question));
@@ -88,12 +77,7 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       stretch(mesh, p);
       return {mesh, p};
     });
-    add("rounded_on_face", [](DrawStream& c) -> Question {
-      const Meshd mesh = ordinary_solid(c);
-      const auto &a = mesh.vertices[1], &b = mesh.vertices[2], &d = mesh.vertices[4];
-      const double s = std::fabs(ordinary(c)) / 2, t = std::fabs(ordinary(c)) / 2;
-      return {mesh, a + (s * (b - a)) + (t * (d - a))};
-    });
+    add("rounded_on_face", rounded_place_on_face);
     add("opened", [](DrawStream& c) -> Question {
       const auto [mesh, point] = mesh_and_point<lattice_solid, between_vertices>(c);
       return {opened(mesh, c), point};
@@ -142,30 +126,10 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       const auto [mesh, p] = mesh_and_point<drawn_prism, between_vertices>(c);
       return {c.coin() ? with_wrong_polygon(mesh, c) : with_wrong_cut(mesh, c), p};
     });
-    add.unscaled("shells", [](DrawStream& c) -> Question {
-      // On one of the shells, or between two of them.
-      const Meshd shape = around_the_mean(lattice_polyhedron(c)), mesh = shells(shape, c);
-      const Point3d p = on_a_face_plane(shape, c);
-      const auto size = up_to(c, 7);
-      return {mesh, {size * p.x, size * p.y, size * p.z}};
-    });
-    add.unscaled("body_in_recess", [](DrawStream& c) -> Question {
-      const auto [solid, body, middle] = body_in_recess(c);
-      const Meshd mesh = c.coin() ? together(body, solid) : together(solid, body);
-      const Vector3d off{3 * small_integer(c, 4), 3 * small_integer(c, 4), 3 * small_integer(c, 4)};
-      return {mesh, (c.one_in(3) ? on_a_face_plane(body, c) : middle) + off};
-    });
-    add.unscaled("crossing_boxes", [](DrawStream& c) -> Question {
-      const Meshd mesh = crossing_boxes(c);
-      const auto coordinate = [&c] { return 6 * static_cast<double>(2 + c.below(7)); };
-      return {mesh, {coordinate(), coordinate(), coordinate()}};
-    });
-    add.unscaled("face_listed_twice", [](DrawStream& c) -> Question {
-      const Meshd mesh = with_face_listed_twice(lattice_solid(c), c);
-      const Point3d p = on_a_face_plane({mesh.vertices, {mesh.faces.back()}}, c);
-      const double displacement = c.one_in(3) ? 4 * small_integer(c, 4) : 0;
-      return {mesh, {p.x + displacement, p.y, p.z}};
-    });
+    add.unscaled("shells", place_in_shells);
+    add.unscaled("body_in_recess", place_in_recess);
+    add.unscaled("crossing_boxes", place_in_crossing_boxes);
+    add.unscaled("face_listed_twice", place_at_face_listed_twice);
     add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
       const Meshd mesh = lattice_solid(c);
       Point3d p = between_vertices(mesh, c);
@@ -173,12 +137,7 @@ struct point_in_polyhedron : signatures::point_in_polyhedron {
       const Point3d q = c.one_in(4) ? between_vertices(mesh, c) : p;
       return {with_unnamed_vertices(mesh, q, c), p};
     });
-    add.unscaled("long_mesh", [](DrawStream& c) -> Question {
-      // At and around the last vertices for the most part; so the faces that decide come late in the list.
-      const Meshd& mesh = long_solid(c);
-      const Point3d& p = mesh.vertices[late_index(mesh.vertices.size(), c)];
-      return {mesh, {p.x + 6 * small_integer(c, 1), p.y + 6 * small_integer(c, 1), p.z + 6 * small_integer(c, 1)}};
-    });
+    add.unscaled("long_mesh", place_at_long_solid);
   }
 
   static void repair(Question& question) { make_solid(std::get<0>(question)); }

@@ -6,10 +6,8 @@
 
 namespace touchstone::catalogue::signatures {
 
-struct penetration {
+struct penetration : Signature<Penetration<double>(Meshd, Meshd, double, double)> {
   TOUCHSTONE_SIGNATURE(penetration)
-  using Question = std::tuple<Meshd, Meshd, double, double>;
-  using Answer = Penetration<double>;
 };
 
 }  // namespace touchstone::catalogue::signatures

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -20,6 +21,7 @@
 #include "robust/polygons/polygon_polygon.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/polyhedra/point_mesh_distance.h"
 #include "robust/polyhedra/polyhedron_polyhedron.h"
 #include "robust/prepared/polygon.h"
 #include "robust/prepared/solid.h"
@@ -158,6 +160,30 @@ TEST_CASE("prepared shapes: a solid of many faces holds what its coordinates say
   check_same(found, expected);
   robust::batch::point_in_convex_polyhedron(ConvexSolid(slab), columns, points.size(), found.data());
   check_same(found, expected);
+}
+
+TEST_CASE("prepared shapes: a slab of many faces is as far as its coordinates say, by a tree or not") {
+  const Meshd slab = slab_of_many_faces();
+  const Solid solid(slab);
+  const double ends[][2]{{0, 96}, {0, 96}, {0, 12}};
+  for (const double x : {-3.0, 0.0, 1.5, 40.5, 96.0, 1000.0})
+    for (const double y : {-4.0, 0.0, 2.5, 47.75, 95.0, 99.0})
+      for (const double z : {-12.0, 0.0, 0.25, 6.0, 12.0, 16.0}) {
+        const double at[]{x, y, z};
+        double square = 0, within = 96;
+        for (int axis = 0; axis < 3; ++axis) {
+          const double beyond = std::max({0.0, ends[axis][0] - at[axis], at[axis] - ends[axis][1]});
+          square += beyond * beyond;
+          within = std::min({within, at[axis] - ends[axis][0], ends[axis][1] - at[axis]});
+        }
+        if (square == 0) square = within * within;
+        const auto found = robust::point_mesh_distance({x, y, z}, solid),
+                   raw = robust::point_mesh_distance({x, y, z}, slab);
+        INFO(x << " " << y << " " << z);
+        REQUIRE(found.squared_distance == square);
+        REQUIRE(found.location == in_box({{0, 96, x}, {0, 96, y}, {0, 12, z}}));
+        REQUIRE((found.nearest.face == raw.nearest.face && found.signed_distance == raw.signed_distance));
+      }
 }
 
 TEST_CASE("prepared shapes: rows that are refused are named over many faces too") {
