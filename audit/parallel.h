@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "audit/uses.h"
-#include "robust/structures/parallel.h"
+#include "robust/kernel/machine/parallel.h"
 
 namespace touchstone::audit {
 

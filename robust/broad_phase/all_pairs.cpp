@@ -5,11 +5,11 @@
 #include <atomic>
 #include <utility>
 
+#include "robust/kernel/machine/parallel.h"
 #include "robust/kernel/shapes/spheres.h"
 #include "robust/kernel/shapes/valid.h"
 #include "robust/pairs/forest.h"
 #include "robust/structures/pair_tree.h"
-#include "robust/structures/parallel.h"
 #include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
@@ -18,7 +18,7 @@ namespace {
 template <class Solid>
 void validate(const char* field, const std::vector<Solid>& solids, std::size_t threads = 1) {
   std::atomic<bool> valid = true;
-  structures::Parts(threads, solids.size(), 1U << 16).each([&](std::size_t, std::size_t first, std::size_t last) {
+  kernel::ThreadParts(threads, solids.size(), 1U << 16).each([&](std::size_t, std::size_t first, std::size_t last) {
     const Solid* const own = solids.data();
     if (!std::all_of(own + first, own + last, [](const Solid& solid) { return kernel::valid(solid); })) valid = false;
   });

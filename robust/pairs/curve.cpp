@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "robust/kernel/filters/ordered_bits.h"
-#include "robust/structures/large_pages.h"
+#include "robust/kernel/machine/large_pages.h"
 
 namespace touchstone::robust::pairs {
 namespace {
@@ -87,7 +87,7 @@ Frame Curve::frame(const Placed* first, const Placed* last) const {
   const auto count = static_cast<std::size_t>(last - first);
   const Frame none{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, {}, count};
   const double share = 1.0 / static_cast<double>(count);
-  const structures::Parts parts = this->parts(first, last);
+  const kernel::ThreadParts parts = this->parts(first, last);
   std::vector<Frame> frames(parts.size(), none);
   parts.each([&](std::size_t part, std::size_t from, std::size_t end) {
     Frame own = none;
@@ -205,8 +205,8 @@ void Curve::sort_by_key(Placed* first, Placed* last) {
       return a.key < b.key || (a.key == b.key && a.body < b.body);
     });
   }
-  if (sorted_.size() < count) sorted_ = structures::zeros_in_large_pages<Placed>(count);
-  const structures::Parts parts = this->parts(first, last);
+  if (sorted_.size() < count) sorted_ = kernel::zeros_in_large_pages<Placed>(count);
+  const kernel::ThreadParts parts = this->parts(first, last);
   std::vector<std::array<std::uint32_t, cells>> starts(parts.size());
   Placed *from = first, *to = sorted_.data();
   for (int digit = 0; digit < 3; ++digit) {

@@ -7,7 +7,7 @@
 
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/strict_math.h"
-#include "robust/structures/parallel.h"
+#include "robust/kernel/machine/parallel.h"
 
 /// The order of boxes along a curve that fills space, so that most neighbours in space are neighbours in order. All of
 /// it is estimated: no answer depends on it. Requires a guard in scope.
@@ -40,7 +40,7 @@ struct Frame {
 };
 
 /// The parts of so many boxes that threads work on at the same time: a thread is made in about the time of a thousand.
-inline structures::Parts parts_of(std::size_t threads, std::size_t boxes) { return {threads, boxes, 1U << 14}; }
+inline kernel::ThreadParts parts_of(std::size_t threads, std::size_t boxes) { return {threads, boxes, 1U << 14}; }
 
 class Curve {
  public:
@@ -53,7 +53,7 @@ class Curve {
   void set_keys(Placed* first, Placed* last, const Frame& frame, const Extents& other_mean) const;
   void set_keys_by_exponent(Placed* first, Placed* last, const Frame& frame) const;
   void sort_by_key(Placed* first, Placed* last);
-  structures::Parts parts(const Placed* first, const Placed* last) const {
+  kernel::ThreadParts parts(const Placed* first, const Placed* last) const {
     return parts_of(threads_, static_cast<std::size_t>(last - first));
   }
 

@@ -13,12 +13,12 @@
 
 #include "robust/batch/isa/filters.h"
 #include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/machine/large_pages.h"
+#include "robust/kernel/machine/parallel.h"
 #include "robust/pairs/curve.h"
 #include "robust/structures/box_order.h"
-#include "robust/structures/large_pages.h"
 #include "robust/structures/pair_leaf.h"
 #include "robust/structures/pair_order.h"
-#include "robust/structures/parallel.h"
 
 namespace touchstone::robust::pairs {
 
@@ -84,9 +84,9 @@ class Tree {
     std::size_t nodes = leaves;
     for (std::size_t level = leaves; level > 1;) nodes += level = (level + eight - 1) / eight;
     nodes_.reset(new EightBoxes[nodes]);
-    structures::in_large_pages(nodes_.get(), nodes * sizeof(EightBoxes));
+    kernel::in_large_pages(nodes_.get(), nodes * sizeof(EightBoxes));
     body_.reset(new Index[eight * leaves]);
-    const structures::Parts parts(integers.size(), leaves, 1U << 11);
+    const kernel::ThreadParts parts(integers.size(), leaves, 1U << 11);
     parts.each([&](std::size_t part, std::size_t from, std::size_t end) {
       for (std::size_t k = from; k < end; ++k) fill_leaf(boxes, placed, count, k, integers[part]);
     });
@@ -224,7 +224,7 @@ class Forest {
   };
 
   static std::vector<Placed> in_list_order(std::size_t count) {
-    auto placed = structures::zeros_in_large_pages<Placed>(count);
+    auto placed = kernel::zeros_in_large_pages<Placed>(count);
     for (std::size_t i = 0; i < count; ++i) placed[i].body = static_cast<Index>(i);
     return placed;
   }
@@ -288,7 +288,7 @@ class Forest {
 
   batch::isa::JoinPairs& join_pairs_;
   const Aabb3d* boxes_;
-  structures::Parts parts_;
+  kernel::ThreadParts parts_;
   std::vector<Placed> placed_;
   Curve curve_;
   Frame all_;

@@ -12,8 +12,8 @@
 
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/strict_math.h"
-#include "robust/structures/large_pages.h"
-#include "robust/structures/parallel.h"
+#include "robust/kernel/machine/large_pages.h"
+#include "robust/kernel/machine/parallel.h"
 
 namespace touchstone::robust::structures {
 
@@ -49,7 +49,7 @@ class PairOrder {
       for (const PairOrder& order : orders) starts[k + 1] += size_of(order.ranges_[k]);
     }
     result.clear(), result.reserve(starts[ranges]);
-    in_large_pages(result.data(), starts[ranges] * sizeof(IndexPair));
+    kernel::in_large_pages(result.data(), starts[ranges] * sizeof(IndexPair));
     result.resize(starts[ranges]);
     std::atomic<std::size_t> next = 0;
     in_parallel(orders.size(), orders.size(), [&](std::size_t thread) {
@@ -80,7 +80,7 @@ class PairOrder {
       if (used_ == slabs_.size()) {
         const std::size_t size = slabs_.empty() ? 1 : std::min<std::size_t>(4096, 2 * slabs_.back().size);
         slabs_.push_back({std::unique_ptr<Block[]>(new Block[size]), size});
-        in_large_pages(slabs_.back().blocks.get(), size * sizeof(Block));
+        kernel::in_large_pages(slabs_.back().blocks.get(), size * sizeof(Block));
       }
       free_ = slabs_[used_].blocks.get(), last_ = free_ + slabs_[used_].size, ++used_;
     }

@@ -11,7 +11,8 @@ namespace touchstone::robust::batch {
 /// On 64-bit Arm NEON takes the place of AVX2, and SVE with registers of 256 bits that of AVX-512.
 enum class Instructions { portable, avx2, avx512, neon = avx2, sve = avx512 };
 
-/// What a call may use: so many threads as well, 0 for as many as the machine runs at once. The answers are the same.
+/// Limits of a call: instructions, and a number of threads, 0 for as many as the machine runs at once. The answers are
+/// the same.
 struct Limits {
   Instructions at_most = Instructions::avx512;
   std::size_t threads = 1;

@@ -9,7 +9,7 @@
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
 #include "robust/batch/isa/columns.h"
-#include "robust/structures/parallel.h"
+#include "robust/kernel/machine/parallel.h"
 
 /// Rows of columns, as the operands of a function of one question.
 namespace touchstone::robust::batch {
@@ -44,7 +44,7 @@ std::uint8_t decided(const Decide& decide, std::size_t i, const Operands&... ope
 }
 
 /// The parts of so many rows for threads: a thread is made in about the time of a thousand rows.
-inline structures::Parts parts_of(const Limits& limits, std::size_t count) {
+inline kernel::ThreadParts parts_of(const Limits& limits, std::size_t count) {
   return {limits.threads == 0 ? threads_of_machine() : limits.threads, count, 1U << 13};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/structures/parallel.h"
+#include "robust/kernel/machine/parallel.h"
 
 #include <atomic>
 #include <exception>
@@ -12,7 +12,7 @@ namespace touchstone::robust {
 
 std::size_t threads_of_machine() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-void structures::on_threads(std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& work) {
+void kernel::on_threads(std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   std::mutex failure_mutex;
   std::exception_ptr failure;

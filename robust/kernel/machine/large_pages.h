@@ -11,7 +11,7 @@
 
 #include "robust/kernel/filters/strict_math.h"
 
-namespace touchstone::robust::structures {
+namespace touchstone::robust::kernel {
 
 /// A hint for memory that is about to be written for the first time: in pages of 2 MiB that costs a fraction of what it
 /// costs in pages of 4 KiB, two microseconds each. Small memory, and other systems than Linux, are left as they are.
@@ -24,7 +24,7 @@ inline void in_large_pages([[maybe_unused]] const void* memory, [[maybe_unused]]
 #endif
 }
 
-/// So many elements of value 0 in such memory.
+/// A vector of elements of value 0 in such memory.
 template <class Element>
 std::vector<Element> zeros_in_large_pages(std::size_t count) {
   std::vector<Element> zeros;
@@ -34,4 +34,4 @@ std::vector<Element> zeros_in_large_pages(std::size_t count) {
   return zeros;
 }
 
-}  // namespace touchstone::robust::structures
+}  // namespace touchstone::robust::kernel
