@@ -4,7 +4,6 @@
 #include "catalogue/families/list_draws.h"
 #include "catalogue/families/meshes/mesh_draws.h"
 #include "catalogue/families/meshes/part_draws.h"
-#include "catalogue/families/meshes/place_draws.h"
 #include "catalogue/families/meshes/polygon_draws.h"
 #include "catalogue/families/meshes/prism_draws.h"
 #include "catalogue/families/meshes/reported_meshes.h"
