@@ -206,6 +206,21 @@ TEST_CASE("pairs of boxes: threads change nothing") {
   }
 }
 
+TEST_CASE("pairs of boxes: threads agree whether coarse integers tell all coordinates apart") {
+  // A grid of boxes that touch, for one thread; another far away, for the next, whose boxes are a bit apart.
+  Boxes boxes;
+  for (const double far : {0.0, 1024.0}) {
+    const double gap = far == 0 ? 0 : 0x1p-30;
+    for (int i = 0; i < 27'000; ++i) {
+      const Point3d p{far + i % 30, static_cast<double>(i / 30 % 30), static_cast<double>(i / 900)};
+      boxes.push_back({{p.x + gap, p.y + gap, p.z + gap}, {p.x + 1, p.y + 1, p.z + 1}});
+    }
+  }
+  const Pairs alone = robust::all_pairs(boxes);
+  CHECK(alone.size() == 3 * 29 * 30 * 30 + 6 * 29 * 29 * 30 + 4 * 29 * 29 * 29);
+  for (const std::size_t threads : {2U, 3U}) CHECK(robust::all_pairs(boxes, threads) == alone);
+}
+
 TEST_CASE("pairs of boxes: small and large ones, far from 0, and many that touch or are a bit apart") {
   std::size_t found = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
