@@ -122,9 +122,10 @@ void require_places(const Examination& question, const EncodedValue<double>& ans
 }
 
 /// The question with an answer for its truth that names the points nearest to the answer's and as near to each other as
-/// those of the truth; nullptr if there is no other. The decision is right.
+/// those of the truth; nullptr if there is no other.
 std::unique_ptr<const Examination> with_points_as_near(const Examination& question,
                                                        const EncodedValue<double>& partial_answer) {
+  if (question.row().as_near == nullptr) return nullptr;
   const Shape& shape = *question.row().answer;
   const EncodedTruth& truth = question.solution().answer;
   EncodedValue<double> answer = question.nearest_truth();  // in place of omitted numbers
@@ -134,29 +135,34 @@ std::unique_ptr<const Examination> with_points_as_near(const Examination& questi
   return other ? std::make_unique<const Examination>(question, *std::move(other)) : nullptr;
 }
 
-/// For a right decision with numbers that are too far from the truth's.
-void judge_numbers(Judgement& judgement, Comparison& found, const Examination& question,
+/// For numbers that are too far from the truth's, or another decision, which may be that of a solution that is as near.
+/// Returns false if it is not.
+bool judge_numbers(Judgement& judgement, Comparison& found, const Examination& question,
                    const EncodedValue<double>& answer, const Declaration& declaration) {
   const double most_ulps = question.row().metadata->ulps;
-  JudgedNumber worst = worst_number(question, answer, Reading::partial, declaration);
+  std::optional<JudgedNumber> worst;
+  if (found.decision) worst = worst_number(question, answer, Reading::partial, declaration);
   if (const auto other = with_points_as_near(question, answer)) {
     Judgement ignored;
     const Comparison near = compared(*other, answer, Reading::partial, declaration.binary32, ignored);
     const bool within = near.finite && near.ulps <= most_ulps;
-    const JudgedNumber as_near = within ? JudgedNumber{Verdict::agree, near.ulps, {}}
-                                        : worst_number(*other, answer, Reading::partial, declaration);
+    const JudgedNumber as_near = !near.decision ? JudgedNumber{Verdict::algorithm, near.ulps, {}}
+                                 : within       ? JudgedNumber{Verdict::agree, near.ulps, {}}
+                                                : worst_number(*other, answer, Reading::partial, declaration);
     const bool tie = as_near.verdict == Verdict::agree || as_near.verdict == Verdict::inexact,
                any = declaration.nearest == Declaration::Nearest::any;
-    if (any && (tie || as_near.verdict == Verdict::rounding)) worst = as_near;
+    if ((any && (tie || as_near.verdict == Verdict::rounding)) || (tie && !worst)) worst = as_near;
     if (tie) {
       judgement.breaks_tie = true;
       judgement.remark = "other points than the contract names, and as near";
-      if (!any) worst.verdict = Verdict::algorithm;
+      if (!any) worst->verdict = Verdict::algorithm;
     }
   }
-  judgement.verdict = worst.verdict;
-  if (worst.verdict != Verdict::agree) judgement.number = worst.number;
-  found.ulps = worst.ulps;
+  if (!worst) return false;
+  judgement.verdict = worst->verdict;
+  if (worst->verdict != Verdict::agree) judgement.number = worst->number;
+  found.ulps = worst->ulps;
+  return true;
 }
 
 Judgement judgement_of_answer(const Examination& question, const Json& json, const Declaration& declaration) {
@@ -172,14 +178,14 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
     const int reading =
         row.metadata->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
     const bool too_much = lists_too_much(judgement, declaration);
-    if (!found.decision || too_much) {
+    if (too_much || (!found.decision && !judge_numbers(judgement, found, question, answer, declaration))) {
       const Judgement before = std::move(judgement);
       judgement = wrong(question, &answer, declaration, reading == -1 && !too_much);
       judgement.remark = found.decision ? "it lists what does not meet" : before.remark;
       judgement.surplus = before.surplus, judgement.apart = before.apart;
-    } else if (!found.finite) {
+    } else if (found.decision && !found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
-    } else if (found.ulps > row.metadata->ulps) {
+    } else if (found.decision && found.ulps > row.metadata->ulps) {
       judge_numbers(judgement, found, question, answer, declaration);
     }
     judgement.ulps = found.ulps;

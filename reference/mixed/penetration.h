@@ -13,8 +13,8 @@
 
 namespace touchstone::reference {
 
-/// A direction of any length, how far b's core reaches along it beyond the beginning of a's, times that length, and the
-/// parts of both of which the direction was made.
+/// A direction of any length from b to a, how far b's core reaches along it beyond the vertex of a at which a's core
+/// begins, times that length, and the parts of both of which the direction was made.
 template <class Real>
 struct Overlap {
   Vector3<Real> direction;
@@ -146,19 +146,21 @@ SolidPart farthest_part(const std::optional<SolidPart>& known, const Mesh<Real>&
 ///
 /// No page of the deck asks this. The formula is that of separating axes (Gregorius, The separating axis test between
 /// convex polyhedra, 2013; Ericson, Real-Time Collision Detection, 5.2.1), put together from p. 53-54's faces and
-/// edges: along the normal of a face of either, or across an edge of both, that bounds the Minkowski difference, the
+/// edges: along the normal of a face of either, or across an edge of each, that bounds the Minkowski difference, the
 /// cores overlap by a height over the length of the normal, and the least of these is how deep they overlap. Where one
 /// is below 0 they are apart, and the formula of convex_distance (p. 48-50) gives their distance, which counts as a
 /// negative depth. The radii add to the depth. a, b: meshes, with radius_a and radius_b, any unit of length, the same
 /// for all. Closed sets: `contact` is `touching` where the depth is 0, `overlapping` where it is positive. Where it is
 /// negative, `disjoint`, it is minus the distance: the translation is then the least that makes them touch. So depth,
-/// direction and translation are always there, and the translation is depth times direction, which points from b to a.
+/// direction and translation are always there. The direction points from b to a; the translation is depth times it, so
+/// it points from a to b where the depth is negative. A number beyond the range of doubles is infinite.
 ///
 /// Where the cores meet, the direction is that of a face of the Minkowski difference: of a face of a, of one of b, or
-/// across an edge of each. Where several are as deep, because solids are symmetric, the contract names one: of each,
-/// the vertices of a that are farthest against it, listed in ascending order, count; the least list in lexicographic
-/// order has it, and if two have the same, the least list of the vertices of b that are farthest along it. No two
-/// directions share both. Vertices of no face count too. Engines promise no such choice: they may name another
+/// across an edge of each. Where several of these are as deep, the contract names one: of each, the vertices of a that
+/// are farthest against it, listed in ascending order, count; the least list in lexicographic order, where a list comes
+/// before one that it begins, has it, and if two have the same, the least list of the vertices of b that are farthest
+/// along it. No two such directions share both. Vertices of no face count too. Cores that only touch at a vertex or an
+/// edge part in many other directions as well. Engines promise no such choice: they may name another
 /// direction that is as deep, unless they declare that they name this one (`nearest`, docs/engines.md). Where the cores
 /// are apart there is one direction only, that of the shortest displacement from b to a. feature: whether the vertices
 /// of a that are farthest against the direction, and those of b that are farthest along it, span a point, an edge or a
@@ -166,22 +168,23 @@ SolidPart farthest_part(const std::optional<SolidPart>& known, const Mesh<Real>&
 ///
 /// Refused by robust and oracle: NaN or infinity; then what is not the surface of a convex solid, by the rules and in
 /// the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh; then a negative radius
-/// ("radius_a" or "radius_b", "radius >= 0"). That page also says which meshes are valid. A core is a solid: a point, a
-/// segment or a polygon is refused as a mesh without an inside.
+/// ("radius_a" or "radius_b", "radius >= 0"). That page also says which meshes are valid; faces of more than three
+/// corners are cut first, and refused by the rules of docs/meshes.md before everything else. A core is a solid: a
+/// point, a segment or a polygon is refused as a mesh without an inside, or for its faces without area.
 ///
 /// In exact arithmetic contact and depth are always right: the difference's faces have these normals. Among several
 /// directions that are as deep the formula returns any (cause: algorithm).
 ///
 /// Margin: |(radius_a + radius_b)^2 + s|, s being the square of the depth of the cores, negative where they are apart.
 ///
-/// Rounding (binary64, to nearest, u = 2^-53): where the coordinates are integers below 2^20, every two vertices at
-/// most 2^7 apart on each axis, no more than 2^10, and the cores meet, normals, heights and the signs that choose them
-/// are exact, the squares of two depths are mistaken for each other only if they differ by less than 3 u, and the
-/// contact is right; root, quotient and two sums of numbers that are not negative follow: the depth is off by at most 8
-/// u of itself. There is no bound elsewhere: a short normal, of a sliver or of edges that are nearly parallel, is off
-/// by any part of itself, and its height counts as any depth. ulps: 72 roundings behind each number (those of
-/// convex_distance, or nine in the normal, eight in the height, then five in a square, root and quotient; the sums of
-/// radii and depth, and the product).
+/// Rounding (binary64, to nearest, u = 2^-53): where the coordinates are integers below 2^20, every two of at most 2^10
+/// vertices at most 2^7 apart on each axis, the radii do not overflow, and the cores meet, normals, heights and the
+/// signs that choose them are exact, the squares of two depths are mistaken for each other only if they differ by less
+/// than 3 u of themselves, and the contact is right; root, quotient and two sums of numbers that are not negative
+/// follow: the depth is off by at most 8 u of itself. There is no bound elsewhere: a short normal, of a sliver or of
+/// edges that are nearly parallel, is off by any part of itself, and its height counts as any depth. ulps: 72 roundings
+/// behind each number (those of convex_distance, or nine in the normal, eight in the height, then five in a square,
+/// root and quotient; the sums of radii and depth, and the product).
 template <class Real>
 Penetration<Real> penetration(const Mesh<Real>& a, const Mesh<Real>& b, const Real& radius_a, const Real& radius_b) {
   using std::sqrt;

@@ -77,7 +77,10 @@ PlaceInTriangle<Real> nearest_place_in_triangle(const Point3<Real>& p, const Tri
 /// (point[c], "finite number"), or in the mesh (mesh.vertices[i][c], "finite number"); and then what
 /// point_in_polyhedron refuses, in the same words: a face that names no vertex (mesh.faces[i][k], "index of a vertex"),
 /// or one twice (mesh.faces[i], "three different vertices"); fewer than 4 faces (mesh, "at least 4 faces"); an edge in
-/// an odd number of faces (mesh.faces[i], "closed: the edge ..."). Numbers beyond the range of doubles are infinite.
+/// an odd number of faces (mesh.faces[i], "closed: the edge ..."). Faces of more than three corners are cut first, and
+/// refused by the rules of docs/meshes.md before everything else.
+///
+/// A number of the answer beyond the range of doubles is infinite.
 ///
 /// In exact arithmetic the distance is right if no face has its first two corners in one position. The formula names
 /// that of several nearest points which the first face has; it takes a diagonal of the cut of a face for an edge, and

@@ -71,7 +71,7 @@ const std::vector<Synonym>& synonyms() {
       {"newell", {"polygon_normal"}},
       {"orient 2d", {"orientation"}},
       {"orient 3d", {"point_plane"}},
-      {"penetration", {"penetration", "convex_distance", "penalty_force"}},
+      {"penetration depth", {"penetration", "convex_distance", "penalty_force"}},
       {"picking", {"ray_triangle", "ray_aabb", "ray_sphere", "ray_mesh"}},
       {"pip", {"point_in_polygon"}},
       {"pnpoly", {"point_in_polygon"}},

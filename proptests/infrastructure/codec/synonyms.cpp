@@ -58,7 +58,7 @@ TEST_CASE("synonyms: what no operation computes is said so, and has neighbours")
     CHECK(catalogue::why_not_computed(phrase) == std::string("no operation computes ") + what);
     CHECK_FALSE(nearest_operations(phrase, 3).empty());
   }
-  CHECK(catalogue::why_not_computed("SignedDistance").ends_with("a signed distance but from a plane"));
+  CHECK(catalogue::why_not_computed("BooleanUnion").ends_with("a difference of solids or areas"));
   CHECK(catalogue::why_not_computed("penetration_depth").empty());
   CHECK(catalogue::why_not_computed("segment_segment").empty());
   CHECK(catalogue::why_not_computed("areal").empty());

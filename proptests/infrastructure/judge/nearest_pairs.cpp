@@ -101,6 +101,40 @@ TEST_CASE("nearest pairs: who declares that it names the contract's pair is wron
   CHECK(wrong.remark.empty());
 }
 
+TEST_CASE("nearest pairs: words and indices are those of the solution that an engine names, not of the contract's") {
+  // The middle of a cube is as near to each face.
+  const Asked middle{"point_mesh_distance",
+                     R"({"point":[0.5,0.5,0.5],"mesh":{"vertices":[[0,0,0],[0,0,1],[0,1,0],[0,1,1],[1,0,0],[1,0,1],)"
+                     R"([1,1,0],[1,1,1]],"faces":[[0,1,3,2],[4,6,7,5],[0,4,5,1],[2,3,7,6],[0,2,6,4],[1,5,7,3]]}})"};
+  const auto nearest = [](const std::string& point, const std::string& face, const std::string& part = "inside") {
+    return R"({"location":"inside","nearest":{"point":)" + point + R"(,"face":)" + face + R"(,"part":")" + part +
+           R"("},"squared_distance":0.25,"distance":0.5,"signed_distance":-0.5})";
+  };
+  CHECK(middle.says(nearest("[0,0.5,0.5]", "0")) == Verdict::agree);
+  const Judgement other = middle.judge(nearest("[1,0.5,0.5]", "1"));
+  CHECK(other.verdict == Verdict::agree);
+  CHECK(other.breaks_tie);
+  CHECK(middle.says(nearest("[0.5,0.5,1]", "5")) == Verdict::agree);
+  CHECK(middle.judge(nearest("[1,0.5,0.5]", "1"), Nearest::named).verdict == Verdict::algorithm);
+  CHECK(middle.says(nearest("[1,0.5,0.5]", "0")) == Verdict::algorithm);
+  CHECK(middle.says(nearest("[1,0.5,0.5]", "5")) == Verdict::algorithm);
+  CHECK(middle.says(nearest("[1,0.5,0.5]", "1", "edge")) == Verdict::algorithm);
+  // Cubes that touch at a vertex can part in any direction between three faces.
+  const Asked cornered{"penetration",
+                       R"({"a":{"vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1],[0,1,1]],"faces":)"
+                       R"([[0,3,2,1],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]},)"
+                       R"("b":{"vertices":[[1,1,1],[2,1,1],[2,2,1],[1,2,1],[1,1,2],[2,1,2],[2,2,2],[1,2,2]],"faces":)"
+                       R"([[0,3,2,1],[4,5,6,7],[0,1,5,4],[1,2,6,5],[2,3,7,6],[3,0,4,7]]},"radius_a":0,"radius_b":0})"};
+  const auto parted = [](const std::string& direction, const std::string& part) {
+    return R"({"contact":"touching","depth":0,"direction":)" + direction +
+           R"(,"translation":[0,0,0],"feature":{"a":")" + part + R"(","b":")" + part + R"("}})";
+  };
+  CHECK(cornered.says(parted("[-0.6,-0.8,0]", "edge")) == Verdict::agree);
+  CHECK(cornered.says(parted("[0,0,-1]", "face")) == Verdict::agree);
+  CHECK(cornered.says(parted("[-0.6,-0.8,0]", "face")) != Verdict::agree);
+  CHECK(cornered.says(parted("[0,0,-1]", "edge")) != Verdict::agree);
+}
+
 TEST_CASE("nearest pairs: an engine that breaks ties its own way has no findings, and the table says how often") {
   const Tally any = audited<rows::segment_segment_distance>(in_the_middle);
   const Cell total = any.operations[0].total();
