@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The distance of two convex solids of 8 to 100 vertices, with nearest points: robust's, with and without its convexity
-// test of the meshes, and FCL's GJK with libccd, on the same shapes, whose objects are made beforehand. And how deep two
-// of them overlap: robust's, and FCL's with libccd, which finds a depth that need not be the least.
+// test of the meshes, and FCL's GJK with libccd, on the same shapes, whose objects are made beforehand. And how deep
+// two of them overlap: robust's, and FCL's with libccd, which finds a depth that need not be the least.
 //
 // bench/distances --verify compares distances and depths without timing.
 

@@ -55,10 +55,7 @@ struct Mesh {
   Surface theirs;
   Tree tree;
 
-  Mesh(const char* set, touchstone::Index n) : ours(mesh_of(set, n)) {
-    std::vector<Surface::Vertex_index> at;
-    for (const Point3d& p : ours.vertices) at.push_back(theirs.add_vertex({p.x, p.y, p.z}));
-    for (const Face& f : ours.faces) theirs.add_face(at[f.a], at[f.b], at[f.c]);
+  Mesh(const char* set, Index n) : ours(mesh_of(set, n)), theirs(bench::theirs(ours)) {
     tree.insert(faces(theirs).first, faces(theirs).second, theirs);
     tree.build();
   }

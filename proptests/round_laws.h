@@ -99,8 +99,8 @@ bool meets_with_parts(const Ask& ask, const Solid& solid, const Other& other) {
   return true;
 }
 
-/// The promise of the contracts of capsules for solids that are disjoint: where the numbers of `places` make it certain,
-/// the formula says so. `underflow`: in units of the least number.
+/// The promise of the contracts of capsules for solids that are disjoint: where the numbers of `places` make it
+/// certain, the formula says so. `underflow`: in units of the least number.
 template <class Truth, class Places>
 bool is_apart_where_certain(const Truth& truth, Contact answer, const Places& places, int underflow, double radius) {
   Rational sizes;

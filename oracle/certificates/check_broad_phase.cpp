@@ -16,14 +16,14 @@
 ///
 /// Each listed pair has a point in common. All solids are in the order of their lower ends on one axis: a solid after
 /// the first that begins beyond a solid's upper end begins beyond it too, and has no point in common with that solid.
-/// Each pair that is left is listed, or its own proof shows it to be apart; of a long list, for which these proofs would
-/// be longer than anything else, the two are compared here. So no pair is missing. For a program, the commands are carried out on a plain list, and
-/// each reply is proved on its own: pairs like this; whatever meets a box, a point or a ray by a proof for each body,
-/// in the order of their indices; or along a tree of bodies, whose boxes are computed here: what misses the box around
-/// a node misses each body of it, so that one proof is enough, and bodies that are in no leaf have proofs of their own
-/// behind. A ray enters a body where it crosses the plane of a face that it was beyond until then, into the body. It
-/// misses a body where the inequalities of faces, with weights that are not negative, sum up to c + s t <= 0 with c > 0
-/// and s >= 0.
+/// Each pair that is left is listed, or its own proof shows it to be apart; of a long list, for which these proofs
+/// would be longer than anything else, the two are compared here. So no pair is missing. For a program, the commands
+/// are carried out on a plain list, and each reply is proved on its own: pairs like this; whatever meets a box, a point
+/// or a ray by a proof for each body, in the order of their indices; or along a tree of bodies, whose boxes are
+/// computed here: what misses the box around a node misses each body of it, so that one proof is enough, and bodies
+/// that are in no leaf have proofs of their own behind. A ray enters a body where it crosses the plane of a face that
+/// it was beyond until then, into the body. It misses a body where the inequalities of faces, with weights that are not
+/// negative, sum up to c + s t <= 0 with c > 0 and s >= 0.
 namespace touchstone::certify {
 namespace {
 

@@ -80,9 +80,9 @@ Mesh hull_of_differences(const Claim& claim, const std::vector<Triple>& a, const
   return hull;
 }
 
-/// Returns the reach of the face that the certificate names. The solid of these faces is one of differences, and holds all of them: it is
-/// that of all translations that leave a common point. The least translation out of it ends at the foot of the
-/// perpendicular on one of their planes; where the origin is on several, each of these has a direction.
+/// Returns the reach of the face that the certificate names. The solid of these faces is one of differences, and holds
+/// all of them: it is that of all translations that leave a common point. The least translation out of it ends at the
+/// foot of the perpendicular on one of their planes; where the origin is on several, each of these has a direction.
 Reach nearest_face(const Claim& claim, const std::vector<Triple>& a, const std::vector<Triple>& b) {
   std::vector<Reach> faces;
   for (const Plane& face : outward_planes(hull_of_differences(claim, a, b), "certificate")) {

@@ -10,7 +10,8 @@ namespace touchstone::oracle {
 /// Truth: the lower end of the segment, and the point of the half-space that is nearest to it, in rationals
 /// (oracle/exact/shapes/half_space.h); the squared distance of both against that of the radius.
 ///
-/// Margin: |S - r^2|, S being the squared distance: 0 for a tangent capsule, and for a segment that meets the half-space.
+/// Margin: |S - r^2|, S being the squared distance: 0 for a tangent capsule, and for a segment that meets the
+/// half-space.
 ///
 /// Certificate, with the `weights` of the ends, which give the lowest point of the segment, and a `point` of the
 /// half-space: disjoint: "nearest_point" (farther from that than the radius). touching: "tangent" (as far as the

@@ -19,7 +19,8 @@ Truth<Contact> obb_plane(const Obb3<Number>& obb, const Plane<Number>& plane) {
                           : sgn(least) < 0 ? Contact::overlapping
                                            : Contact::touching;
   return {contact, Rational(least * least / dot(exactly.normal, exactly.normal)), [=]() -> Certificate {
-            // From the center towards the lowest corner, half as far as the height falls below 0 at last, or not at all.
+            // From the center towards the lowest corner, half as far as the height falls below 0 at last, or not at
+            // all.
             const bool inside = contact == Contact::overlapping, far = inside && sgn(of_center) >= 0;
             const Rational rest = far ? Rational(least / (2 * (least - of_center))) : Rational(1),
                            share = inside ? Rational(1 - rest) : Rational(1);

@@ -14,8 +14,8 @@ namespace touchstone::robust {
 /// `touching`: they have a common point and no common interior point: the capsule only reaches the plane from in front;
 /// or the radius is 0 and some of the segment in the half-space, however deep. A capsule within the half-space overlaps
 /// it. A segment of length 0 is a point. Right for all finite doubles in every floating-point environment. NaN and
-/// infinities throw InvalidInput, which names the field and "finite number"; so do a negative radius ("radius >= 0") and
-/// a normal of length 0 ("nonzero normal"). Contract: reference/planes/capsule_plane.h.
+/// infinities throw InvalidInput, which names the field and "finite number"; so do a negative radius ("radius >= 0")
+/// and a normal of length 0 ("nonzero normal"). Contract: reference/planes/capsule_plane.h.
 Contact capsule_plane(const Capsule3d& capsule, const Plane3d& plane);
 
 namespace stages {

@@ -42,7 +42,8 @@ struct FaceBound {
   Rational error;  ///< of the quotient
 
   FaceBound(const Ray3d& ray, const Triangle3d& t) {
-    const auto& [o, v] = ray;
+    const Point3d& o = ray.origin;
+    const Vector3d& v = ray.direction;
     const Vector3d e = t.b - t.a, f = t.c - t.a, s = o - t.a, p = cross(v, f), q = cross(s, e);
     const double rise = dot(e, p), ca = dot(s, p), ab = dot(v, q), bc = rise - ca - ab, height = dot(f, q);
     if (!finite(rise, ca, ab, bc, height)) return;
