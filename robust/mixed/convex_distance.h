@@ -13,8 +13,8 @@ namespace touchstone::robust {
 ///
 /// Touching is `meeting`: both distances are 0, without points. If several pairs are nearest, the one whose point on a
 /// is nearest to a.vertices[0]. The meshes are closed, and their faces are triangles that run counter-clockwise as seen
-/// from outside, or all clockwise. Every call checks that they are closed and convex, which takes faces times vertices
-/// steps, most of the time. Right for all finite doubles in every floating-point environment, and every number is
+/// from outside, or all clockwise. Every call checks that they are closed and convex, as point_in_convex_polyhedron
+/// does. Right for all finite doubles in every floating-point environment, and every number is
 /// correctly rounded on its own. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
 /// does every mesh that is not the surface of a convex solid (with the face). Contract:
 /// reference/mixed/convex_distance.h.

@@ -11,7 +11,8 @@ namespace touchstone::robust {
 /// Decides whether a point lies inside of a convex polyhedron, on its `boundary` or outside.
 ///
 /// The mesh is closed, and its faces are triangles that run counter-clockwise as seen from outside, or all clockwise.
-/// Every call checks that it is closed and convex: faces times vertices sides of planes, nearly all by the filter.
+/// Every call checks that it is closed and convex: the sides of few planes for each edge, or, if these do not tell, the
+/// side of each face's plane for each vertex.
 /// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
 /// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face).
 /// Contract: reference/polyhedra/point_in_convex_polyhedron.h.

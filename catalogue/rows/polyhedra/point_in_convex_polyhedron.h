@@ -68,6 +68,29 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
       const double s = ordinary(c), t = ordinary(c);
       return {mesh, a + (s * (b - a)) + (t * (d - a))};
     });
+    // Closed, no edge bends outwards, and the middle is behind each face; but the surface goes around it twice.
+    add.unscaled("wound_twice", [](DrawStream& c) -> Question {
+      const double far = 1 + static_cast<double>(c.below(3));
+      Meshd mesh{{{0, 0, far}, {0, 0, -far}, {0, 3, 0}, {-3, 1, 0}, {-2, -3, 0}, {2, -3, 0}, {3, 1, 0}}, {}};
+      if (c.coin()) {
+        for (Index k = 0; k < 5; ++k) {
+          const Index from = 2 + k, to = 2 + (k + 2) % 5;
+          mesh.faces.push_back({0, from, to}), mesh.faces.push_back({1, to, from});
+        }
+      } else {
+        mesh = lattice_polyhedron(c);
+        const auto count = static_cast<Index>(mesh.vertices.size());
+        for (Index i = 0; i < count; ++i) {
+          const Point3d p = mesh.vertices[i];
+          mesh.vertices.push_back({2 * p.x, 2 * p.y, 2 * p.z});
+        }
+        for (std::size_t i = 0, faces = mesh.faces.size(); i < faces; ++i) {
+          const auto [p, q, r] = mesh.faces[i];
+          mesh.faces.push_back({p + count, q + count, r + count});
+        }
+      }
+      return {mesh, between_vertices(mesh, c)};
+    });
     add("broken", [](DrawStream& c) -> Question {
       const auto [mesh, point] = mesh_and_point<lattice_polyhedron, between_vertices>(c);
       return {broken(mesh, c), point};

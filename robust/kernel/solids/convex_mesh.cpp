@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "geometry/validation.h"
+#include "robust/kernel/filters/sized.h"
 #include "robust/kernel/shapes/face_side.h"
 #include "robust/kernel/shapes/plane.h"
 #include "robust/kernel/solids/polygon_faces.h"
@@ -16,24 +20,67 @@ namespace {
 
 std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
 
-std::uint64_t edge(Index from, Index to) { return std::uint64_t{from} << 32 | to; }
-
-void validate_closed(const std::string& field, const Meshd& mesh) {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    const auto ring = ring_of(face);
-    for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge(ring[k], ring[k + 1]));
+/// The directed edges of triangles; edge 3 i + k leads from corner k of face i to the next.
+class DirectedEdges {
+ public:
+  explicit DirectedEdges(const Meshd& mesh)
+      : faces_(mesh.faces),
+        first_(mesh.vertices.size() + 2, 0),
+        leaving_(3 * faces_.size()),
+        reverse_(3 * faces_.size()) {
+    for (const auto& [a, b, c] : faces_)
+      for (const Index from : {a, b, c}) ++first_[from + 2];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    std::uint32_t edge = 0;
+    for (const auto& [a, b, c] : faces_)
+      for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) leaving_[first_[from + 1]++] = {to, edge++};
+    edge = 0;
+    for (const auto& [a, b, c] : faces_)
+      for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}}) closed_ &= find(to, from, reverse_[edge++]) == 1;
   }
-  std::sort(edges.begin(), edges.end());
-  const auto once = [&edges](Index from, Index to) {
-    const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edge(from, to));
-    return last - first == 1;
+
+  /// True if the reverse of each occurs once, and with it each itself.
+  bool closed() const { return closed_; }
+  bool once(Index from, Index to) const {
+    std::uint32_t found = 0;
+    return find(from, to, found) == 1;
+  }
+  bool starts_any(Index from) const { return first_[from] != first_[from + 1]; }
+  /// The vertex opposite an edge in the other face that has it.
+  Index across(std::size_t edge) const {
+    const Face& other = faces_[reverse_[edge] / 3];
+    return std::array{other.c, other.a, other.b}[reverse_[edge] % 3];
+  }
+
+ private:
+  struct Edge {
+    Index to;
+    std::uint32_t edge;
   };
+
+  /// How often it occurs, and where.
+  int find(Index from, Index to, std::uint32_t& found) const {
+    int count = 0;
+    for (std::uint32_t i = first_[from]; i < first_[from + 1]; ++i) {
+      const bool same = leaving_[i].to == to;
+      count += static_cast<int>(same), found = same ? leaving_[i].edge : found;
+    }
+    return count;
+  }
+
+  const std::vector<Face>& faces_;
+  std::vector<std::uint32_t> first_;  // of the edges that leave each vertex
+  std::vector<Edge> leaving_;
+  std::vector<std::uint32_t> reverse_;
+  bool closed_ = true;
+};
+
+void validate_closed(const std::string& field, const Meshd& mesh, const DirectedEdges& edges) {
+  if (edges.closed()) return;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto ring = ring_of(mesh.faces[i]);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!once(ring[k], ring[k + 1]) || !once(ring[k + 1], ring[k]))
+      if (!edges.once(ring[k], ring[k + 1]) || !edges.once(ring[k + 1], ring[k]))
         validation::refuse_edge(field, mesh, i, ring[k], ring[k + 1]);
     }
   }
@@ -54,11 +101,85 @@ void validate_areas(const std::string& field, const Meshd& mesh) {
   }
 }
 
+/// Asks each edge instead of each vertex about each face. A point o is below all faces, and a ray from o meets one: so
+/// all rays do, and the surface is a function of the direction from o. It is convex if it bends at no edge outwards.
+/// (Mehlhorn et al., "Checking geometric programs or verification of geometric structures", 1999.)
+class ConvexByEdges {
+ public:
+  ConvexByEdges(const Meshd& mesh, const DirectedEdges& edges) : mesh_(mesh), edges_(edges) {}
+
+  /// The side of the outside, as validate_convex returns it; 0 if the mesh is not certainly convex.
+  int outside(Stage& latest) const {
+    for (Index i = 0; i < mesh_.vertices.size(); ++i)
+      if (!edges_.starts_any(i) || !filters::moderate(mesh_.vertices[i])) return 0;
+    const Point3d middle = mean();
+    const int inside = FaceSide(mesh_, mesh_.faces[0]).surely(middle);
+    if (inside == 0 || !meets_one_face(middle, inside)) return 0;
+    Stage needed = latest;
+    for (std::size_t i = 0; i < mesh_.faces.size(); ++i) {
+      const FaceSide plane(mesh_, mesh_.faces[i]);
+      if (plane.surely(middle) != inside) return 0;
+      const auto ring = ring_of(mesh_.faces[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (ring[k] < ring[k + 1] && plane.of(mesh_.vertices[edges_.across(3 * i + k)]).noting(needed) == -inside)
+          return 0;
+      }
+    }
+    latest = needed;
+    return -inside;
+  }
+
+ private:
+  /// About the mean of the vertices, whose coordinates are not tiny: any point inside will do.
+  Point3d mean() const {
+    double x = 0, y = 0, z = 0, extent = 0;
+    for (const Point3d& p : mesh_.vertices) {
+      x += p.x, y += p.y, z += p.z;
+      extent = std::max({extent, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    }
+    const auto count = static_cast<double>(mesh_.vertices.size());
+    const auto part = [&](double sum) { return std::fabs(sum) < count * extent * 0x1p-20 ? 0.0 : sum / count; };
+    return {part(x), part(y), part(z)};
+  }
+
+  /// True if the ray from o towards about the middle of the first face certainly passes through one face and misses
+  /// all others: three planes through o bound the cone of a face. Both points are multiples of 2^-150, as means of
+  /// `moderate` numbers, or their parts are 0: what is said of these in sized.h holds here with 2^-450.
+  bool meets_one_face(const Point3d& o, int inside) const {
+    const auto [a, b, c] = corners(mesh_.faces[0]);
+    const Point3d target{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+    const auto ray = filters::sized_between(o, target);
+    int met = 0;
+    for (const Face& face : mesh_.faces) {
+      const auto [p, q, r] = corners(face);
+      const auto to_p = filters::sized_between(o, p), to_q = filters::sized_between(o, q),
+                 to_r = filters::sized_between(o, r);
+      const auto pq = dot(ray, cross(to_p, to_q)), qr = dot(ray, cross(to_q, to_r)), rp = dot(ray, cross(to_r, to_p));
+      const bool front = inside < 0;
+      const auto within = [front](const auto& side) { return front ? side.positive() : side.negative(); };
+      const auto missed = [front](const auto& side) { return front ? side.negative() : side.positive(); };
+      if (missed(pq) | missed(qr) | missed(rp)) continue;
+      if (!(within(pq) & within(qr) & within(rp))) return false;
+      ++met;
+    }
+    return met == 1;
+  }
+  std::array<Point3d, 3> corners(const Face& f) const {
+    return {mesh_.vertices[f.a], mesh_.vertices[f.b], mesh_.vertices[f.c]};
+  }
+
+  const Meshd& mesh_;
+  const DirectedEdges& edges_;
+};
+
 }  // namespace
 
 int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) {
   validation::validate(field, mesh), validate_polygons(field, mesh);
-  validation::validate_triangles(field, mesh), validate_closed(field, mesh);
+  validation::validate_triangles(field, mesh);
+  const DirectedEdges edges(mesh);
+  validate_closed(field, mesh, edges);
+  if (const int outside = ConvexByEdges(mesh, edges).outside(latest); outside != 0) return outside;
   int outside = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const Face& face = mesh.faces[i];
