@@ -22,6 +22,7 @@
 #include "robust/kernel/solids/solid_distance.h"
 #include "robust/mixed/convex_distance.h"
 #include "robust/mixed/penetration.h"
+#include "robust/prepared/solid.h"
 #include "robust/volumes/convex_hull.h"
 
 namespace touchstone::bench {
@@ -42,6 +43,7 @@ Meshd ball(std::size_t count, const Point3d& center, std::mt19937_64& bits) {
 struct Pair {
   Meshd a, b;
   std::unique_ptr<fcl::CollisionObjectd> first, second;
+  std::unique_ptr<robust::ConvexSolid> solid_a, solid_b;
 };
 
 std::unique_ptr<fcl::CollisionObjectd> theirs(const Meshd& mesh) {
@@ -60,9 +62,15 @@ std::vector<Pair> pairs_of(std::size_t count, double far) {
   std::vector<Pair> pairs;
   for (int i = 0; i < 64; ++i) {
     const double turn = 2 * std::numbers::pi * static_cast<double>(bits() >> 11) * 0x1p-53;
-    Pair pair{
-        ball(count, {0, 0, 0}, bits), ball(count, {far * std::cos(turn), far * std::sin(turn), 0.5}, bits), {}, {}};
+    Pair pair{ball(count, {0, 0, 0}, bits),
+              ball(count, {far * std::cos(turn), far * std::sin(turn), 0.5}, bits),
+              {},
+              {},
+              {},
+              {}};
     pair.first = theirs(pair.a), pair.second = theirs(pair.b);
+    pair.solid_a = std::make_unique<robust::ConvexSolid>(pair.a);
+    pair.solid_b = std::make_unique<robust::ConvexSolid>(pair.b);
     pairs.push_back(std::move(pair));
   }
   return pairs;
@@ -77,6 +85,9 @@ double by_fcl(const Pair& pair) {
 }
 
 double depth_by_robust(const Pair& pair) { return robust::penetration(pair.a, pair.b, 0, 0).depth; }
+double depth_by_robust_of_valid(const Pair& pair) {
+  return robust::penetration(*pair.solid_a, *pair.solid_b, 0, 0).depth;
+}
 double depth_by_fcl(const Pair& pair) {
   const fcl::CollisionRequestd request(1, true);
   fcl::CollisionResultd result;
@@ -114,7 +125,9 @@ int main(int argc, char** argv) {
       deepest = std::fmax(deepest, std::fabs(depth_by_fcl(pair) / depth_by_robust(pair) - 1));
     if (verify) std::printf("%3zu vertices: FCL is off by %.3g of the depth at most\n", counts[i], deepest);
     const std::string depth = "penetration_" + std::to_string(counts[i]) + "/";
-    add(depth + "robust", overlapping[i], depth_by_robust), add(depth + "fcl", overlapping[i], depth_by_fcl);
+    add(depth + "robust", overlapping[i], depth_by_robust);
+    add(depth + "robust_of_valid", overlapping[i], depth_by_robust_of_valid);
+    add(depth + "fcl", overlapping[i], depth_by_fcl);
   }
   if (verify) return 0;
   benchmark::Initialize(&argc, argv);

@@ -14,11 +14,16 @@ namespace touchstone::robust {
 /// Where they are disjoint the depth is negative, minus their distance, and the translation makes them touch. If
 /// several directions are as deep, the one whose farthest vertices of a come first in lexicographic order of their
 /// indices, then those of b. The meshes are closed, and their faces are triangles that run counter-clockwise as seen
-/// from outside, or all clockwise; the radii are not negative. Every call checks that the meshes are closed and convex.
-/// It takes as many steps as there are pairs of edges. Right for all finite doubles in every floating-point
-/// environment, and every number is correctly rounded on its own. NaN and infinities throw InvalidInput, which names
+/// from outside, or all clockwise; the radii are not negative. Every call with meshes checks that they are closed and
+/// convex. If the interiors certainly meet it asks all vertices once for each face found around the nearest part of the
+/// Minkowski difference; if they touch it takes as many steps as there are pairs of edges. Right for all finite
+/// doubles in every floating-point environment, and every number is correctly rounded on its own. NaN and infinities throw InvalidInput, which names
 /// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face), and a
 /// negative radius. Contract: reference/mixed/penetration.h.
 Penetration<double> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b);
+
+class ConvexSolid;  // robust/prepared/solid.h
+/// The same of solids that were checked before.
+Penetration<double> penetration(const ConvexSolid& a, const ConvexSolid& b, double radius_a, double radius_b);
 
 }  // namespace touchstone::robust

@@ -20,6 +20,7 @@ namespace touchstone::catalogue::rows {
 
 struct penetration : signatures::penetration {
   TOUCHSTONE_MODULES(penetration)
+  TOUCHSTONE_PREPARED(penetration, ConvexSolid)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{

@@ -9,6 +9,7 @@
 
 #include "robust/kernel/enclosed/enclosed_nearest.h"
 #include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/minkowski/difference_faces.h"
 #include "robust/kernel/shapes/lowest_vertices.h"
 #include "robust/kernel/shapes/nearest_to_origin.h"
 #include "robust/kernel/solids/common_point.h"
@@ -18,29 +19,11 @@ namespace {
 
 using IntegerVector = Vector3<mpz_class>;
 
-/// A vertex of a and one of b: the displacement from the second to the first is a point of their Minkowski difference.
-struct Corners {
-  Index of_a, of_b;
-  friend bool operator==(const Corners&, const Corners&) = default;
-};
-
 /// Scaled near enough to 1 for products of five.
 std::vector<Point3d> near_one(const Meshd& mesh, int places) {
   std::vector<Point3d> points = mesh.vertices;
   for (Point3d& p : points) p = {std::ldexp(p.x, -places), std::ldexp(p.y, -places), std::ldexp(p.z, -places)};
   return points;
-}
-
-Index lowest(const std::vector<Point3d>& points, const Vector3d& n) {
-  const auto height = [&](const Point3d& p) { return n.x * p.x + n.y * p.y + n.z * p.z; };
-  Index found = 0;
-  double least = height(points[0]);
-  for (Index i = 1; i < points.size(); ++i) {
-    const double next = height(points[i]);
-    const bool lower = next < least;
-    least = lower ? next : least, found = lower ? i : found;
-  }
-  return found;
 }
 
 /// Corners whose displacements probably span the point of the difference that is nearest to 0: the distance of Gilbert,
@@ -69,20 +52,6 @@ std::vector<Corners> guessed(const std::vector<Point3d>& points_of_a, const std:
   return corners;
 }
 
-/// The distinct vertices of one mesh among the corners, up to three.
-struct Used {
-  std::array<Index, 3> at{};
-  std::size_t count = 0;
-
-  bool has(Index i) const { return std::find(at.begin(), at.begin() + count, i) != at.begin() + count; }
-  bool add(Index i) {
-    if (has(i)) return true;
-    if (count == at.size()) return false;
-    at[count++] = i;
-    return true;
-  }
-};
-
 using SizedPoint = filters::Triple<filters::Sized<1>>;
 
 /// Calls with_normal(n) for a certain normal from b to a of the parts that these vertices span: a positive multiple of
@@ -106,15 +75,6 @@ bool with_normal(const std::vector<Point3d>& a, const Used& of_a, const std::vec
   }
   const SizedPoint w = of_a.count == 3 ? edge(a, of_a, 2) : of_b.count == 3 ? edge(b, of_b, 2) : edge(b, of_b, 1);
   return sided(cross(v, w));
-}
-
-/// True if all vertices but the used ones are certainly on the side of these where the normal points.
-template <class Normal>
-bool alone(const std::vector<Point3d>& points, const Used& used, const Normal& normal) {
-  const Point3d& first = points[used.at[0]];
-  for (Index i = 0; i < points.size(); ++i)
-    if (!dot(normal, filters::sized_between(first, points[i])).positive() && !used.has(i)) return false;
-  return true;
 }
 
 /// The answer, if certain signs tell that the guessed corners span the nearest parts of the solids, with nearest points
@@ -149,12 +109,6 @@ Perhaps<ConvexDistance<double>> certain_distance(const Meshd& a, const Meshd& b,
   if (!pair) return std::nullopt;
   const auto& [on_a, on_b, square, distance] = *pair;
   return ConvexDistance<double>{ConvexRelation::apart, on_a, on_b, square, distance};
-}
-
-bool all_moderate(const Meshd& mesh) {
-  int all = 1;
-  for (const Point3d& p : mesh.vertices) all &= static_cast<int>(filters::moderate(p));
-  return all != 0;
 }
 
 /// For numbers of any size.

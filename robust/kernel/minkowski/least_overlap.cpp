@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/kernel/solids/least_overlap.h"
+#include "robust/kernel/minkowski/least_overlap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,22 +40,6 @@ struct Candidate {
   double least;
 };
 
-/// Enclosures of overlaps of vertices that are `moderate`.
-///
-/// height and square are Sized: the exact ones are within their errors. The sum with the error, the root, the quotient
-/// and the last product are off by 2^-52 of themselves each, in every mode; 2^-40 is taken for all. Not proved by
-/// machine.
-struct Range {
-  double least, most;
-
-  template <int k>
-  Range(double low, double high, const filters::Sized<k>& square) {
-    const double shortest = square.value - square.error(), longest = square.value + square.error();
-    most = shortest > 0 ? high / std::sqrt(shortest) * (1 + 0x1p-40) : std::numeric_limits<double>::infinity();
-    least = low > 0 && longest > 0 ? low / std::sqrt(longest) * (1 - 0x1p-40) : 0;
-  }
-};
-
 /// Where a third corner of a's edge or of b's lies: 1 where the direction leaves it on the right side, -1 where the
 /// opposite direction does, 0 where that is not certain.
 template <class Number>
@@ -83,10 +67,6 @@ int turn_of(const Normal& normal, const Edge& e, const Edge& f, const Between& o
 class Candidates {
  public:
   Candidates(const Meshd& a, const Meshd& b) : a_(a), b_(b), edges_of_a_(edges_of(a)), edges_of_b_(edges_of(b)) {
-    const auto all_moderate = [](const Meshd& mesh) {
-      return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                         [](const Point3d& p) { return filters::moderate(p); });
-    };
     moderate_ = all_moderate(a) && all_moderate(b);
     for (std::size_t i = 0; i < a.faces.size(); ++i) add_face(Candidate::Kind::face_of_a, a, i, b);
     for (std::size_t i = 0; i < b.faces.size(); ++i) add_face(Candidate::Kind::face_of_b, b, i, a);
@@ -105,7 +85,7 @@ class Candidates {
   }
 
  private:
-  void add(Candidate::Kind kind, std::size_t i, std::size_t j, const Range& range) {
+  void add(Candidate::Kind kind, std::size_t i, std::size_t j, const DistanceRange& range) {
     all_.push_back({kind, i, j, range.least}), most_ = std::min(most_, range.most);
   }
 
@@ -125,7 +105,7 @@ class Candidates {
       const double value = inward * height.value, error = height.error();
       low = std::max(low, value - error), high = std::max(high, value + error);
     }
-    add(kind, i, 0, Range(low, high, dot(normal, normal)));
+    add(kind, i, 0, DistanceRange(low, high, dot(normal, normal)));
   }
 
   void add_edges(std::size_t i, std::size_t j) {
@@ -141,7 +121,7 @@ class Candidates {
     if (turn == 0) return all_.push_back({Candidate::Kind::edges, i, j, 0});
     const auto height = dot(normal, filters::sized_between(a_.vertices[e.from], b_.vertices[f.from]));
     const double value = turn * height.value, error = height.error();
-    add(Candidate::Kind::edges, i, j, Range(value - error, value + error, dot(normal, normal)));
+    add(Candidate::Kind::edges, i, j, DistanceRange(value - error, value + error, dot(normal, normal)));
   }
 
   const Meshd &a_, &b_;
@@ -151,10 +131,57 @@ class Candidates {
   bool moderate_ = false;
 };
 
-/// The least of the overlaps, each on integers.
+struct Found {
+  IntegerVector direction;
+  mpz_class height, square;
+  Index of_a, of_b;  // a vertex of each that is farthest
+};
+
+/// The least of the overlaps along some directions.
 class Least {
  public:
-  Least(const Meshd& a, const Meshd& b) : a_(a), b_(b) {
+  Least(const Meshd& a, const Meshd& b) : a_(a), b_(b) {}
+
+  void add(Found next) {
+    if (best_) {
+      const mpz_class here = next.height * next.height * best_->square,
+                      there = best_->height * best_->height * next.square;
+      if (here > there || (here == there && !(farthest(next) < farthest(*best_)))) return;
+    }
+    best_ = std::move(next);
+  }
+  /// False, and nothing is added, if one of the vertices is not farthest.
+  bool add_if_farthest(Found next) {
+    const auto [of_a, of_b] = farthest(next);
+    const bool known = std::binary_search(of_a.begin(), of_a.end(), next.of_a) &&
+                       std::binary_search(of_b.begin(), of_b.end(), next.of_b);
+    if (known) add(std::move(next));
+    return known;
+  }
+
+  CoreOverlap found(int exponent) const {
+    const auto [of_a, of_b] = farthest(best_.value());
+    return {best_->direction, best_->height, mpz_class(1), exponent, of_a, of_b};
+  }
+
+ private:
+  using Levels = std::pair<std::vector<Index>, std::vector<Index>>;
+
+  Levels farthest(const Found& found) const {
+    Levels levels{lowest_vertices(a_.vertices, {found.of_a}, found.direction),
+                  lowest_vertices(b_.vertices, {found.of_b}, mpz_class(-1) * found.direction)};
+    std::sort(levels.first.begin(), levels.first.end()), std::sort(levels.second.begin(), levels.second.end());
+    return levels;
+  }
+
+  const Meshd &a_, &b_;
+  std::optional<Found> best_;
+};
+
+/// Overlaps along the directions of faces and pairs of edges, each on integers.
+class Overlaps {
+ public:
+  Overlaps(const Meshd& a, const Meshd& b) : a_(a), b_(b), least_(a, b) {
     Polygon3d all{a.vertices};
     all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
     auto points = integers_of(all);
@@ -185,19 +212,9 @@ class Least {
     add(direction, dot(direction, at_[first + f.from] - at_[e.from]), e.from, f.from);
   }
 
-  CoreOverlap found() const {
-    const auto [of_a, of_b] = farthest(best_.value());
-    return {best_->direction, best_->height, mpz_class(1), exponent_, of_a, of_b};
-  }
+  CoreOverlap found() const { return least_.found(exponent_); }
 
  private:
-  struct Found {
-    IntegerVector direction;
-    mpz_class height, square;
-    Index of_a, of_b;  // a vertex of each that is farthest
-  };
-  using Levels = std::pair<std::vector<Index>, std::vector<Index>>;
-
   /// That of a face, on whose plane's one side all vertices from `first` to `last` lie.
   IntegerVector inward_normal(const Face& f, std::size_t first, std::size_t last) const {
     const IntegerPoint& p = at_[first + f.a];
@@ -215,40 +232,42 @@ class Least {
     }
     return most;
   }
-
-  Levels farthest(const Found& found) const {
-    Levels levels{lowest_vertices(a_.vertices, {found.of_a}, found.direction),
-                  lowest_vertices(b_.vertices, {found.of_b}, mpz_class(-1) * found.direction)};
-    std::sort(levels.first.begin(), levels.first.end()), std::sort(levels.second.begin(), levels.second.end());
-    return levels;
-  }
-
   void add(const IntegerVector& direction, const mpz_class& height, Index of_a, Index of_b) {
-    Found next{direction, height, dot(direction, direction), of_a, of_b};
-    if (best_) {
-      const mpz_class here = height * height * best_->square, there = best_->height * best_->height * next.square;
-      if (here > there || (here == there && !(farthest(next) < farthest(*best_)))) return;
-    }
-    best_ = std::move(next);
+    least_.add({direction, height, dot(direction, direction), of_a, of_b});
   }
 
   const Meshd &a_, &b_;
   std::vector<IntegerPoint> at_;
   int exponent_ = 0;
-  std::optional<Found> best_;
+  Least least_;
 };
 
 }  // namespace
 
+std::optional<CoreOverlap> least_of_faces(const Meshd& a, const Meshd& b, const std::vector<DifferenceFace>& faces) {
+  Polygon3d used;
+  for (const DifferenceFace& face : faces)
+    for (const auto& [i, j] : face) used.vertices.push_back(a.vertices[i]), used.vertices.push_back(b.vertices[j]);
+  const auto points = integers_of(used);
+  Least least(a, b);
+  for (std::size_t k = 0; k < faces.size(); ++k) {
+    const auto corner = [&at = points.at, k](std::size_t m) { return at[6 * k + 2 * m + 1] - at[6 * k + 2 * m]; };
+    const IntegerVector p = corner(0), normal = cross(corner(1) - p, corner(2) - p);
+    const auto [of_a, of_b] = faces[k][0];
+    if (!least.add_if_farthest({normal, dot(normal, p), dot(normal, normal), of_a, of_b})) return std::nullopt;
+  }
+  return least.found(points.exponent);
+}
+
 CoreOverlap least_overlap(const Meshd& a, const Meshd& b) {
   const Candidates candidates(a, b);
-  Least least(a, b);
+  Overlaps overlaps(a, b);
   candidates.for_each([&](const Candidate& each) {
-    if (each.kind == Candidate::Kind::face_of_a) least.add_face_of_a(a.faces[each.i]);
-    else if (each.kind == Candidate::Kind::face_of_b) least.add_face_of_b(b.faces[each.i]);
-    else least.add_edges(candidates.edge_of_a(each), candidates.edge_of_b(each));
+    if (each.kind == Candidate::Kind::face_of_a) overlaps.add_face_of_a(a.faces[each.i]);
+    else if (each.kind == Candidate::Kind::face_of_b) overlaps.add_face_of_b(b.faces[each.i]);
+    else overlaps.add_edges(candidates.edge_of_a(each), candidates.edge_of_b(each));
   });
-  return least.found();
+  return overlaps.found();
 }
 
 }  // namespace touchstone::robust::kernel

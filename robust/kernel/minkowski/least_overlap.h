@@ -3,10 +3,11 @@
 
 #include <gmpxx.h>
 
+#include <optional>
 #include <vector>
 
 #include "geometry/polyhedra.h"
-#include "robust/kernel/filters/strict_math.h"
+#include "robust/kernel/minkowski/difference_faces.h"
 
 namespace touchstone::robust::kernel {
 
@@ -20,7 +21,10 @@ struct CoreOverlap {
 };
 
 /// The least overlap of convex solids that have a common point; of several the one of the least of_a, then of_b, in
-/// lexicographic order. The numbers are finite.
+/// lexicographic order. The numbers are finite. It takes as many steps as there are pairs of edges.
 CoreOverlap least_overlap(const Meshd& a, const Meshd& b);
+
+/// The same where `faces` are the nearest ones of the Minkowski difference; nothing if one of them does not bound it.
+std::optional<CoreOverlap> least_of_faces(const Meshd& a, const Meshd& b, const std::vector<DifferenceFace>& faces);
 
 }  // namespace touchstone::robust::kernel
