@@ -41,7 +41,7 @@ Perhaps<RayTriangle<double>> stages::ray_triangle::enclosed(const Ray3d& ray, co
   if (!relation) return std::nullopt;
   if (*relation == Relation::none) return RayTriangle<double>{Relation::none, {}, {}, {}};
   const auto& [origin, direction] = ray;
-  if (!(filters::moderate(origin) & filters::moderate(direction) & filters::moderate(triangle))) return std::nullopt;
+  if (!kernel::crossable(origin, direction, triangle.a, triangle.b, triangle.c)) return std::nullopt;
   const auto found = kernel::crossing(origin, kernel::loose(direction), triangle);
   if (!found) return std::nullopt;
   return RayTriangle<double>{Relation::point, (*found).t, (*found).point, Location::inside};

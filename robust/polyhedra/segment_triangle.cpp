@@ -73,7 +73,7 @@ Perhaps<SegmentTriangle<double>> stages::segment_triangle::enclosed(const Segmen
   const auto relation = decision::filter(segment, triangle);
   if (!relation) return std::nullopt;
   if (*relation == Relation::none) return SegmentTriangle<double>{Relation::none, {}, {}, {}};
-  if (!(filters::moderate(segment) & filters::moderate(triangle))) return std::nullopt;
+  if (!kernel::crossable(segment.a, segment.b, triangle.a, triangle.b, triangle.c)) return std::nullopt;
   const auto found = kernel::crossing(segment.a, kernel::loose_between(segment.a, segment.b), triangle);
   if (!found) return std::nullopt;
   return SegmentTriangle<double>{Relation::point, (*found).t, (*found).point, {}};

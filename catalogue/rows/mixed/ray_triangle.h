@@ -123,6 +123,13 @@ struct ray_triangle : signatures::ray_triangle {
       const Point3d p = huge_or_small_point(c), q = huge_or_small_point(c);
       return {{p, {q.x, q.y, q.z}}, triangle_of(c, huge_or_small_point)};
     });
+    add("nearly_zero", [](DrawStream& c) -> Question {
+      // What rounding leaves of coordinates that should be 0, and the greatest and least numbers that are enclosed.
+      const double far = power_of_two(c, 38, 42), least = power_of_two(c, -82, -78);
+      const auto near_zero = [&] { return small_integer(c, 1) * least; };
+      return {{{near_zero(), near_zero(), -1}, {near_zero(), near_zero(), 1}},
+              {{far, near_zero(), near_zero()}, {-far, far, near_zero()}, {-far, -far, near_zero()}}};
+    });
   }
 
   /// Open: without the origin and the edges. A triangle without area is empty then.

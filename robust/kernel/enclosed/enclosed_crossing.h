@@ -14,7 +14,23 @@ struct PlaneCrossing {
   Point3d point;
 };
 
-/// from + t way, rounded; nothing if numbers are not `moderate`, or if `way` may be parallel to the plane.
+/// Checks that a number is 0, or of a magnitude in [2^-80, 2^40], as rounding leaves coordinates that should be 0: a
+/// multiple of 2^-132.
+///
+/// Polynomials of degree 3 are then 0, or between 2^-396 and 2^125, and multiples of 2^-396, with all their tails. A
+/// quotient of two lies between 2^-521 and 2^521, its head is a multiple of 2^-547, and what is left, n - q d, one of
+/// 2^-943: nothing underflows but that times the inverse, as in window.h.
+inline bool crossable(double x) {
+  const double size = filters::FloatFormat<double>::magnitude(x);
+  return ((size >= 0x1p-80) & (size <= 0x1p40)) | validation::zero(x);
+}
+template <class... Vectors>
+bool crossable(const Vectors&... v) {
+  return ((crossable(v.x) & crossable(v.y) & crossable(v.z)) & ...);
+}
+
+/// from + t way, rounded; nothing if that is not certain, or if `way` may be parallel to the plane. The numbers are
+/// `crossable`.
 inline Perhaps<PlaneCrossing> crossing(const Point3d& from, const filters::Triple<Loose>& way,
                                        const Triangle3d& plane) {
   if (!rounds_to_nearest()) return std::nullopt;
