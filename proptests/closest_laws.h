@@ -116,6 +116,24 @@ inline bool certainly_apart(const Rational& square, const Rational& e, const Rat
   return square > least * least;
 }
 
+/// By the contract of convex_distance: how far off its point is, at most, on all axes together, where every coordinate
+/// is below 2^200.
+inline bool below_2_to_200(const Meshd& mesh) {
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Point3d& p) {
+    return size(p.x) < power_of_two(200) && size(p.y) < power_of_two(200) && size(p.z) < power_of_two(200);
+  });
+}
+inline Rational off_by(const Meshd& mesh) {
+  Rational sum;
+  for (const auto coordinate : {&Point3d::x, &Point3d::y, &Point3d::z}) {
+    Rational low = exact(mesh.vertices[0].*coordinate), high = low;
+    for (const Point3d& p : mesh.vertices)
+      low = std::min(low, exact(p.*coordinate)), high = std::max(high, exact(p.*coordinate));
+    sum += 16 * unit() * (high - low + std::max(abs(low), abs(high))) + power_of_two(-1070);
+  }
+  return sum;
+}
+
 /// Distance and square of the formula, by the contract of closest_point_on_segment; `square`: the true one.
 inline bool keeps_distance(double distance, double squared, const Rational& square, const Rational& e) {
   const Rational u = unit();

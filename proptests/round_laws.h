@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -9,7 +10,9 @@
 #include "catalogue/families/numbers.h"
 #include "proptests/box_laws.h"
 #include "proptests/closest_laws.h"
+#include "reference/mixed/convex_distance.h"
 #include "robust/mixed/sphere_capsule.h"
+#include "robust/mixed/sphere_convex.h"
 #include "robust/mixed/sphere_triangle.h"
 #include "robust/volumes/sphere_aabb.h"
 #include "robust/volumes/sphere_obb.h"
@@ -25,6 +28,13 @@ inline std::vector<Capsule3d> rewritten(const Capsule3d& c) { return {{{c.segmen
 inline std::vector<Triangle3d> rewritten(const Triangle3d& t) { return {{t.b, t.c, t.a}, {t.c, t.b, t.a}}; }
 inline std::vector<Obb3d> rewritten(const Obb3d& box) { return {std::get<0>(in_another_order<0>(std::tuple{box}))}; }
 inline std::vector<Aabb3d> rewritten(const Aabb3d&) { return {}; }
+inline std::vector<Meshd> rewritten(const Meshd& mesh) {
+  Meshd turned = mesh;
+  turned.polygons.clear(), turned.vertices.push_back(mesh.vertices[mesh.faces[0].a]);
+  for (Face& f : turned.faces) f = {f.c, f.b, f.a};
+  std::reverse(turned.faces.begin(), turned.faces.end());
+  return {turned};
+}
 
 /// Balls at the ends and corners of a solid, which are parts of it. A box has them where its corners are exact.
 inline std::vector<Sphere3d> balls_in(const Sphere3d&) { return {}; }
@@ -44,11 +54,18 @@ inline std::vector<Sphere3d> balls_in(const Aabb3d& box) {
   return corners;
 }
 
+inline std::vector<Sphere3d> balls_in(const Meshd& mesh) {
+  std::vector<Sphere3d> vertices;
+  for (const Point3d& p : mesh.vertices) vertices.push_back({p, 0});
+  return vertices;
+}
+
 inline Contact with_ball(const Sphere3d& ball, const Sphere3d& other) { return robust::sphere_sphere(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Capsule3d& other) { return robust::sphere_capsule(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Triangle3d& other) { return robust::sphere_triangle(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Obb3d& other) { return robust::sphere_obb(ball, other); }
 inline Contact with_ball(const Sphere3d& ball, const Aabb3d& other) { return robust::sphere_aabb(ball, other); }
+inline Contact with_ball(const Sphere3d& ball, const Meshd& other) { return robust::sphere_convex(ball, other); }
 
 inline bool flat(const auto&) { return false; }
 inline bool flat(const Aabb3d& box) {
@@ -90,9 +107,10 @@ bool keeps_contact_growing(const Ask& ask, A a, B b) {
 /// A part meets no more than the solid; a capsule of one point is the ball.
 template <class Ask, class Solid, class Other>
 bool meets_with_parts(const Ask& ask, const Solid& solid, const Other& other) {
+  const Contact whole = ask(solid, other);
   for (const Sphere3d& ball : balls_in(solid)) {
     const Contact part = with_ball(ball, other);
-    if (ask(solid, other) < part) return false;
+    if (whole < part) return false;
     if constexpr (std::is_same_v<Solid, Capsule3d>)
       if (ask(Capsule3d{{ball.center, ball.center}, ball.radius}, other) != part) return false;
   }
@@ -106,6 +124,16 @@ bool is_apart_where_certain(const Truth& truth, Contact answer, const Places& pl
   Rational sizes;
   for (const double number : numbers_of(places)) sizes += abs(exact(number));
   const Rational e(5 * unit() * sizes + underflow * power_of_two(-1074)), r = exact(radius);
+  return answer == Contact::disjoint || !certainly_apart(Rational(*truth.margin + r * r), e, r);
+}
+
+/// The same of a core and a convex mesh, by the contract of sphere_convex.
+template <class Truth>
+bool is_apart_from_mesh_where_certain(const Truth& truth, Contact answer, const Meshd& core, const Meshd& mesh,
+                                      double radius) {
+  if (truth.answer != Contact::disjoint || !below_2_to_200(core) || !below_2_to_200(mesh)) return true;
+  if (!finite(radius * radius) || reference::nearest_simplex(core, mesh).pairs.size() == 4) return true;
+  const Rational r = exact(radius), e(off_by(core) + off_by(mesh));
   return answer == Contact::disjoint || !certainly_apart(Rational(*truth.margin + r * r), e, r);
 }
 

@@ -39,6 +39,14 @@ inline Meshd mesh_of(const Aabb3d& box) {
                              (i & 4) != 0 ? box.max.z : box.min.z});
   return mesh;
 }
+inline Aabb3d box_around(const Meshd& mesh) {
+  Aabb3d box{mesh.vertices[0], mesh.vertices[0]};
+  for (const Point3d& p : mesh.vertices) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  }
+  return box;
+}
 /// A corner, and three more at the ends of these edges.
 inline Meshd tetrahedron(const Point3d& p, const Vector3d& u, const Vector3d& v, const Vector3d& w) {
   return {{p, p + u, p + v, p + w}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};

@@ -7,6 +7,7 @@
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/families/obb_draws.h"
 #include "geometry/capsules.h"
+#include "geometry/polyhedra.h"
 
 /// Hard cases of round convex solids, by the kinds of their cores.
 namespace touchstone::catalogue {
@@ -126,6 +127,7 @@ void add_balls_and_boxes(const Add& add) {
 
 inline const Point3d& a_point_of(const Obb3d& box) { return box.center; }
 inline const Point3d& a_point_of(const Triangle3d& triangle) { return triangle.a; }
+inline const Point3d& a_point_of(const Meshd& mesh) { return mesh.vertices[0]; }
 
 /// A capsule that ends in the ball: of one point, or leading away from a point of the other solid, through it, or
 /// anywhere.

@@ -219,6 +219,10 @@ def round_aabb(claim, name):
     return Round([list(corner) for corner in product(*zip(low, high))], [], aligned=(low, high))
 
 
+def round_convex(claim, name):
+    return Round(convex_solid(claim, name), [])
+
+
 def is_flat(solid):
     return solid.aligned is not None and any(low == high for low, high in zip(*solid.aligned))
 
@@ -295,3 +299,13 @@ def check_capsule_aabb(claim):
 def check_capsule_triangle(claim):
     claim.inputs("capsule", "triangle")
     check_contact(claim, round_capsule(claim, "capsule"), round_triangle(claim, "triangle"))
+
+
+def check_sphere_convex(claim):
+    claim.inputs("sphere", "mesh")
+    check_contact(claim, round_ball(claim, "sphere"), round_convex(claim, "mesh"))
+
+
+def check_capsule_convex(claim):
+    claim.inputs("capsule", "mesh")
+    check_contact(claim, round_capsule(claim, "capsule"), round_convex(claim, "mesh"))

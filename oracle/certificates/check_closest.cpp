@@ -251,6 +251,8 @@ Round round_aabb(const Claim& claim, const char* name) {
   return {std::move(corners), {}, std::nullopt, box};
 }
 
+Round round_convex(const Claim& claim, const char* name) { return {convex_solid(claim, name), {}}; }
+
 /// Checks the contact of two round convex solids, or of one and a triangle, from points x and y of the cores: no part
 /// of one core is nearer to the other than they are; and the sum of the radii. If a point of a box is nearer to the
 /// other core than that, points of its interior are.
@@ -346,6 +348,18 @@ void check_capsule_triangle(const Claim& claim) {
   check_contact(claim, capsule, triangle);
 }
 
+void check_sphere_convex(const Claim& claim) {
+  claim.inputs({"sphere", "mesh"});
+  const Round sphere = round_ball(claim, "sphere"), solid = round_convex(claim, "mesh");
+  check_contact(claim, sphere, solid);
+}
+
+void check_capsule_convex(const Claim& claim) {
+  claim.inputs({"capsule", "mesh"});
+  const Round capsule = round_capsule(claim, "capsule"), solid = round_convex(claim, "mesh");
+  check_contact(claim, capsule, solid);
+}
+
 }  // namespace
 
 Checks checks_of_closest() {
@@ -361,7 +375,9 @@ Checks checks_of_closest() {
           {"sphere_obb", check_sphere_obb},
           {"capsule_obb", check_capsule_obb},
           {"capsule_aabb", check_capsule_aabb},
-          {"capsule_triangle", check_capsule_triangle}};
+          {"capsule_triangle", check_capsule_triangle},
+          {"sphere_convex", check_sphere_convex},
+          {"capsule_convex", check_capsule_convex}};
 }
 
 }  // namespace touchstone::certify

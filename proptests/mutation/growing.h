@@ -242,6 +242,14 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
        [](L l) -> Json {
          return {{"a", l.sphere(0, 2)}, {"b", l.sphere(1.5, 2)}, {"radius_a", 0.1}, {"radius_b", 0}};
        }},
+      {"sphere_convex",
+       [](L l) -> Json {
+         return {{"sphere", {{"center", {2, 0.1, 0.2}}, {"radius", 1}}}, {"mesh", l.sphere()}};
+       }},
+      {"capsule_convex",
+       [](L l) -> Json {
+         return {{"capsule", {{"segment", {{2, 0.1, 0.2}, {1.5, 3, 0.1}}}, {"radius", 1}}}, {"mesh", l.sphere()}};
+       }},
       {"swept_convex_polyhedra",
        [](L l) -> Json {
          return {{"a", l.sphere(0, 2)}, {"b", l.sphere(3, 2)}, {"velocity", {2, 0.1, 0.2}}};

@@ -2,7 +2,7 @@
 (** The formulas of meshes that are closed and convex. *)
 Require Import ZArith List Arith Bool.
 From Certificates Require Import solids language formulas_vectors formulas_slabs formulas_bounds formulas_nearest
-  formulas_triangles.
+  formulas_triangles formulas_capsules.
 Import ListNotations.
 Local Open Scope check_scope.
 
@@ -85,5 +85,19 @@ Definition check_convex_distance (va : list (list A)) (fa : list (list nat)) (vb
       of_distance x y square distance
   | _, _ => No
   end.
+
+(** The mesh is closed and convex; x and y are points of the hulls of a core and of its vertices, w tells the contact. *)
+Definition round_meets (points : list (list A)) (x : list T) (r : A) (va : list (list A)) (fa : list (list nat))
+    (w : contact) (facts : gap_facts) (weights : list A) : C :=
+  zero <= Leaf r /\ (right_mesh va fa /\ (convex_mesh_from one va fa \/ convex_mesh_from (zero - one) va fa)) /\
+  are_weights weights va /\ gap_proves points x va (mixed 3 weights va) (Leaf r) (Leaf r = zero) w facts.
+(** [sphere_convex] *)
+Definition check_sphere_convex (c : list A) (r : A) (va : list (list A)) (fa : list (list nat)) (w : contact)
+    (facts : gap_facts) (weights : list A) : C :=
+  of_length 3 c /\ round_meets [c] (leaves c) r va fa w facts weights.
+(** [capsule_convex] *)
+Definition check_capsule_convex (points : list (list A)) (r : A) (va : list (list A)) (fa : list (list nat))
+    (w : contact) (facts : gap_facts) (on_a on_b : list A) : C :=
+  are_points 2 3 points /\ are_weights on_a points /\ round_meets points (mixed 3 on_a points) r va fa w facts on_b.
 End checks.
 Arguments mesh_facts : clear implicits. Arguments distance_facts : clear implicits.

@@ -40,4 +40,19 @@ let convex_distance = operation ~unproved:[ "irrational_root" ] "convex_distance
           | _ -> assert false) ]
   | _ -> assert false)
 
-let operations = [ point_in_convex_polyhedron; convex_distance ]
+let sphere_convex = operation "sphere_convex" [ "sphere"; "mesh" ] "contact" (function
+  | [ sphere; solid ] ->
+      let (c, r), (va, fa) = (Operations_hulls.ball sphere, mesh solid) in
+      Operations_hulls.contacts [ "weights" ] (fun contact gap facts ->
+        check_sphere_convex c r va fa contact gap (exact_list (List.hd facts)))
+  | _ -> assert false)
+
+let capsule_convex = operation "capsule_convex" [ "capsule"; "mesh" ] "contact" (function
+  | [ round; solid ] ->
+      let (points, r), (va, fa) = (Operations_hulls.capsule round, mesh solid) in
+      Operations_hulls.contacts [ "on_a"; "on_b" ] (fun contact gap facts -> match facts with
+        | [ on_a; on_b ] -> check_capsule_convex points r va fa contact gap (exact_list on_a) (exact_list on_b)
+        | _ -> assert false)
+  | _ -> assert false)
+
+let operations = [ point_in_convex_polyhedron; convex_distance; sphere_convex; capsule_convex ]

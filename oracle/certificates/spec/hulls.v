@@ -59,7 +59,6 @@ Definition sphere_obb_spec c r o a w := proper_ball 3 c r /\ right_obb o a /\ co
 Definition capsule_obb_spec p r center axes w := right_obb center axes /\ capsule_with p r (obb center axes) w.
 Definition obb_plane_spec c axes n d (w : contact) : Prop := right_obb c axes /\ over_half_space (obb c axes) n d w.
 Definition capsule_plane_spec p r n d (w : contact) := proper_capsule p r /\ over_half_space (capsule p r) n d w.
-
 (** * What a segment, a ray or a triangle has in common with a triangle *)
 Inductive common (A : Type) := no_point | common_point (t : A) (p : list A) | common_segment (p q : list A).
 Arguments no_point {A}. Arguments common_point {A}. Arguments common_segment {A}.
@@ -94,7 +93,6 @@ Definition triangle_triangle_spec a b (w : dimension) : Prop := points_of 3 3 a 
   | common_line => on_one_line both /\ exists x y, both x /\ both y /\ x <> y
   | common_area => ~ on_one_line both
   end.
-
 (** * Convex meshes: vertices, and faces of places among them. No vertex is in front of the plane of a face, and what is
     behind all these planes is the hull of the vertices: so both are the solid. *)
 Definition plane_of (vertices : list (list R)) (face : list nat) (normal : list R) (offset : R) : Prop :=
@@ -114,3 +112,6 @@ Definition convex_distance_spec va fa vb fb (w : option (list R * list R)) (squa
   | None => (exists x, hull 3 va x /\ hull 3 vb x) /\ square = 0 /\ distance = 0
   | Some (x, y) => x <> y /\ nearest_pair 3 va vb x y /\ distance_spec x y square distance
   end.
+Definition sphere_convex_spec c r v f w :=
+  proper_ball 3 c r /\ convex_mesh v f /\ contact_spec 3 (ball c r) (hull 3 v) w.
+Definition capsule_convex_spec p r v f w := convex_mesh v f /\ capsule_with p r (hull 3 v) w.

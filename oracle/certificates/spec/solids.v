@@ -14,7 +14,6 @@ Definition contact_spec (n : nat) (S T : list R -> Prop) (w : contact) : Prop :=
   | touching => (exists x, length x = n /\ S x /\ T x) /\ forall x, ~ (interior n S x /\ interior n T x)
   | overlapping => exists x, interior n S x /\ interior n T x
   end.
-
 Inductive location := inside | boundary | outside.
 Definition location_spec (n : nat) (S : list R -> Prop) (x : list R) (w : location) : Prop :=
   length x = n /\

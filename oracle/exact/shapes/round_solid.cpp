@@ -46,7 +46,10 @@ Hull corners_of(const Obb3<Rational>& box) {
 
 Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b) {
   const bool many = a.core.size() + b.core.size() > 4;
-  const NearestPair nearest = many ? any_nearest_pair(a.core, b.core) : nearest_pair(a.core, b.core);
+  return contact_of(a, b, many ? any_nearest_pair(a.core, b.core) : nearest_pair(a.core, b.core));
+}
+
+Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b, const NearestPair& nearest) {
   std::vector<Rational> radii = a.radii;
   radii.insert(radii.end(), b.radii.begin(), b.radii.end());
   Rational sum;

@@ -72,6 +72,8 @@ RoundSolid round_solid(const Aabb3<Number>& box) {
 /// is given by its coordinates or the coefficients of its half axes, that of another core by the weights of its points,
 /// that of a single point not at all.
 Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b);
+/// The same from nearest points of the cores that are known.
+Truth<Contact> contact_of(const RoundSolid& a, const RoundSolid& b, const NearestPair& nearest);
 
 template <class Shape>
 void validate_round(const std::string& field, const Shape& shape) {

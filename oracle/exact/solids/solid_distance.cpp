@@ -18,6 +18,23 @@ Point rational_point(const IntegerPoint& p) { return {Rational(p.x), Rational(p.
 Vector rational_vector(const Displacement& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 Vector minus(const Vector& v) { return Rational(-1) * v; }
 
+Rational height_over(const IntegerPlane& plane, const Point& p) {
+  return dot(rational_vector(plane.normal), p - Point{0, 0, 0}) + plane.offset;
+}
+
+/// The least t in [0, 1] for which a + t (b - a) is in the solid.
+std::optional<Rational> first_within(const IntegerSolid& solid, const Point& a, const Point& b) {
+  Rational low(0), high(1);
+  for (const IntegerPlane& plane : solid.planes) {
+    const Rational from = height_over(plane, a), to = height_over(plane, b);
+    if (sgn(from) > 0 && sgn(to) > 0) return std::nullopt;
+    if (sgn(from) > 0) low = std::max(low, Rational(from / (from - to)));
+    else if (sgn(to) > 0) high = std::min(high, Rational(from / (from - to)));
+  }
+  if (low > high) return std::nullopt;
+  return low;
+}
+
 /// The shortest of several displacements, each in integers over a denominator.
 class Shortest {
  public:
@@ -173,9 +190,8 @@ IntegerSolid::IntegerSolid(const ConvexMesh& mesh, const std::vector<std::array<
 }
 
 bool IntegerSolid::holds(const Point& p) const {
-  return std::all_of(planes.begin(), planes.end(), [&p](const IntegerPlane& plane) {
-    return dot(rational_vector(plane.normal), p - Point{0, 0, 0}) + plane.offset <= 0;
-  });
+  return std::all_of(planes.begin(), planes.end(),
+                     [&p](const IntegerPlane& plane) { return sgn(height_over(plane, p)) <= 0; });
 }
 
 std::vector<Rational> IntegerSolid::weights(const Point& p) const {
@@ -192,6 +208,58 @@ std::vector<Rational> IntegerSolid::weights(const Point& p) const {
     return found;
   }
   throw std::logic_error("a point of the surface is on a face");
+}
+
+IntegerSolid::IntegerSolid(std::vector<IntegerPoint> ends) : vertices(std::move(ends)) {
+  if (vertices.size() == 2) edges.push_back({0, 1});
+}
+
+/// The way from a vertex through an inner point leaves the solid at one of the surface, that many times as far away.
+std::vector<Rational> IntegerSolid::weights_within(const Point& p) const {
+  const Index vertex = faces[0].a;
+  const Point from = rational_point(vertices[vertex]);
+  std::optional<Rational> times;
+  for (const IntegerPlane& plane : planes) {
+    const Rational here = height_over(plane, from), there = height_over(plane, p);
+    if (sgn(there) == 0) return weights(p);
+    if (there > here) times = std::min(Rational(here / (here - there)), times.value_or(here / (here - there)));
+  }
+  std::vector<Rational> found = weights(from + times.value() * (p - from));
+  for (Rational& weight : found) weight /= *times;
+  found[vertex] += 1 - 1 / *times;
+  return found;
+}
+
+NearestPair nearest_pair(const Hull& ends, const ConvexMesh& mesh) {
+  Integer whole(1);
+  std::vector<HomogeneousPoint> found;
+  for (const Point& p : ends) {
+    found.push_back(mesh.integer(p));
+    mpz_lcm(whole.get_mpz_t(), whole.get_mpz_t(), found.back().w.get_mpz_t());
+  }
+  std::vector<IntegerPoint> core;
+  for (const auto& [x, y, z, w] : found)
+    core.push_back({Integer(x * (whole / w)), Integer(y * (whole / w)), Integer(z * (whole / w))});
+  std::vector<std::array<Integer, 3>> at;
+  for (const auto& [x, y, z] : mesh.vertices)
+    at.push_back({Integer(whole * x), Integer(whole * y), Integer(whole * z)});
+  const IntegerSolid segment(core), solid(mesh, at);
+  const Point a = rational_point(core.front()), b = rational_point(core.back());
+  Vector displacement{0, 0, 0};
+  std::optional<Rational> t = first_within(solid, a, b);
+  if (!t) {
+    displacement = shortest_displacement(segment, solid);
+    t = first_within(solid, a + minus(displacement), b + minus(displacement));
+  }
+  const Point on_a = a + t.value() * (b - a), on_b = on_a + minus(displacement);
+  const Rational unit(mesh.unit / whole);
+  const auto in_units = [&unit](const Point& p) {
+    return Point{Rational(p.x * unit), Rational(p.y * unit), Rational(p.z * unit)};
+  };
+  std::vector<Rational> of_a{Rational(1 - *t)};
+  if (ends.size() == 2) of_a.push_back(*t);
+  return {in_units(on_a), in_units(on_b), std::move(of_a), solid.weights_within(on_b),
+          Rational(dot(displacement, displacement) * unit * unit)};
 }
 
 Vector shortest_displacement(const IntegerSolid& a, const IntegerSolid& b) {

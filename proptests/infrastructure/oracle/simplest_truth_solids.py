@@ -5,6 +5,7 @@ from itertools import combinations
 from math import lcm
 
 import simplest_truth_sweeps
+from simplest_truth_mixed import ball, capsule, contact
 from simplest_truth_polyhedra import cross
 from simplest_truth_reading import Root, by_sign, dot, minus, number, point, triangles
 
@@ -41,7 +42,7 @@ def shortest(ways):
     """Gilbert, Johnson and Keerthi: the least on some of the ways, until none of all is beyond it."""
     some = ways[:1]
     while True:
-        faces = [(x, face) for n in (1, 2, 3) for face in combinations(some, n) for x in foot(face)]
+        faces = [(x, face) for n in (1, 2, 3, 4) for face in combinations(some, n) for x in foot(face)]
         least, face = min(faces, key=lambda found: dot(found[0], found[0]))
         beyond = min(ways, key=lambda way: dot(way, least))
         if dot(beyond, least) >= dot(least, least):
@@ -85,6 +86,20 @@ def truth_convex_distance(q):
     square = dot(way, way)
     return {"relation": "apart", "on_a": [str(n) for n in x], "on_b": [str(n) for n in minus(x, way)],
             "squared_distance": str(square), "distance": Root(square, 1)}, margin
+
+
+def contact_with_convex(ends, radius, mesh):
+    way = shortest([minus(point(v), p) for v in mesh["vertices"] for p in ends])
+    return contact(dot(way, way), [radius])
+
+
+def truth_sphere_convex(q):
+    center, radius = ball(q["sphere"])
+    return contact_with_convex([center], radius, q["mesh"])
+
+
+def truth_capsule_convex(q):
+    return contact_with_convex(*capsule(q["capsule"]), q["mesh"])
 
 
 class PlusRoot(Root):

@@ -20,7 +20,7 @@ Answer apart(const Point& on_a, const Point& on_b, const Rational& distance) {
   return {ConvexRelation::apart, with_roots(on_a), with_roots(on_b), Rational(distance * distance), distance};
 }
 
-using solids::mesh_of, solids::tetrahedron;
+using solids::box_around, solids::mesh_of, solids::tetrahedron;
 const Meshd cube = mesh_of({{0, 0, 0}, {4, 4, 4}});
 Meshd cube_at(double x, double y, double z) { return mesh_of({{x, y, z}, {x + 4, y + 4, z + 4}}); }
 
@@ -30,15 +30,6 @@ const Meshd corner = tetrahedron({0, 0, 0}, x, y, z);
 Meshd times(double factor, Meshd mesh) {
   for (Point3d& p : mesh.vertices) p = {factor * p.x, factor * p.y, factor * p.z};
   return mesh;
-}
-
-Aabb3d box_around(const Meshd& mesh) {
-  Aabb3d box{mesh.vertices[0], mesh.vertices[0]};
-  for (const Point3d& p : mesh.vertices) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-  }
-  return box;
 }
 
 /// The squared distance of two boxes, axis by axis.
@@ -170,23 +161,11 @@ TEST_CASE("convex_distance: rounding, huge and subnormal") {
 }
 
 CONTRACT("convex_distance: the formula in double is never too short by more than its contract", a, b) {
-  const auto of_axis = [](const Meshd& mesh, auto coordinate) {
-    Rational low = exact(mesh.vertices[0].*coordinate), high = low;
-    for (const Point3d& p : mesh.vertices)
-      low = std::min(low, exact(p.*coordinate)), high = std::max(high, exact(p.*coordinate));
-    return Rational(16 * unit() * (high - low + std::max(abs(low), abs(high))) + power_of_two(-1070));
-  };
   if (answer.relation == ConvexRelation::meeting || !answer.on_a) return true;
   bool defined = finite(answer.squared_distance, answer.distance);
   catalogue::for_each_number(answer, [&](const double& number) { defined = defined && finite(number); });
-  for (const Meshd* mesh : {&a, &b})
-    for (const Point3d& p : mesh->vertices)
-      defined =
-          defined && size(p.x) < power_of_two(200) && size(p.y) < power_of_two(200) && size(p.z) < power_of_two(200);
-  if (!defined) return true;
-  Rational e;
-  for (const Meshd* mesh : {&a, &b})
-    e += of_axis(*mesh, &Point3d::x) + of_axis(*mesh, &Point3d::y) + of_axis(*mesh, &Point3d::z);
+  if (!defined || !below_2_to_200(a) || !below_2_to_200(b)) return true;
+  const Rational e(off_by(a) + off_by(b));
   // D* <= (D + 2^-536) / (1 - 4u) + e, by squares.
   const Rational most((exact(answer.distance) + power_of_two(-536)) / (1 - 4 * unit()) + e);
   return truth.answer.squared_distance.rational_part() <= most * most;

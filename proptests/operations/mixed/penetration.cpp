@@ -25,7 +25,7 @@ Answer deep(Contact contact, const Rational& depth, const Vector& direction, Sol
   return {contact, depth, surds(direction), surds(depth * direction), {a, b}};
 }
 
-using solids::mesh_of, solids::tetrahedron;
+using solids::box_around, solids::mesh_of, solids::tetrahedron;
 Meshd cube_at(double x, double y, double z, double size = 4) {
   return mesh_of({{x, y, z}, {x + size, y + size, z + size}});
 }
@@ -41,15 +41,6 @@ constexpr Worked<Row> worked;
 
 Vector3d minus(const Vector3d& v) { return -1.0 * v; }
 Vector3<catalogue::TrueNumber> minus(const Vector3<catalogue::TrueNumber>& v) { return {-v.x, -v.y, -v.z}; }
-
-Aabb3d box_around(const Meshd& mesh) {
-  Aabb3d box{mesh.vertices[0], mesh.vertices[0]};
-  for (const Point3d& p : mesh.vertices) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-  }
-  return box;
-}
 
 /// How deep the intervals of two boxes overlap, on the axis on which it is least; below 0 if they are apart there.
 Rational least_overlap_of(const Aabb3d& a, const Aabb3d& b) {

@@ -248,6 +248,44 @@ NearestLevels nearest_levels(const Meshd& a, const Meshd& b, std::vector<Corners
   }
 }
 
+/// 0, or of a magnitude in [2^-30, 1]: `moderate`. NaN if the greatest is not finite, or 0.
+filters::Sized<0> share(double part, double greatest) {
+  const double found = part / greatest, size = filters::FloatFormat<double>::magnitude(found);
+  return size < 0x1p-30 ? filters::Sized<0>{0, 0} : filters::Sized<0>{found, size};
+}
+
+/// True if the points that these weights of corners give are certainly nearer to each other than the reach. Whatever
+/// the weights are, none is negative: they give a point of each hull.
+bool certainly_near(const Meshd& a, const Meshd& b, const std::vector<Corners>& corners,
+                    const std::array<double, 4>& weights, double reach) {
+  const double greatest = *std::max_element(weights.begin(), weights.end());
+  const auto weight = [&](std::size_t k) { return share(weights[k], greatest); };
+  const auto way = [&](std::size_t k) {
+    const auto [i, j] = corners[std::min(k, corners.size() - 1)];
+    const auto [x, y, z] = filters::sized_between(b.vertices[j], a.vertices[i]);
+    return filters::Triple{weight(k) * x, weight(k) * y, weight(k) * z};
+  };
+  const auto sum = [](const auto& v, const auto& w) { return filters::Triple{v.x + w.x, v.y + w.y, v.z + w.z}; };
+  const auto whole = sum(sum(way(0), way(1)), sum(way(2), way(3)));
+  const auto most = filters::Sized<0>{reach, reach} * ((weight(0) + weight(1)) + (weight(2) + weight(3)));
+  return (most * most - dot(whole, whole)).positive();
+}
+
+/// True if the hull of a is certainly farther than the reach from that of b, along a direction from b to a.
+bool certainly_apart(const Meshd& a, const Meshd& b, const Vector3d& direction, double reach) {
+  const auto size = [](double x) { return filters::FloatFormat<double>::magnitude(x); };
+  const double greatest = std::max({size(direction.x), size(direction.y), size(direction.z)});
+  const filters::Triple n{share(direction.x, greatest), share(direction.y, greatest), share(direction.z, greatest)};
+  const filters::Sized<0> r{reach, reach};
+  const auto least = r * r * dot(n, n);
+  return std::all_of(b.vertices.begin(), b.vertices.end(), [&](const Point3d& q) {
+    return std::all_of(a.vertices.begin(), a.vertices.end(), [&](const Point3d& p) {
+      const auto height = dot(n, filters::sized_between(q, p));
+      return height.positive() && (height * height - least).positive();
+    });
+  });
+}
+
 }  // namespace
 
 ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
@@ -266,6 +304,31 @@ Separation separation_of_solids(const Meshd& a, const Meshd& b) {
       nearest_levels(a, b, moderate_pair(a, b) ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b));
   return {weighted(nearest, nearest.on_a) - weighted(nearest, nearest.on_b), nearest.total, nearest.exponent, of_a,
           of_b};
+}
+
+/// A guess, and certain signs that prove it. All products are of `moderate` numbers, of four at most. Where points of
+/// the core and the solid are nearer than the radius, which then is not 0, so are points of the solid's interior.
+Perhaps<Contact> certain_contact(const Meshd& core, double radius, const Meshd& solid) {
+  if (!filters::moderate(radius) || !moderate_pair(core, solid)) return std::nullopt;
+  const std::vector<Corners> corners = guessed(core.vertices, solid.vertices);
+  std::vector<Vector3d> displacements;
+  for (const auto& [i, j] : corners) displacements.push_back(core.vertices[i] - solid.vertices[j]);
+  const auto nearest = nearest_to_origin(displacements);
+  if (!nearest) return std::nullopt;
+  if (certainly_near(core, solid, corners, nearest->weights, radius)) return Contact::overlapping;
+  if (certainly_apart(core, solid, nearest->normal, radius)) return Contact::disjoint;
+  return std::nullopt;
+}
+
+/// No distance is less than the radius 0, so that the lack of an interior needs no special case.
+Contact exact_contact(const Meshd& core, double radius, const Meshd& solid) {
+  const Separation found = separation_of_solids(core, solid);
+  const auto [at, exponent] = integers_of(radius);
+  const int unit = std::min(found.exponent, exponent);
+  const mpz_class reach = at[0] << static_cast<std::uint64_t>(exponent - unit),
+                  square = dot(found.displacement, found.displacement)
+                           << static_cast<std::uint64_t>(2 * (found.exponent - unit));
+  return contact({square, mpz_class(found.total * found.total)}, reach, true);
 }
 
 }  // namespace touchstone::robust::kernel

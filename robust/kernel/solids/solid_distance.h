@@ -5,9 +5,12 @@
 
 #include <vector>
 
+#include "geometry/answers.h"
+#include "geometry/capsules.h"
 #include "geometry/closest.h"
 #include "geometry/polyhedra.h"
-#include "robust/kernel/filters/strict_math.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust::kernel {
 
@@ -24,5 +27,14 @@ struct Separation {
   std::vector<Index> of_a, of_b;
 };
 Separation separation_of_solids(const Meshd& a, const Meshd& b);
+
+/// Points as a list of vertices: a round solid is all that is no farther than its radius from their hull.
+inline Meshd core_of(const Sphere3d& sphere) { return {{sphere.center}, {}, {}}; }
+inline Meshd core_of(const Capsule3d& capsule) { return {{capsule.segment.a, capsule.segment.b}, {}, {}}; }
+
+/// The contact of a round solid and a convex one; the radius is not negative. `certain_contact` is empty if floating
+/// point does not tell.
+Perhaps<Contact> certain_contact(const Meshd& core, double radius, const Meshd& solid);
+Contact exact_contact(const Meshd& core, double radius, const Meshd& solid);
 
 }  // namespace touchstone::robust::kernel
