@@ -137,33 +137,46 @@ bool slab_times_keep(const Truth& truth, const Answer& answer, const Line& line,
   return as_good(*answer.first, *truth.answer.first) && as_good(*answer.last, *truth.answer.last);
 }
 
-/// What reference/mixed/ray_sphere.h and segment_sphere.h promise: p and v as they are computed, q = p . p + r^2 and
-/// speed = v . v as they are.
-template <class Truth, class Answer, class Vector>
-bool roots_keep(const Truth& truth, const Answer& answer, const Vector& p, const Vector& v, double r, const Rational& q,
-                const Rational& speed, bool ends) {
+/// What reference/mixed/ray_sphere.h and segment_sphere.h promise of both roots, p and v as they are computed, q = p .
+/// p + r^2 and speed = v . v as they are: a certain miss, or a certain hit with roots off by so much; or nothing.
+struct CertainRoots {
+  bool miss = false, hit = false;
+  Rational of_first{}, of_last{};
+};
+template <class Vector>
+CertainRoots certain_roots(const Vector& p, const Vector& v, double r, const Rational& q, const Rational& speed,
+                           bool ends) {
+  CertainRoots found;
   for (const Rational& x : {q, speed})
-    if (x < power_of_two(-480) || x > power_of_two(480)) return true;
+    if (x < power_of_two(-480) || x > power_of_two(480)) return found;
   const double square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
   const double d = linear * linear - 4 * square * constant;
   const Rational error_of_d = 104 * unit() * speed * q;
-  const bool both_none = answer.relation == PassageRelation::none && truth.answer.relation == answer.relation;
-  const bool both_hit = answer.relation == PassageRelation::hit && truth.answer.relation == answer.relation;
-  if (exact(d) < -error_of_d) return both_none;
-  if (!(exact(d) > error_of_d)) return true;
+  found.miss = exact(d) < -error_of_d;
+  if (!(exact(d) > error_of_d)) return found;
   const double s = std::sqrt(d), smaller = (-linear - s) / (2 * square), greater = (s - linear) / (2 * square);
   // e(T), put together in double: (1 + 2^-40) is more than all roundings of that.
   const auto error_of = [&](double t) {
     const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * q.get_d() / s + 9 * std::fabs(t)) * 0x1p-53;
     return Rational(exact(e + tiny) * (1 + power_of_two(-40)));
   };
-  const Rational e = error_of(smaller), f = error_of(greater), t = exact(smaller), w = exact(greater);
-  if (w < -f || (ends && t > 1 + e)) return both_none;
-  if (!(w > f) || (ends && !(t < 1 - e))) return true;
+  const Rational e = found.of_first = error_of(smaller), f = found.of_last = error_of(greater);
+  const Rational t = exact(smaller), w = exact(greater);
+  found.miss = w < -f || (ends && t > 1 + e);
+  found.hit = w > f && (!ends || t < 1 - e);
+  return found;
+}
+template <class Truth, class Answer, class Vector>
+bool roots_keep(const Truth& truth, const Answer& answer, const Vector& p, const Vector& v, double r, const Rational& q,
+                const Rational& speed, bool ends) {
+  const auto [miss, hit, e, f] = certain_roots(p, v, r, q, speed, ends);
+  if (!miss && !hit) return true;
+  const PassageRelation relation = hit ? PassageRelation::hit : PassageRelation::none;
+  if (answer.relation != relation || truth.answer.relation != relation) return false;
   const auto near = [](double found, const Surd& right, const Rational& error) {
     return Surd(Rational(exact(found) - error)) <= right && right <= Surd(Rational(exact(found) + error));
   };
-  return both_hit && near(*answer.first, *truth.answer.first, e) && near(*answer.last, *truth.answer.last, f);
+  return miss || (near(*answer.first, *truth.answer.first, e) && near(*answer.last, *truth.answer.last, f));
 }
 
 /// The squared distance of two points, exactly.

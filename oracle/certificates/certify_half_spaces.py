@@ -2,9 +2,9 @@
 """The checks of certify.py for solids and the half-space behind a plane, as in check_half_spaces.cpp."""
 
 from certify_obbs import at, greatest, obb, reach
-from certify_reading import WRONG_KIND, expect, number, only
+from certify_reading import WRONG_KIND, expect
 from certify_space import ball, dot, plane, triple
-from certify_triangles import points, weighted
+from certify_triangles import capsule_in_space, weighted
 
 KINDS_OF_BALLS = {"disjoint": "nearest_point", "touching": "tangent", "overlapping": "common_interior_point"}
 KINDS_OF_BOXES = {"disjoint": "lowest_point", "touching": "lowest_point", "overlapping": "common_interior_point"}
@@ -44,10 +44,7 @@ def check_sphere_plane(claim):
 
 def check_capsule_plane(claim):
     claim.inputs("capsule", "plane")
-    capsule = claim.input["capsule"]
-    only(capsule, "capsule", ["segment", "radius"])
-    ends, radius = points(capsule["segment"], "capsule.segment", 2, "two"), number(capsule["radius"], "capsule.radius")
-    expect(radius >= 0, "capsule.radius: radius >= 0")
+    ends, radius = capsule_in_space(claim.input["capsule"], "capsule")
     level = plane(claim.input["plane"], "plane")
     expect_contact_and_kind(claim, KINDS_OF_BALLS)
     claim.facts("weights", "point")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of certify.py for rays and segments, one function for each operation, as in check_rays.cpp.
+"""The checks of certify.py for rays and segments, one function for each operation, as in check_rays.cpp and
+check_passages.cpp.
 
 A line is (from, way, ends): the points from + t way with t >= 0, and t <= 1 where it ends."""
 
@@ -9,7 +10,7 @@ from certify_reading import WRONG_KIND, Claim, expect, list_of_two, only
 from certify_solids import index
 from certify_space import ball_or_disc, box, cross, dot, exact_triple, plane, point_in_space, two_or_three
 from certify_surd import exact_surd
-from certify_triangles import expect_nothing_before, points, weighted
+from certify_triangles import capsule_in_space, expect_nothing_before, points, weighted
 
 
 def along(start, t, way):
@@ -198,16 +199,25 @@ def inner(p, q):
     return sum(x * y for x, y in zip(p, q))
 
 
+def expect_beyond(claim, line, highest, radius):
+    """Why it proves it stands in check_passages.cpp, also of the next."""
+    start, way, ends = line
+    claim.expect_kind("separating_plane"), claim.facts("normal")
+    normal = claim.list("normal")
+    expect(len(normal) == len(start), "certificate: as many coordinates as the line")
+    first, slope, reach = inner(normal, start) - highest(normal), inner(normal, way), radius**2 * inner(normal, normal)
+
+    def beyond(height):
+        return height > 0 and height**2 > reach
+
+    separates = beyond(first) and (beyond(first + slope) if ends else slope >= 0)
+    expect(separates, "certificate: the plane does not separate")
+
+
 def prove_passage(claim, line, highest, seen, low, high):
-    """Why each proves it stands in check_rays.cpp."""
     start, way, ends = line
     if not says_hit(claim):
-        claim.expect_kind("separating_plane"), claim.facts("normal")
-        normal = claim.list("normal")
-        expect(len(normal) == len(start), "certificate: as many coordinates as the line")
-        top, first, slope = highest(normal), inner(normal, start), inner(normal, way)
-        beyond = first > top and (first + slope > top if ends else slope >= 0)
-        expect(beyond, "certificate: the plane does not separate")
+        expect_beyond(claim, line, highest, 0)
         return
     claim.expect_kind("passage"), claim.facts()
     first, last = claim.exact("first"), claim.exact("last")
@@ -238,10 +248,12 @@ def prove_passage_of_box(claim, name):
     prove_passage(claim, (start, way, ends), highest, (start, way), low, high)
 
 
-def prove_passage_of_obb(claim, line):
-    """The frame is that of check_rays.cpp."""
-    start, way, ends = line
+def prove_passage_of_obb(claim, name):
+    """The frame is that of check_passages.cpp."""
+    claim.inputs(name, "obb")
+    start, way, ends = course(claim)
     center, (u, v, w) = solid = obb(claim.input["obb"], "obb")
+    expect(len(start) == 3, f"obb: as many coordinates as {name}")
     start, normals = minus(start, center), (cross(v, w), cross(w, u), cross(u, v))
     seen = [tuple(dot(normal, x) for normal in normals) for x in (start, way)]
     high = abs(dot(cross(u, v), w))
@@ -259,36 +271,73 @@ def is_positive(kind, constant, linear, square, ends):
     return 4 * square * constant - linear**2 > 0
 
 
-def prove_passage_of_ball(claim, name):
-    """Why each proves it stands in check_rays.cpp."""
-    claim.inputs(name, "sphere")
-    start, way, ends = course(claim)
-    center, radius = ball_or_disc(claim.input["sphere"], "sphere")
-    expect(len(center) == len(start), f"sphere: as many coordinates as {name}")
+def gap_to(line, center, radius):
+    start, way, _ = line
     p = minus(start, center)
-    constant, linear, square = inner(p, p) - radius**2, 2 * inner(p, way), inner(way, way)
-    if not says_hit(claim):
-        kind = claim.kind()
-        claim.facts()
-        expect(is_positive(kind, constant, linear, square, ends), "certificate: the kind does not hold")
-        return
+    return inner(p, p) - radius**2, 2 * inner(p, way), inner(way, way)
+
+
+def prove_first_and_last(claim, line, at):
+    """Why it proves it stands in check_passages.cpp, also of the next."""
+    _, way, ends = line
     claim.expect_kind("passage"), claim.facts()
     first, last = exact_surd(claim.truth["first"], "truth.first"), exact_surd(claim.truth["last"], "truth.last")
 
-    def is_zero(t, direction):
-        zero = (t.square() * square + t * linear + constant).sign() == 0
-        return zero and (t * (2 * square) + linear).sign() * direction >= 0
+    def value(t, direction):
+        constant, linear, square = at(t, direction)
+        return (t.square() * square + t * linear + constant).sign()
 
-    beyond = [(t + -1).sign() for t in (first, last)]
-    starts_inside = first.sign() == 0 and constant <= 0
-    is_first = square > 0 and first.sign() > 0 and is_zero(first, -1) and (not ends or beyond[0] <= 0)
+    def is_zero(t, direction):
+        _, linear, square = at(t, direction)
+        return square > 0 and value(t, direction) == 0 and (t * (2 * square) + linear).sign() * direction >= 0
+
+    def is_on_line(t):
+        return t.sign() >= 0 and (not ends or (t + -1).sign() <= 0)
+
+    starts_inside = first.sign() == 0 and value(first, 1) <= 0
+    is_first = any(way) and first.sign() > 0 and is_on_line(first) and is_zero(first, -1)
     expect(starts_inside or is_first, "truth: first is wrong")
-    if square == 0:
-        expect(last.sign() == 0, "truth: last is wrong")
+    ends_inside = ends and (last + -1).sign() == 0 and value(last, 1) <= 0
+    is_last = ends_inside or (is_on_line(last) and is_zero(last, 1))
+    expect(is_last if any(way) else last.sign() == 0, "truth: last is wrong")
+
+
+def prove_passage_of_ball(claim, name):
+    claim.inputs(name, "sphere")
+    line = course(claim)
+    center, radius = ball_or_disc(claim.input["sphere"], "sphere")
+    expect(len(center) == len(line[0]), f"sphere: as many coordinates as {name}")
+    f = gap_to(line, center, radius)
+    if says_hit(claim):
+        prove_first_and_last(claim, line, lambda t, direction: f)
         return
-    ends_inside = ends and beyond[1] == 0 and constant + linear + square <= 0
-    is_last = last.sign() >= 0 and is_zero(last, 1) and (not ends or beyond[1] <= 0)
-    expect(ends_inside or is_last, "truth: last is wrong")
+    kind = claim.kind()
+    claim.facts()
+    expect(is_positive(kind, *f, line[2]), "certificate: the kind does not hold")
+
+
+def prove_passage_of_capsule(claim, name):
+    claim.inputs(name, "capsule")
+    start, way, _ = line = course(claim)
+    (a, b), radius = capsule_in_space(claim.input["capsule"], "capsule")
+    expect(len(start) == 3, f"capsule: as many coordinates as {name}")
+    axis = minus(b, a)
+    place, climb, length = inner(minus(start, a), axis), inner(way, axis), inner(axis, axis)
+    at_a, at_b = gap_to(line, a, radius), gap_to(line, b, radius)
+    along_axis = place**2, 2 * place * climb, climb**2
+    between = tuple(length * x - y for x, y in zip(at_a, along_axis))
+
+    def at(t, direction):
+        along, rises = t * climb + place, climb * direction
+        over_a, over_b = along.sign(), (along + -length).sign()
+        if length == 0 or over_a < 0 or (over_a == 0 and rises < 0):
+            return at_a
+        return at_b if over_b > 0 or (over_b == 0 and rises > 0) else between
+
+    if says_hit(claim):
+        prove_first_and_last(claim, line, at)
+    else:
+        expect_beyond(claim, line, lambda normal: max(inner(normal, a), inner(normal, b)), radius)
 
 
 def check_ray_aabb(claim):
@@ -300,13 +349,11 @@ def check_segment_aabb(claim):
 
 
 def check_ray_obb(claim):
-    claim.inputs("ray", "obb")
-    prove_passage_of_obb(claim, ray_in_space(claim.input["ray"], "ray"))
+    prove_passage_of_obb(claim, "ray")
 
 
 def check_segment_obb(claim):
-    claim.inputs("segment", "obb")
-    prove_passage_of_obb(claim, segment_in_space(claim.input["segment"], "segment"))
+    prove_passage_of_obb(claim, "segment")
 
 
 def check_ray_sphere(claim):
@@ -315,3 +362,11 @@ def check_ray_sphere(claim):
 
 def check_segment_sphere(claim):
     prove_passage_of_ball(claim, "segment")
+
+
+def check_ray_capsule(claim):
+    prove_passage_of_capsule(claim, "ray")
+
+
+def check_segment_capsule(claim):
+    prove_passage_of_capsule(claim, "segment")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of certify.py for segments and triangles of space, as in check_triangles.cpp."""
+"""The checks of certify.py for segments, capsules and triangles of space, as in check_triangles.cpp."""
 
-from certify_reading import expect, list_of_two
+from certify_reading import expect, list_of_two, number, only
 from certify_space import cross, dot, exact_triple, point_in_space, triple
 
 
@@ -9,6 +9,14 @@ def points(value, what, count, in_words):
     """Two points are the ends of a segment, three the corners of a triangle: all that is between them."""
     expect(isinstance(value, list) and len(value) == count, f"{what}: a list of {in_words}")
     return [point_in_space(point, f"{what}[{i}]") for i, point in enumerate(value)]
+
+
+def capsule_in_space(value, what):
+    """Its segment and its radius."""
+    only(value, what, ["segment", "radius"])
+    ends, radius = points(value["segment"], what + ".segment", 2, "two"), number(value["radius"], what + ".radius")
+    expect(radius >= 0, what + ".radius: radius >= 0")
+    return ends, radius
 
 
 def weighted(corners, weights):

@@ -54,11 +54,7 @@ void check_sphere_plane(const Claim& claim) {
 /// No point of the capsule is lower than that of the ball around the lowest point of its segment.
 void check_capsule_plane(const Claim& claim) {
   claim.inputs({"capsule", "plane"});
-  const json& capsule = claim.input["capsule"];
-  only(capsule, "capsule", {"segment", "radius"});
-  const Ends3 ends = points<2>(capsule["segment"], "capsule.segment");
-  const Rational radius = number(capsule["radius"], "capsule.radius");
-  expect(sgn(radius) >= 0, "capsule.radius: radius >= 0");
+  const auto [ends, radius] = capsule_in_space(claim.input["capsule"], "capsule");
   const Plane level = plane(claim.input["plane"], "plane");
   expect_contact_and_kind(claim, kinds_of_balls);
   claim.facts({"weights", "point"});

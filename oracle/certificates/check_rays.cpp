@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/certificates/check_obbs.h"
 #include "oracle/certificates/check_solids.h"
-#include "oracle/certificates/check_surd.h"
 #include "oracle/certificates/check_triangles.h"
 
 namespace touchstone::certify {
@@ -188,179 +186,13 @@ void check_ray_mesh(const Claim& claim) {
   expect(hit.word("part") == (first.inside ? "inside" : at_corner ? "vertex" : "edge"), "truth: part is wrong");
 }
 
-/// The same in the plane or in space, coordinate by coordinate.
-struct Course {
-  std::vector<Rational> from, displacement;
-  bool ends;
-  std::size_t axes() const { return from.size(); }
-};
-
-Course course(const Claim& claim) {
-  const bool ends = claim.input.contains("segment");
-  const std::string what = ends ? "segment" : "ray";
-  const json& value = claim.input[what];
-  if (ends) expect(value.is_array() && value.size() == 2, what + ": a list of two");
-  else only(value, what, {"origin", "direction"});
-  const std::string one = what + (ends ? "[0]" : ".origin"), other = what + (ends ? "[1]" : ".direction");
-  Course found{two_or_three(ends ? value[0] : value["origin"], one),
-               two_or_three(ends ? value[1] : value["direction"], other), ends};
-  expect(found.displacement.size() == found.axes(), other + ": as many coordinates as " + one);
-  bool moves = false;
-  for (std::size_t k = 0; k < found.axes(); ++k) {
-    if (ends) found.displacement[k] -= found.from[k];
-    moves = moves || sgn(found.displacement[k]) != 0;
-  }
-  expect(ends || moves, other + ": nonzero direction");
-  return found;
-}
-
-/// The claimed answer, with its numbers.
-bool says_hit(const Claim& claim) {
-  const std::string relation = claim.word("relation");
-  expect(relation == "hit" || relation == "none", "truth: relation is wrong");
-  if (relation == "hit") claim.answers({"relation", "first", "last"});
-  else claim.answers({"relation"});
-  return relation == "hit";
-}
-
-/// True if all of the line is beyond the highest point of the solid along the normal.
-bool is_beyond(const Course& line, const std::vector<Rational>& normal, const Rational& highest) {
-  Rational start, slope;
-  for (std::size_t k = 0; k < line.axes(); ++k)
-    start += normal[k] * line.from[k], slope += normal[k] * line.displacement[k];
-  return start > highest && (line.ends ? Rational(start + slope) > highest : sgn(slope) >= 0);
-}
-
-/// True if the line is in the box at t, and on some axis leaves it there towards greater t, or smaller ones.
-struct InBox {
-  bool inside = true, leaves_forwards = false, leaves_backwards = false;
-  InBox(const Course& line, const Box& solid, const Rational& t) {
-    for (std::size_t k = 0; k < line.axes(); ++k) {
-      const Rational x(line.from[k] + t * line.displacement[k]);
-      const int v = sgn(line.displacement[k]);
-      inside = inside && solid.min[k] <= x && x <= solid.max[k];
-      leaves_forwards = leaves_forwards || (v > 0 && x == solid.max[k]) || (v < 0 && x == solid.min[k]);
-      leaves_backwards = leaves_backwards || (v < 0 && x == solid.max[k]) || (v > 0 && x == solid.min[k]);
-    }
-  }
-};
-
-bool moves(const Course& line) {
-  for (const Rational& v : line.displacement)
-    if (sgn(v) != 0) return true;
-  return false;
-}
-
-/// highest(normal) of the solid, of which `seen` and `solid` are the line and the solid in a frame of its own.
-template <class Highest>
-void prove_passage(const Claim& claim, const Course& line, const Highest& highest, const Course& seen,
-                   const Box& solid) {
-  if (!says_hit(claim)) {
-    claim.expect_kind("separating_plane"), claim.facts({"normal"});
-    const std::vector<Rational> normal = claim.list("normal");
-    expect(normal.size() == line.axes(), "certificate: as many coordinates as the line");
-    expect(is_beyond(line, normal, highest(normal)), "certificate: the plane does not separate");
-    return;
-  }
-  claim.expect_kind("passage"), claim.facts({});
-  const Rational first = exact_value(claim.truth["first"], "truth.first"),
-                 last = exact_value(claim.truth["last"], "truth.last");
-  const InBox at_first(seen, solid, first), at_last(seen, solid, last);
-  // The solid is convex: a line that leaves it on one axis does not return.
-  expect(sgn(first) >= 0 && at_first.inside && (sgn(first) == 0 || at_first.leaves_backwards), "truth: first is wrong");
-  const bool at_end = line.ends && (moves(line) ? last == 1 : sgn(last) == 0);
-  expect(last >= first && (!line.ends || last <= 1) && at_last.inside && (at_end || at_last.leaves_forwards),
-         "truth: last is wrong");
-}
-
-void prove_passage_of_box(const Claim& claim, const char* name) {
-  claim.inputs({name, "aabb"});
-  const Course line = course(claim);
-  const Box solid = box(claim.input["aabb"], "aabb");
-  expect(solid.axes() == line.axes(), std::string("aabb: as many coordinates as ") + name);
-  const auto highest = [&](const std::vector<Rational>& normal) {
-    Rational sum;
-    for (std::size_t k = 0; k < normal.size(); ++k)
-      sum += normal[k] * (sgn(normal[k]) > 0 ? solid.max[k] : solid.min[k]);
-    return sum;
-  };
-  prove_passage(claim, line, highest, line, solid);
-}
-
-/// The frame: heights over the planes through the center that two half axes each span. The third is as high, up or
-/// down, as the magnitude of the determinant.
-void prove_passage_of_obb(const Claim& claim, const Line& line) {
-  const Obb solid = obb(claim.input["obb"], "obb");
-  const auto& [u, v, w] = solid.half_axes;
-  const Triple from = line.from - solid.center, way = line.displacement;
-  Course seen{{}, {}, line.ends};
-  for (const Triple& normal : {cross(v, w), cross(w, u), cross(u, v)})
-    seen.from.push_back(dot(normal, from)), seen.displacement.push_back(dot(normal, way));
-  const Rational high = abs(dot(cross(u, v), w)), low(-high);
-  const auto highest = [&](const std::vector<Rational>& n) { return solid.reach({n[0], n[1], n[2]}); };
-  prove_passage(claim, {{from.x, from.y, from.z}, {way.x, way.y, way.z}, line.ends}, highest, seen,
-                {{low, low, low}, {high, high, high}});
-}
-
-/// f is the squared distance from the center minus the squared radius: at most 0 in the ball.
-void prove_passage_of_ball(const Claim& claim, const char* name) {
-  claim.inputs({name, "sphere"});
-  const Course line = course(claim);
-  const BallOrDisc solid = ball_or_disc(claim.input["sphere"], "sphere");
-  expect(solid.axes() == line.axes(), std::string("sphere: as many coordinates as ") + name);
-  Quadratic f{Rational(-solid.radius * solid.radius), 0, 0};
-  for (std::size_t k = 0; k < line.axes(); ++k) {
-    const Rational p(line.from[k] - solid.center[k]);
-    f.constant += p * p, f.linear += 2 * p * line.displacement[k],
-        f.square += line.displacement[k] * line.displacement[k];
-  }
-  if (!says_hit(claim)) {
-    const std::string kind = claim.kind();
-    claim.facts({});
-    expect(f.proved_positive(kind, line.ends), "certificate: the kind does not hold");
-    return;
-  }
-  claim.expect_kind("passage"), claim.facts({});
-  const Surd first = exact_surd(claim.truth["first"], "truth.first"),
-             last = exact_surd(claim.truth["last"], "truth.last");
-  // Its slope grows: if it is not positive at a zero, f is positive before; if it is not negative, f is positive after.
-  const bool starts_inside = sign(first) == 0 && sgn(f.constant) <= 0, moves = sgn(f.square) > 0;
-  const bool is_zero = sign(f.at(first)) == 0 && sign(f.slope_at(first)) <= 0;
-  expect(starts_inside || (moves && sign(first) > 0 && is_zero && (!line.ends || sign(first + Rational(-1)) <= 0)),
-         "truth: first is wrong");
-  const int beyond_end = sign(last + Rational(-1));
-  const bool ends_inside = line.ends && beyond_end == 0 && sgn(Rational(f.constant + f.linear + f.square)) <= 0;
-  const bool is_last_zero = sign(f.at(last)) == 0 && sign(f.slope_at(last)) >= 0;
-  expect(moves ? ends_inside || (sign(last) >= 0 && is_last_zero && (!line.ends || beyond_end <= 0)) : sign(last) == 0,
-         "truth: last is wrong");
-}
-
-void check_ray_aabb(const Claim& claim) { prove_passage_of_box(claim, "ray"); }
-void check_segment_aabb(const Claim& claim) { prove_passage_of_box(claim, "segment"); }
-void check_ray_obb(const Claim& claim) {
-  claim.inputs({"ray", "obb"});
-  prove_passage_of_obb(claim, ray_in_space(claim.input["ray"], "ray"));
-}
-void check_segment_obb(const Claim& claim) {
-  claim.inputs({"segment", "obb"});
-  prove_passage_of_obb(claim, segment_in_space(claim.input["segment"], "segment"));
-}
-void check_ray_sphere(const Claim& claim) { prove_passage_of_ball(claim, "ray"); }
-void check_segment_sphere(const Claim& claim) { prove_passage_of_ball(claim, "segment"); }
-
 }  // namespace
 
 Checks checks_of_rays() {
   return {{"segment_plane", check_segment_plane},
           {"ray_plane", check_ray_plane},
           {"ray_triangle", check_ray_triangle},
-          {"ray_mesh", check_ray_mesh},
-          {"ray_aabb", check_ray_aabb},
-          {"segment_aabb", check_segment_aabb},
-          {"ray_obb", check_ray_obb},
-          {"segment_obb", check_segment_obb},
-          {"ray_sphere", check_ray_sphere},
-          {"segment_sphere", check_segment_sphere}};
+          {"ray_mesh", check_ray_mesh}};
 }
 
 }  // namespace touchstone::certify

@@ -5,6 +5,14 @@
 
 namespace touchstone::certify {
 
+Capsule capsule_in_space(const json& value, const std::string& what) {
+  only(value, what, {"segment", "radius"});
+  const Ends3 ends = points<2>(value["segment"], what + ".segment");
+  const Rational radius = number(value["radius"], what + ".radius");
+  expect(sgn(radius) >= 0, what + ".radius: radius >= 0");
+  return {ends, radius};
+}
+
 Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from) {
   Triple sum{0, 0, 0};
   Rational total;

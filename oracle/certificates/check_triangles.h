@@ -5,7 +5,7 @@
 
 #include "oracle/certificates/check_space.h"
 
-/// Segments and triangles of space, in the form of claims, and their checks.
+/// Segments, capsules and triangles of space, in the form of claims, and their checks.
 namespace touchstone::certify {
 
 /// Two points are the ends of a segment, three the corners of a triangle, representing their hull.
@@ -18,6 +18,13 @@ std::array<Triple, count> points(const json& value, const std::string& what) {
 }
 using Ends3 = std::array<Triple, 2>;
 using Corners = std::array<Triple, 3>;
+
+/// All points no farther than the radius, which is not negative, from the segment.
+struct Capsule {
+  Ends3 segment;
+  Rational radius;
+};
+Capsule capsule_in_space(const json& value, const std::string& what);
 
 /// The point with these weights, which begin at index `from`.
 Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from);

@@ -16,16 +16,17 @@ struct RootsOfSphere {
   Real smaller = Real(0), greater = Real(0);
 
   RootsOfSphere() = default;
-  template <class Vector>
-  RootsOfSphere(const Vector& p, const Vector& v, const Real& r) {
+  RootsOfSphere(const Real& square, const Real& linear, const Real& constant) {
     using std::sqrt;
-    const Real square = dot(v, v), linear = Real(Real(2) * dot(p, v)), constant = Real(dot(p, p) - Real(r * r));
     const Real discriminant = Real(Real(linear * linear) - Real(Real(Real(4) * square) * constant));
     if (!(Real(0) <= discriminant)) return;
     const Real root = Real(sqrt(discriminant)), below = Real(Real(2) * square);
     real = true;
     smaller = Real(Real(-linear - root) / below), greater = Real(Real(root - linear) / below);
   }
+  template <class Vector>
+  RootsOfSphere(const Vector& p, const Vector& v, const Real& r)
+      : RootsOfSphere(dot(v, v), Real(Real(2) * dot(p, v)), Real(dot(p, p) - Real(r * r))) {}
 };
 
 template <class Real>

@@ -35,7 +35,7 @@ const std::vector<Synonym>& synonyms() {
       {"culling", {"aabb_plane", "sphere_plane", "obb_plane", "bounding_volume_hierarchy"}},
       {"cylinder",
        {"capsule_capsule", "sphere_capsule", "capsule_obb", "capsule_aabb", "capsule_plane", "capsule_triangle",
-        "capsule_convex"}},
+        "capsule_convex", "ray_capsule", "segment_capsule"}},
       {"disc", {"sphere_sphere", "sphere_aabb", "ray_sphere"}},
       {"disk", {"sphere_sphere", "sphere_aabb", "ray_sphere"}},
       {"distance", {"segment_segment_distance", "closest_point_on_segment", "convex_distance", "point_mesh_distance"}},

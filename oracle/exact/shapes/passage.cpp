@@ -2,6 +2,7 @@
 #include "oracle/exact/shapes/passage.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "oracle/exact/numbers/common_scale.h"
@@ -96,6 +97,93 @@ Integer beyond_zeros(const Parabola& f) { return Integer(2 + (2 * abs(f.half) + 
 /// f(1 - t)
 Parabola backwards(const Parabola& f) { return {f.end(), Integer(-f.half_slope_at_end()), f.square}; }
 
+/// constant + 2 half t + square t^2 for t from one time to another.
+struct Piece {
+  Integer constant, half, square;
+  Rational from{}, to{};
+
+  Rational at(const Rational& t) const { return Rational(constant + t * (2 * half + t * square)); }
+  Rational width() const { return Rational(to - from); }
+  /// The t at which it is least.
+  Rational lowest() const {
+    if (sgn(square) == 0) return from;
+    return std::clamp(quotient(Integer(-half), square), from, to);
+  }
+  /// Times something positive, for times from 0 to 1.
+  Parabola parabola() const {
+    const Rational start = at(from), slope((half + from * square) * width()), bend(square * width() * width());
+    Integer unit(1);
+    for (const Rational* x : {&start, &slope, &bend}) mpz_lcm(unit.get_mpz_t(), unit.get_mpz_t(), x->get_den_mpz_t());
+    const auto integer = [&unit](const Rational& x) { return Integer(x.get_num() * (unit / x.get_den())); };
+    return {integer(start), integer(slope), integer(bend)};
+  }
+};
+
+Integer product_of(const std::vector<Integer>& x, const std::vector<Integer>& y) {
+  Integer sum;
+  for (std::size_t k = 0; k < x.size(); ++k) sum += x[k] * y[k];
+  return sum;
+}
+
+/// A line and the axis of a capsule, as seen from an end of it. All f are times the axis's squared length, or 1.
+struct LineAndAxis {
+  std::vector<Integer> start, way, axis;
+  Integer height, climb, length;  ///< along the axis
+  std::array<Piece, 3> near_a_b_or_neither;
+  bool ends;
+
+  LineAndAxis(const Scaled& n, bool line_ends) : ends(line_ends) {
+    std::vector<Integer> from_b;
+    for (std::size_t k = 0; k < 3; ++k) {
+      start.emplace_back(n.at(from, k) - n.at(least, k)), from_b.emplace_back(n.at(from, k) - n.at(greatest, k));
+      way.push_back(n.at(displacement, k)), axis.emplace_back(n.at(greatest, k) - n.at(least, k));
+    }
+    height = product_of(start, axis), climb = product_of(way, axis), length = product_of(axis, axis);
+    const Integer unit = factor(), reach(n.radius() * n.radius()), speed = product_of(way, way);
+    const auto near = [&](const std::vector<Integer>& p) {
+      return Piece{Integer(unit * (product_of(p, p) - reach)), Integer(unit * product_of(p, way)),
+                   Integer(unit * speed)};
+    };
+    Piece beside = near(start);
+    beside.constant -= height * height, beside.half -= height * climb, beside.square -= climb * climb;
+    near_a_b_or_neither = {near(start), near(from_b), beside};
+  }
+
+  Integer factor() const { return sgn(length) == 0 ? Integer(1) : length; }
+
+  /// Up to 1, or beyond all zeros and all changes.
+  std::vector<Piece> pieces() const {
+    std::vector<Rational> times{Rational(0), Rational(1)};
+    if (!ends)
+      for (const Piece& f : near_a_b_or_neither)
+        if (sgn(f.square) > 0) times[1] = std::max(times[1], Rational(beyond_zeros({f.constant, f.half, f.square})));
+    if (sgn(climb) != 0) {
+      for (const Integer& end : {Integer(0), length}) {
+        const Rational t = quotient(Integer(end - height), climb);
+        if (!ends) times[1] = std::max(times[1], Rational(t + 1));
+        if (sgn(t) > 0 && t < times[1]) times.push_back(t);
+      }
+    }
+    std::sort(times.begin(), times.end());
+    std::vector<Piece> found;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      const Rational doubled(2 * height + (times[i - 1] + times[i]) * climb);
+      const std::size_t nearest = sgn(length) == 0 || sgn(doubled) < 0 ? 0 : doubled > 2 * length ? 1 : 2;
+      found.push_back(near_a_b_or_neither[nearest]);
+      found.back().from = times[i - 1], found.back().to = times[i];
+    }
+    return found;
+  }
+
+  /// From the nearest point of the axis to that of the line at t.
+  std::vector<Rational> displacement_at(const Rational& t) const {
+    const Rational along((height + t * climb) / factor()), share = std::clamp(along, Rational(0), Rational(1));
+    std::vector<Rational> found;
+    for (std::size_t k = 0; k < 3; ++k) found.emplace_back(start[k] + t * way[k] - share * axis[k]);
+    return found;
+  }
+};
+
 }  // namespace
 
 Truth<Passage<Rational>> passage_of_box(const Line& line, const std::vector<Rational>& min,
@@ -141,6 +229,33 @@ Truth<Passage<Surd>> passage_of_ball(const Line& line, const std::vector<Rationa
   }
   const Surd whole{Rational(until)};
   truth.answer = {PassageRelation::hit, whole * *first.t, sgn(f.square) == 0 ? *first.t : whole - whole * *last.t};
+  truth.certificate = [] { return Certificate{"passage", {}}; };
+  return truth;
+}
+
+Truth<Passage<Surd>> passage_of_capsule(const Line& line, const std::vector<Rational>& a,
+                                        const std::vector<Rational>& b, const Rational& radius) {
+  const Scaled n({&line.from, &line.displacement, &a, &b}, radius);
+  const LineAndAxis both(n, line.ends);
+  const std::vector<Piece> pieces = both.pieces();
+  const auto lower = [](const Piece& f, const Piece& g) { return f.at(f.lowest()) < g.at(g.lowest()); };
+  const Piece lowest = *std::min_element(pieces.begin(), pieces.end(), lower);
+  const Rational depth(lowest.at(lowest.lowest()) / both.factor());
+  Truth<Passage<Surd>> truth{{PassageRelation::none, {}, {}}, n.actual(Rational(abs(depth)), 2)};
+  auto& [relation, first, last] = truth.answer;
+  for (const Piece& f : pieces)
+    if (const auto t = f.parabola().contact().t; t && !first) first = Surd(f.from) + Surd(f.width()) * *t;
+  if (!first) {
+    truth.certificate = [normal = both.displacement_at(lowest.lowest())] {
+      return Certificate{"separating_plane", {{"normal", normal}}};
+    };
+    return truth;
+  }
+  for (const Piece& f : pieces)
+    if (const auto t = backwards(f.parabola()).contact().t) last = Surd(f.to) - Surd(f.width()) * *t;
+  const bool moves = sgn(product_of(both.way, both.way)) != 0;
+  relation = PassageRelation::hit;
+  if (!moves) last = first;
   truth.certificate = [] { return Certificate{"passage", {}}; };
   return truth;
 }

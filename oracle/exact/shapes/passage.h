@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "geometry/capsules.h"
 #include "geometry/rays.h"
+#include "geometry/validation.h"
 #include "oracle/exact/numbers/decode.h"
 #include "oracle/exact/numbers/surd.h"
 #include "oracle/truth.h"
@@ -41,5 +43,18 @@ Truth<Passage<Rational>> passage_of_box(const Line& line, const std::vector<Rati
 /// By the changes of sign of f(t) = |from + t way - center|^2 - radius^2, forwards and backwards; a ray is cut after
 /// all zeros.
 Truth<Passage<Surd>> passage_of_ball(const Line& line, const std::vector<Rational>& center, const Rational& radius);
+
+/// By the changes of sign of f(t), the squared distance of from + t way from the segment from a to b, minus radius^2,
+/// forwards and backwards: f is convex and smooth, and a polynomial as long as the same end, or none, is the nearest.
+Truth<Passage<Surd>> passage_of_capsule(const Line& line, const std::vector<Rational>& a,
+                                        const std::vector<Rational>& b, const Rational& radius);
+
+/// The same of a ray or a segment of that field; refuses invalid input.
+template <class Shape, class Number>
+Truth<Passage<Surd>> passage_of_capsule(const char* field, const Shape& shape, const Capsule3<Number>& capsule) {
+  validation::validate_all(field, shape, "capsule", capsule);
+  const auto& [a, b] = capsule.segment;
+  return passage_of_capsule(line_of(shape), coordinates(a), coordinates(b), exact(capsule.radius));
+}
 
 }  // namespace touchstone::oracle

@@ -197,6 +197,36 @@ def of_ball(q):
     return {"relation": "hit", "first": first, "last": "1" if last and gap(last) <= 0 else greater}, -gap(nearest)
 
 
+def of_capsule(q):
+    """Between two times at which the line is level with an end of the axis, the gap, the squared distance from the axis
+    over the squared radius, is that from an end, or from the axis's line: it is looked at where it is nearest there.
+    Beyond `far` a ray only gets farther away. Margin: the size of the least gap."""
+    (start, way, last), (a, b), radius = line_of(q), map(point, q["capsule"]["segment"]), number(q["capsule"]["radius"])
+    axis, p = minus(b, a), minus(start, a)
+    length, place, climb, speed = dot(axis, axis), dot(p, axis), dot(way, axis), dot(way, way)
+    far = 1 + 3 * (4 * dot(p, p) + length + radius**2) / speed if last is ENDLESS else last
+    level = [(end - place) / climb for end in (0, length)] if climb else []
+    times = sorted({Fraction(0), far} | {t for t in level if 0 < t < far})
+    pieces = []
+    for before, after in zip(times, times[1:]):
+        height = place + (before + after) / 2 * climb
+        end = minus(start, b if height > length else a)
+        f = dot(end, end) - radius**2, 2 * dot(end, way), speed
+        if length and 0 <= height <= length:
+            f = f[0] - place**2 / length, f[1] - 2 * place * climb / length, speed - climb**2 / length
+        nearest = min(max(-f[1] / (2 * f[2]), before), after) if f[2] else before
+        gaps = [f[0] + f[1] * t + f[2] * t * t for t in (before, nearest, after)]
+        pieces.append((f, gaps))
+    least = min(gaps[1] for _, gaps in pieces)
+    if least > 0:
+        return {"relation": "none"}, least
+    if not speed:
+        return {"relation": "hit", "first": "0", "last": "0"}, -least
+    met = [f for f, gaps in pieces if gaps[1] <= 0]
+    first = "0" if pieces[0][1][0] <= 0 else Zero(*met[0], -1)
+    return {"relation": "hit", "first": first, "last": "1" if pieces[-1][1][2] <= 0 else Zero(*met[-1], 1)}, -least
+
+
 def of_obb(q):
     """Between the planes of opposite faces, pair by pair. Margin: the planes that two half axes span, or one and the way,
     at their distance in the maximum norm from the line that is moved until it lies on them: the greatest."""
@@ -225,5 +255,6 @@ def of_obb(q):
 
 
 truth_ray_aabb = truth_segment_aabb = of_box
+truth_ray_capsule = truth_segment_capsule = of_capsule
 truth_ray_obb = truth_segment_obb = of_obb
 truth_ray_sphere = truth_segment_sphere = of_ball

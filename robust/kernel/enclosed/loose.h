@@ -24,6 +24,11 @@ inline Loose operator*(const Loose& x, const Loose& y) {
   return times(static_cast<const Enclosed<double>&>(x), static_cast<const Enclosed<double>&>(y));
 }
 
+/// Its sign is known, and is not 0.
+inline bool certain(const Loose& x) { return x.settled() && x.high != 0; }
+/// It is exactly 0.
+inline bool none_of(const Loose& x) { return x.high == 0 && x.low == 0 && x.error == 0; }
+
 /// q - p
 inline filters::Triple<Loose> loose_between(const Point3d& p, const Point3d& q) {
   return {difference(q.x, p.x), difference(q.y, p.y), difference(q.z, p.z)};

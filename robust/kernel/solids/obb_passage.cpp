@@ -13,12 +13,6 @@
 #include "robust/kernel/solids/box_passage.h"
 
 namespace touchstone::robust::kernel {
-namespace {
-
-bool certain(const Loose& x) { return x.settled() && x.high != 0; }
-bool none_of(const Loose& x) { return x.high == 0 && x.low == 0 && x.error == 0; }
-
-}  // namespace
 
 /// Along a normal the line's height starts at `height` and climbs by `climb` in a unit of t; the box reaches from
 /// -reach to reach. A climb of 0 is exact: all of its terms are 0.
