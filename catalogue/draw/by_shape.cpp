@@ -17,15 +17,6 @@ static void draw(Drawing& drawing, const std::string& label, const Inertiad& ine
   drawing.notes.push_back(label + ": " + row(inertia.x) + ", " + row(inertia.y) + ", " + row(inertia.z));
 }
 
-/// Draws the segment, and a ball at each of its ends.
-static void draw(Drawing& drawing, const std::string& label, const Capsule3d& capsule, bool answer) {
-  const auto& [segment, radius] = capsule;
-  draw(drawing, label, segment, answer);
-  for (const Point3d& p : {segment.a, segment.b})
-    drawing.space.push_back({SpaceFigure::Kind::sphere, label, {p.x, p.y, p.z, radius}, {}, answer});
-  drawing.notes.push_back(label + ": radius " + decimal(radius));
-}
-
 namespace {
 
 using Draw = void (*)(Drawing&, const std::string& label, Cursor<double>& from, bool answer);

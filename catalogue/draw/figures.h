@@ -8,6 +8,7 @@
 
 #include "catalogue/codec/json.h"
 #include "catalogue/draw/drawing.h"
+#include "geometry/capsules.h"
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"
 #include "geometry/rays.h"
@@ -113,6 +114,14 @@ inline void draw(Drawing& drawing, const std::string& label, const Sphere3d& s, 
   drawing.space.push_back(
       {SpaceFigure::Kind::sphere, label, {s.center.x, s.center.y, s.center.z, s.radius}, {}, answer});
   drawing.notes.push_back(label + ": center " + in_words(s.center) + ", radius " + decimal(s.radius));
+}
+/// Draws the segment, and a ball at each of its ends.
+inline void draw(Drawing& drawing, const std::string& label, const Capsule3d& capsule, bool answer) {
+  const auto& [segment, radius] = capsule;
+  draw(drawing, label, segment, answer);
+  for (const Point3d& p : {segment.a, segment.b})
+    drawing.space.push_back({SpaceFigure::Kind::sphere, label, {p.x, p.y, p.z, radius}, {}, answer});
+  drawing.notes.push_back(label + ": radius " + decimal(radius));
 }
 inline void draw(Drawing& drawing, const std::string& label, const Meshd& mesh, bool answer) {
   SpaceFigure figure{SpaceFigure::Kind::mesh, label, coordinates_of(mesh.vertices), {}, answer};

@@ -10,6 +10,7 @@
 #include "catalogue/draw/figures.h"
 #include "catalogue/draw/side_view.h"
 #include "geometry/bodies.h"
+#include "geometry/capsules.h"
 
 /// Moving bodies: their positions, their destinations, and their first contact. Drawings are rounded.
 namespace touchstone::catalogue {
@@ -17,6 +18,7 @@ namespace touchstone::catalogue {
 inline Aabb2d moved(const Aabb2d& box, const Vector2d& v) { return {box.min + v, box.max + v}; }
 inline Aabb3d moved(const Aabb3d& box, const Vector3d& v) { return {box.min + v, box.max + v}; }
 inline Sphere3d moved(const Sphere3d& s, const Vector3d& v) { return {s.center + v, s.radius}; }
+inline Capsule3d moved(const Capsule3d& c, const Vector3d& v) { return {{c.segment.a + v, c.segment.b + v}, c.radius}; }
 inline Meshd moved(Meshd mesh, const Vector3d& v) {
   for (Point3d& p : mesh.vertices) p = p + v;
   return mesh;
@@ -46,12 +48,19 @@ inline std::vector<Point3d> outline(const Sphere3d& s, const Vector3d& v) {
   return {s.center + s.radius * one, s.center + -s.radius * one, s.center + s.radius * other,
           s.center + -s.radius * other};
 }
+/// Those of the balls around both ends.
+inline std::vector<Point3d> outline(const Capsule3d& c, const Vector3d& v) {
+  std::vector<Point3d> points = outline(Sphere3d{c.segment.a, c.radius}, v);
+  for (const Point3d& p : outline(Sphere3d{c.segment.b, c.radius}, v)) points.push_back(p);
+  return points;
+}
 
 inline Point2d middle_of(const Aabb2d& box) { return {box.min.x / 2 + box.max.x / 2, box.min.y / 2 + box.max.y / 2}; }
 inline Point3d middle_of(const Aabb3d& box) {
   return {box.min.x / 2 + box.max.x / 2, box.min.y / 2 + box.max.y / 2, box.min.z / 2 + box.max.z / 2};
 }
 inline Point3d middle_of(const Sphere3d& s) { return s.center; }
+inline Point3d middle_of(const Capsule3d& c) { return middle_of(Aabb3d{c.segment.a, c.segment.b}); }
 inline Point3d middle_of(const Meshd& mesh) {
   Vector3d sum{0, 0, 0};
   const double part = 1 / static_cast<double>(mesh.vertices.size());
@@ -99,6 +108,15 @@ void draw_sweep(Drawing& drawing, const std::string& name, const Solid& solid, c
   for (const auto& p : outline(solid, velocity)) draw_displacement(drawing, p, p + velocity);
   if (t && std::isfinite(*t)) draw(drawing, name + " at first contact", moved(solid, *t * velocity), true);
   drawing.notes = notes;
+}
+
+/// The same of a question: a body, its velocity and what rests.
+template <class Question>
+void draw_step(Drawing& drawing, const char* moving, const char* resting, const Question& question,
+               const std::optional<double>& t) {
+  const auto& [body, velocity, obstacle] = question;
+  draw_sweep(drawing, moving, body, velocity, t);
+  draw(drawing, resting, obstacle, false);
 }
 
 /// Two balls that represent bodies without given positions: they touch at the origin and approach along the normal, a

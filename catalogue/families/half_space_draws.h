@@ -4,22 +4,45 @@
 #include <tuple>
 
 #include "catalogue/families/closest_draws.h"
+#include "geometry/capsules.h"
 #include "geometry/volumes.h"
 
-/// The hooks and hard cases that rows of a solid and the half-space behind a plane share.
+/// The hooks and hard cases that rows of a solid and a plane, or the half-space behind it, share.
 namespace touchstone::catalogue {
 
-template <class Solid>
-struct OverHalfSpace {
+/// Hooks of questions whose last part is the plane.
+template <class... Parts>
+struct OverPlane {
   /// The normal has no unit: it keeps its value.
-  static void scale(std::tuple<Solid, Plane3d>& question, int k) {
-    auto& [solid, plane] = question;
-    for_each_number(solid, [k](double& length) { length = std::ldexp(length, k); });
-    plane.offset = std::ldexp(plane.offset, k);
+  static void scale(std::tuple<Parts..., Plane3d>& question, int k) {
+    const auto longer = [k](double& length) { length = std::ldexp(length, k); };
+    std::apply([&](auto&... part) { (scale_part(part, longer), ...); }, question);
   }
+
+ private:
+  static void scale_part(auto& part, const auto& longer) { for_each_number(part, longer); }
+  static void scale_part(Plane3d& plane, const auto& longer) { longer(plane.offset); }
 };
 
 using BallAndPlane = std::tuple<Sphere3d, Plane3d>;
+
+/// A capsule of which the ball is an end. The other is the same point, one as high, higher, lower, or far from there.
+inline Capsule3d with_end(DrawStream& c, const Sphere3d& ball, const Vector3d& n) {
+  const Point3d& p = ball.center;
+  const double steps = small_integer(c, 3);
+  const Vector3d across = lattice_across(c, n);
+  const auto other = [&]() -> Point3d {
+    switch (c.below(4)) {
+      case 0: return p + across;
+      case 1: return p + (across + std::fabs(steps) * n);
+      case 2: return p + (across + steps * n);
+      default: return lattice_point_in_space(c);
+    }
+  };
+  const Point3d q = other();
+  const bool first = c.coin();
+  return {{first ? p : q, first ? q : p}, ball.radius};
+}
 
 /// Height of the center and radius in units of the length of the normal; the plane goes through a lattice point.
 inline BallAndPlane ball_over_plane(DrawStream& c, double height, double radius) {

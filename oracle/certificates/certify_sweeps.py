@@ -4,6 +4,7 @@
 from certify_reading import WRONG_KIND, expect
 from certify_space import ball, box_holds, box_in_space, dot, plane, point_in_space, triple
 from certify_surd import exact_surd
+from certify_triangles import capsule_in_space
 
 NO_PROOF = "certificate: the kind does not hold"
 
@@ -59,13 +60,28 @@ def check_swept_sphere_sphere(claim):
     prove_first_zero(claim, *squared_gap(claim))
 
 
+def prove_approach(claim, normal, e, radius, velocity):
+    """Requires the first zero of f = (e + t N . v)^2 - r^2 N . N."""
+    rise = dot(normal, velocity)
+    prove_first_zero(claim, e * e - radius**2 * dot(normal, normal), 2 * e * rise, rise * rise)
+
+
 def check_swept_sphere_plane(claim):
     claim.inputs("sphere", "velocity", "plane")
     center, radius = ball(claim.input["sphere"], "sphere")
     velocity = point_in_space(claim.input["velocity"], "velocity")
     normal, offset = plane(claim.input["plane"], "plane")
-    e, rise = dot(normal, center) + offset, dot(normal, velocity)
-    prove_first_zero(claim, e * e - radius**2 * dot(normal, normal), 2 * e * rise, rise * rise)
+    prove_approach(claim, normal, dot(normal, center) + offset, radius, velocity)
+
+
+def check_swept_capsule_plane(claim):
+    """Why the nearest point of the segment is enough stands in check_sweeps.cpp."""
+    claim.inputs("capsule", "velocity", "plane")
+    ends, radius = capsule_in_space(claim.input["capsule"], "capsule")
+    velocity = point_in_space(claim.input["velocity"], "velocity")
+    normal, offset = plane(claim.input["plane"], "plane")
+    a, b = (dot(normal, end) + offset for end in ends)
+    prove_approach(claim, normal, 0 if a * b <= 0 else min(a, b, key=abs), radius, velocity)
 
 
 def expect_contact_on_sides(center, velocity, low, high, radius, sides, t):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/certificates/check_space.h"
 #include "oracle/certificates/check_surd.h"
+#include "oracle/certificates/check_triangles.h"
 
 namespace touchstone::certify {
 namespace {
@@ -49,15 +49,32 @@ void check_swept_sphere_sphere(const Claim& claim) {
   prove_first_zero(claim, squared_gap(claim));
 }
 
-/// E^2 - r^2 N . N for the height E = N . (c + t v) + d of the center: at most 0 if ball and plane meet.
+/// Requires the same of f = (e + t N . v)^2 - r^2 N . N, e being the height of a center over the plane at the start: at
+/// most 0 where the ball around it meets the plane.
+void prove_approach(const Claim& claim, const Plane& level, const Rational& e, const Rational& radius,
+                    const Triple& velocity) {
+  const Rational rise = dot(level.normal, velocity), reach(radius * radius * dot(level.normal, level.normal));
+  prove_first_zero(claim, {Rational(e * e - reach), Rational(2 * e * rise), Rational(rise * rise)});
+}
+
 void check_swept_sphere_plane(const Claim& claim) {
   claim.inputs({"sphere", "velocity", "plane"});
   const Ball sphere = ball(claim.input["sphere"], "sphere");
   const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
   const Plane level = plane(claim.input["plane"], "plane");
-  const Rational e = level.at(sphere.center), rise = dot(level.normal, velocity), r(sphere.radius);
-  prove_first_zero(claim, {Rational(e * e - r * r * dot(level.normal, level.normal)), Rational(2 * e * rise),
-                           Rational(rise * rise)});
+  prove_approach(claim, level, level.at(sphere.center), sphere.radius, velocity);
+}
+
+/// The point of the segment that is nearest to the plane stays the nearest until the first contact, as both ends are on
+/// one side; or it is on the plane.
+void check_swept_capsule_plane(const Claim& claim) {
+  claim.inputs({"capsule", "velocity", "plane"});
+  const auto [ends, radius] = capsule_in_space(claim.input["capsule"], "capsule");
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
+  const Plane level = plane(claim.input["plane"], "plane");
+  const Rational a = level.at(ends[0]), b = level.at(ends[1]);
+  const Rational e(sgn(a) * sgn(b) <= 0 ? Rational(0) : abs(a) <= abs(b) ? a : b);
+  prove_approach(claim, level, e, radius, velocity);
 }
 
 /// A moving ball and a box at rest, on one axis.
@@ -136,6 +153,7 @@ void check_swept_sphere_aabb(const Claim& claim) {
 Checks checks_of_sweeps() {
   return {{"swept_sphere_sphere", check_swept_sphere_sphere},
           {"swept_sphere_plane", check_swept_sphere_plane},
+          {"swept_capsule_plane", check_swept_capsule_plane},
           {"swept_sphere_aabb", check_swept_sphere_aabb}};
 }
 

@@ -15,6 +15,7 @@ const std::vector<Synonym>& synonyms() {
       {"bounding box", {"aabb_of_points", "obb_of_points"}},
       {"box", {"aabb_aabb", "obb_obb", "sphere_aabb", "ray_aabb", "triangle_aabb", "segment_aabb", "aabb_plane"}},
       {"bvh", {"bounding_volume_hierarchy", "sphere_hierarchy"}},
+      {"capsule cast", {"swept_capsule_plane", "capsule_plane", "swept_sphere_plane"}},
       {"ccd", {"swept_sphere_sphere", "swept_convex_polyhedra", "swept_aabb_aabb"}},
       {"ccw", {"orientation"}},
       {"circle", {"implicit_circle", "sphere_sphere", "ray_sphere", "segment_sphere", "sphere_aabb"}},

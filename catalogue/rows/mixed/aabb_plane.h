@@ -12,7 +12,7 @@
 
 namespace touchstone::catalogue::rows {
 
-struct aabb_plane : signatures::aabb_plane, OverHalfSpace<Aabb3d> {
+struct aabb_plane : signatures::aabb_plane, OverPlane<Aabb3d> {
   TOUCHSTONE_STAGED_MODULES(aabb_plane)
   using decision = NoDecision;
 

@@ -11,7 +11,7 @@
 
 namespace touchstone::catalogue::rows {
 
-struct sphere_plane : signatures::sphere_plane, OverHalfSpace<Sphere3d> {
+struct sphere_plane : signatures::sphere_plane, OverPlane<Sphere3d> {
   TOUCHSTONE_STAGED_MODULES(sphere_plane)
   using decision = NoDecision;
 

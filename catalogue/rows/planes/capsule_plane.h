@@ -11,7 +11,7 @@
 
 namespace touchstone::catalogue::rows {
 
-struct capsule_plane : signatures::capsule_plane, OverHalfSpace<Capsule3d> {
+struct capsule_plane : signatures::capsule_plane, OverPlane<Capsule3d> {
   TOUCHSTONE_STAGED_MODULES(capsule_plane)
   using decision = NoDecision;
 
@@ -29,9 +29,7 @@ struct capsule_plane : signatures::capsule_plane, OverHalfSpace<Capsule3d> {
     add_balls_over_planes([&add]<class Draw>(const char* family, Draw) {
       add(family, [](DrawStream& c) -> Question {
         const auto [ball, plane] = Draw{}(c);
-        const Point3d &p = ball.center, q = beyond(c, p, plane.normal);
-        const bool first = c.coin();
-        return {{{first ? p : q, first ? q : p}, ball.radius}, plane};
+        return {with_end(c, ball, plane.normal), plane};
       });
     });
   }
@@ -43,19 +41,6 @@ struct capsule_plane : signatures::capsule_plane, OverHalfSpace<Capsule3d> {
             .repair = repair,
             .scale = scale,
             .laws = {.maps = Laws::Maps::axes, .scales = true}};
-  }
-
- private:
-  /// The other end: the same point, one as high, higher, lower, or far from there.
-  static Point3d beyond(DrawStream& c, const Point3d& p, const Vector3d& n) {
-    const double steps = small_integer(c, 3);
-    const Vector3d across = lattice_across(c, n);
-    switch (c.below(4)) {
-      case 0: return p + across;
-      case 1: return p + (across + std::fabs(steps) * n);
-      case 2: return p + (across + steps * n);
-      default: return lattice_point_in_space(c);
-    }
   }
 };
 

@@ -12,7 +12,7 @@
 
 namespace touchstone::catalogue::rows {
 
-struct obb_plane : signatures::obb_plane, OverHalfSpace<Obb3d> {
+struct obb_plane : signatures::obb_plane, OverPlane<Obb3d> {
   TOUCHSTONE_STAGED_MODULES(obb_plane)
   using decision = NoDecision;
 

@@ -95,9 +95,7 @@ struct swept_sphere_aabb : signatures::swept_sphere_aabb {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static void draw(Drawing& drawing, const Question& question, const FirstContact<double>& truth) {
-    const auto& [sphere, velocity, aabb] = question;
-    draw_sweep(drawing, "sphere", sphere, velocity, truth.t);
-    ::touchstone::catalogue::draw(drawing, "aabb", aabb, false);
+    draw_step(drawing, "sphere", "aabb", question, truth.t);
   }
 
   static Hooks<swept_sphere_aabb> hooks() {

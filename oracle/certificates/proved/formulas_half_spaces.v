@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The formulas of oriented boxes and capsules over planes. *)
 Require Import ZArith List Arith.
-From Certificates Require Import solids language formulas_vectors formulas_solids formulas_slabs formulas_nearest
-  formulas_obbs.
+From Certificates Require Import solids motion language formulas_vectors formulas_solids formulas_slabs formulas_nearest
+  formulas_obbs formulas_motion.
 Import ListNotations.
 Local Open Scope check_scope.
 
@@ -40,5 +40,18 @@ Definition check_capsule_plane (points : list (list A)) (r : A) (n : list A) (d 
   | touching, tangent_to_plane y => of_length 3 y /\ nearest y /\ apart y = Leaf r * Leaf r
   | overlapping, common_point_inside y => of_length 3 y /\ height n d y < zero /\ apart y < Leaf r * Leaf r
   | _, _ => No
+  end.
+
+(** [swept_capsule_plane]: the end that is nearer to the plane, or the point of the segment that is on it *)
+Definition check_swept_capsule_plane (points : list (list A)) (r : A) (v n : list A) (d : A) (answer : option (surd A))
+    (kind : zero_kind) (facts : list A) : C :=
+  let proves e := approach_proves e r v n answer kind facts in
+  are_points 2 3 points /\ zero <= Leaf r /\ of_length 3 v /\ of_length 3 n /\ not_zero n /\
+  match points with
+  | [p; q] =>
+      let a := height n d p in let b := height n d q in
+      (a * b <= zero /\ proves zero) \/
+      (zero < a * b /\ (a * a <= b * b /\ proves a \/ b * b <= a * a /\ proves b))
+  | _ => No
   end.
 End checks.

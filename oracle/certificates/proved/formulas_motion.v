@@ -50,11 +50,15 @@ Definition check_swept_sphere_sphere (p : list A) (r : A) (v : list A) (o : list
   first_zero_proves (inner gap gap - (Leaf r + Leaf s) * (Leaf r + Leaf s)) (Num 2 * inner gap rate) (inner rate rate)
     answer kind facts.
 
+(** (e + t N . v)^2 - r^2 N . N is at most 0 where the ball around a center of the height e, in units of |N|, meets the
+    plane. *)
+Definition approach_proves (e : T) (r : A) (v n : list A) : option (surd A) -> zero_kind -> list A -> C :=
+  let rise := inner (leaves n) (leaves v) in
+  first_zero_proves (e * e - Leaf r * Leaf r * inner (leaves n) (leaves n)) (Num 2 * e * rise) (rise * rise).
+
 (** [swept_sphere_plane] *)
 Definition check_swept_sphere_plane (c : list A) (r : A) (v n : list A) (d : A) (answer : option (surd A))
     (kind : zero_kind) (facts : list A) : C :=
-  let e := height n d c in let rise := inner (leaves n) (leaves v) in
   of_length 3 c /\ zero <= Leaf r /\ of_length 3 v /\ of_length 3 n /\ not_zero n /\
-  first_zero_proves (e * e - Leaf r * Leaf r * inner (leaves n) (leaves n)) (Num 2 * e * rise) (rise * rise)
-    answer kind facts.
+  approach_proves (height n d c) r v n answer kind facts.
 End checks.

@@ -29,6 +29,12 @@ let swept_sphere_plane = operation "swept_sphere_plane" [ "sphere"; "velocity"; 
       zero_kinds (check_swept_sphere_plane c r (given_coordinates v) normal offset)
   | _ -> assert false)
 
+let swept_capsule_plane = operation "swept_capsule_plane" [ "capsule"; "velocity"; "plane" ] "relation" (function
+  | [ solid; v; level ] ->
+      let (points, r), (normal, offset) = (around_segment solid, plane level) in
+      zero_kinds (check_swept_capsule_plane points r (given_coordinates v) normal offset)
+  | _ -> assert false)
+
 let side place =
   let q = exact place in
   if Whole.equal q.Proved.qnum q.qden then Over
@@ -86,7 +92,8 @@ let swept_aabb_aabb = operation "swept_aabb_aabb" [ "a"; "b"; "velocity" ] "rela
   | _ -> assert false)
 
 let operations =
-  [ swept_sphere_sphere; swept_sphere_plane; swept_sphere_aabb; course "ray" ray "aabb" through_box (of_box check_ray_aabb);
+  [ swept_sphere_sphere; swept_sphere_plane; swept_capsule_plane; swept_sphere_aabb;
+    course "ray" ray "aabb" through_box (of_box check_ray_aabb);
     course "segment" pair "aabb" through_box (of_box check_segment_aabb);
     course "ray" ray "sphere" through_ball (of_ball check_ray_sphere);
     course "segment" pair "sphere" through_ball (of_ball check_segment_sphere); swept_aabb_aabb ]

@@ -87,9 +87,7 @@ let obb_plane = operation "obb_plane" [ "obb"; "plane" ] "contact" (function
 
 let capsule_plane = operation "capsule_plane" [ "capsule"; "plane" ] "contact" (function
   | [ capsule; level ] ->
-      let points, radius =
-        two_members "segment" "radius" (fun ends -> List.map in_space (exactly 2 ends)) given capsule in
-      let normal, offset = plane level in
+      let (points, radius), (normal, offset) = (around_segment capsule, plane level) in
       let of_weights word contact name facts_of =
         kind word [] name [ "weights"; "point" ] (fun _ facts -> match facts with
           | [ weights; x ] ->

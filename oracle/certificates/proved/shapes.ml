@@ -56,6 +56,7 @@ let ball = two_members "center" "radius" given_coordinates given
 let box = two_members "min" "max" given_coordinates given_coordinates
 let obb = two_members "center" "half_axes" in_space (fun axes -> List.map in_space (exactly 3 axes))
 let plane = two_members "normal" "offset" in_space given
+let around_segment = two_members "segment" "radius" (fun ends -> List.map in_space (exactly 2 ends)) given
 
 (* Vectors of space as Coq's triples *)
 let triple read place = match exactly 3 place with

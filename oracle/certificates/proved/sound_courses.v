@@ -169,7 +169,7 @@ Theorem ray_aabb_sound : forall o d low high w facts, decide (check_ray_aabb o d
   ray_aabb_spec (rl o) (rl d) (rl low) (rl high) (r_times w).
 Proof.
   intros o d low high w facts h. apply decide_means in h. destruct h as (b & ld & nz & h). apply is_box_means in b.
-  apply as_long_means in ld. apply not_zero_means in nz. unfold ray_aabb_spec. rewrite !rl_length.
+  apply as_long_means in ld. apply not_zero_means in nz. unfold ray_aabb_spec, ray_through. rewrite !rl_length.
   do 3 (split; [auto|]). destruct b as (_ & ll & lh & _). rewrite rl_length in ll, lh. apply ray_course.
   rewrite <- (leaves_mean o), <- (leaves_mean d). apply (box_passage_means false _ _ _ _ _ facts); auto;
     rewrite ?leaves_mean, ?rl_length; congruence.
@@ -178,7 +178,7 @@ Theorem segment_aabb_sound : forall a b low high w facts, decide (check_segment_
   segment_aabb_spec (rl a) (rl b) (rl low) (rl high) (r_times w).
 Proof.
   intros a b low high w facts h. apply decide_means in h. destruct h as (x & lb & h). apply is_box_means in x.
-  apply as_long_means in lb. unfold segment_aabb_spec. rewrite !rl_length.
+  apply as_long_means in lb. unfold segment_aabb_spec, segment_through. rewrite !rl_length.
   do 2 (split; [auto|]). destruct x as (_ & ll & lh & _). rewrite rl_length in ll, lh.
   apply segment_course; [rewrite !rl_length; congruence|]. rewrite <- way_means, <- (leaves_mean a).
   apply (box_passage_means true _ _ _ _ _ facts); auto; try congruence.
@@ -315,7 +315,7 @@ Theorem ray_sphere_sound : forall o d c r w kind, decide (check_ray_sphere o d c
   ray_sphere_spec (rl o) (rl d) (rl c) (Q2R r) (r_surds w).
 Proof.
   intros o d c r w kind h. apply decide_means in h. destruct h as (b & ld & nz & h). apply is_ball_means in b.
-  apply as_long_means in ld. apply not_zero_means in nz. unfold ray_sphere_spec. rewrite !rl_length.
+  apply as_long_means in ld. apply not_zero_means in nz. unfold ray_sphere_spec, ray_through. rewrite !rl_length.
   do 3 (split; [auto|]). destruct b as (_ & lc & _). rewrite rl_length in lc. apply ray_course.
   apply ball_passage_means in h; rewrite ?difference_means, ?leaves_mean in *; auto.
   - eapply passage_of_same; [|exact h]. intro t. cbv beta. rewrite ball_at_time; [tauto | rewrite !rl_length;
@@ -326,7 +326,7 @@ Theorem segment_sphere_sound : forall a b c r w kind, decide (check_segment_sphe
   segment_sphere_spec (rl a) (rl b) (rl c) (Q2R r) (r_surds w).
 Proof.
   intros a b c r w kind h. apply decide_means in h. destruct h as (x & lb & h). apply is_ball_means in x.
-  apply as_long_means in lb. unfold segment_sphere_spec. rewrite !rl_length.
+  apply as_long_means in lb. unfold segment_sphere_spec, segment_through. rewrite !rl_length.
   do 2 (split; [auto|]). destruct x as (_ & lc & _). rewrite rl_length in lc.
   assert (lm : length (minus (rl b) (rl a)) = length (rl c)) by (rewrite minus_length; rewrite !rl_length; congruence).
   apply segment_course; [rewrite !rl_length; congruence|].

@@ -173,6 +173,15 @@ Proof.
     rewrite gap_at_time by (rewrite !rl_length; congruence). simpl.
     rewrite !inner_means, !difference_means, !leaves_mean. lra.
 Qed.
+(** What is so no later than another thing, and never unless that is, is first so at the same time. *)
+Lemma first_time_sooner : forall (M N : R -> Prop) w, (forall t, M t -> N t) ->
+  (forall t, 0 <= t -> N t -> exists s, 0 <= s <= t /\ M s) -> first_time_spec M w -> first_time_spec N w.
+Proof.
+  intros M N [t |] holds sooner h; simpl in *.
+  - destruct h as (i & m & before). split; [auto|]. split; [auto|]. intros u iu nu.
+    destruct (sooner u ltac:(lra) nu) as (s & is & ms). apply (before s); [lra | auto].
+  - intros u iu nu. destruct (sooner u ltac:(lra) nu) as (s & is & ms). apply (h s); [lra | auto].
+Qed.
 Lemma first_time_unique : forall meet x y, first_time_spec meet x -> first_time_spec meet y -> x = y.
 Proof.
   intros meet [t |] [u |] g h; auto; simpl in g, h.
@@ -207,6 +216,14 @@ Proof.
       replace (e * (e * dot n n) * dot n n) with ((e * dot n n) * (e * dot n n)) by ring. rewrite q. auto.
     + rewrite dot_minus, dot_times by auto. lra.
 Qed.
+Lemma approach_means : forall e r v n answer kind facts, means Q2R (approach_proves e r v n answer kind facts) ->
+  first_time_spec (fun t => (value Q2R e + t * dot (rl n) (rl v)) * (value Q2R e + t * dot (rl n) (rl v)) <=
+    Q2R r * Q2R r * dot (rl n) (rl n)) (option_map r_surd answer).
+Proof.
+  intros e r v n answer kind facts h. eapply first_zero_means; [| |exact h].
+  - apply square.
+  - intro t. simpl. rewrite !inner_means, !leaves_mean. lra.
+Qed.
 Theorem swept_sphere_plane_sound : forall c r v n d answer kind facts,
   decide (check_swept_sphere_plane c r v n d answer kind facts) = true ->
   swept_sphere_plane_spec (rl c) (Q2R r) (rl v) (rl n) (Q2R d) (option_map r_surd answer).
@@ -214,12 +231,17 @@ Proof.
   intros c r v n d answer kind facts h. apply decide_means in h. unfold check_swept_sphere_plane in h. cbv zeta in h.
   destruct h as (l1 & hr & l2 & l3 & nz & h). rewrite of_length_means in l1, l2, l3. simpl in hr.
   apply not_zero_means in nz. unfold swept_sphere_plane_spec, swept_ball, proper_ball. rewrite !rl_length.
-  split; [auto|]. do 3 (split; [auto|]). eapply first_zero_means; [| |exact h].
-  - apply square.
-  - intro t. rewrite ball_meets_plane; auto; [|rewrite at_time_length, rl_length; auto; rewrite !rl_length; congruence
+  split; [auto|]. do 3 (split; [auto|]). apply approach_means in h.
+  assert (core : forall t, (exists x, length x = 3%nat /\ ball (at_time (rl c) (rl v) t) (Q2R r) x /\
+      dot (rl n) x + Q2R d = 0) <-> (value Q2R (height n d c) + t * dot (rl n) (rl v)) *
+      (value Q2R (height n d c) + t * dot (rl n) (rl v)) <= Q2R r * Q2R r * dot (rl n) (rl n)).
+  { intro t. rewrite ball_meets_plane; auto; [|rewrite at_time_length, rl_length; auto; rewrite !rl_length; congruence
       | rewrite rl_length; auto].
     rewrite dot_at_time by (rewrite !rl_length; congruence). unfold height. simpl.
-    rewrite !inner_means, !leaves_mean. lra.
+    rewrite !inner_means, !leaves_mean. lra. }
+  revert h. apply first_time_sooner.
+  - intros t m. apply core. exact m.
+  - intros t t0 m. exists t. split; [lra|]. apply core. exact m.
 Qed.
 Theorem swept_sphere_plane_unique : forall c r v n d x y,
   swept_sphere_plane_spec c r v n d x -> swept_sphere_plane_spec c r v n d y -> x = y.

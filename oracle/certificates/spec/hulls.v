@@ -17,8 +17,7 @@ Definition closest_point_spec n points (p x : list R) (square distance : R) : Pr
   distance_spec p x square distance.
 Definition closest_point_on_segment_spec points p x (square distance : R) : Prop :=
   exists n, (n = 2 \/ n = 3)%nat /\ points_of 2 n points /\ closest_point_spec n points p x square distance.
-Definition closest_point_on_triangle_spec points p x (square distance : R) : Prop :=
-  points_of 3 3 points /\ closest_point_spec 3 points p x square distance.
+Definition closest_point_on_triangle_spec t p x s d : Prop := points_of 3 3 t /\ closest_point_spec 3 t p x s d.
 (** Of the pairs that are as near as any, the one whose x is nearest to the first of a *)
 Definition nearest_pair n (a b : list (list R)) (x y : list R) : Prop := hull n a x /\ hull n b y /\
   forall x' y', hull n a x' -> hull n b y' -> sqdist x y <= sqdist x' y' /\
@@ -59,6 +58,9 @@ Definition sphere_obb_spec c r o a w := proper_ball 3 c r /\ right_obb o a /\ co
 Definition capsule_obb_spec p r center axes w := right_obb center axes /\ capsule_with p r (obb center axes) w.
 Definition obb_plane_spec c axes n d (w : contact) : Prop := right_obb c axes /\ over_half_space (obb c axes) n d w.
 Definition capsule_plane_spec p r n d (w : contact) := proper_capsule p r /\ over_half_space (capsule p r) n d w.
+Definition swept_capsule_plane_spec p r v n d w := proper_capsule p r /\ length v = 3%nat /\ length n = 3%nat /\
+  nonzero n /\
+  first_time_spec (fun t => exists x, length x = 3%nat /\ capsule p r x /\ dot n (at_time x v t) + d = 0) w.
 (** * What a segment, a ray or a triangle has in common with a triangle *)
 Inductive common (A : Type) := no_point | common_point (t : A) (p : list A) | common_segment (p q : list A).
 Arguments no_point {A}. Arguments common_point {A}. Arguments common_segment {A}.

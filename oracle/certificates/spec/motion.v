@@ -15,14 +15,12 @@ Definition passage_spec (inside : R -> Prop) (w : option (R * R)) : Prop :=
   | Some (first, last) => first <= last /\ forall t, inside t <-> first <= t <= last
   | None => forall t, ~ inside t
   end.
-Definition ray_aabb_spec o d low high w : Prop := proper_box (length o) low high /\
-  length d = length o /\ nonzero d /\ passage_spec (ray_in (box low high) o d) w.
-Definition segment_aabb_spec a b low high w : Prop := proper_box (length a) low high /\
-  length b = length a /\ passage_spec (segment_in (box low high) a b) w.
-Definition ray_sphere_spec o d c r w : Prop := proper_ball (length o) c r /\
-  length d = length o /\ nonzero d /\ passage_spec (ray_in (ball c r) o d) w.
-Definition segment_sphere_spec a b c r w : Prop := proper_ball (length a) c r /\
-  length b = length a /\ passage_spec (segment_in (ball c r) a b) w.
+Definition ray_through S o d w : Prop := length d = length o /\ nonzero d /\ passage_spec (ray_in S o d) w.
+Definition segment_through S a b w : Prop := length b = length a /\ passage_spec (segment_in S a b) w.
+Definition ray_aabb_spec o d l h w : Prop := proper_box (length o) l h /\ ray_through (box l h) o d w.
+Definition segment_aabb_spec a b l h w : Prop := proper_box (length a) l h /\ segment_through (box l h) a b w.
+Definition ray_sphere_spec o d c r w : Prop := proper_ball (length o) c r /\ ray_through (ball c r) o d w.
+Definition segment_sphere_spec a b c r w : Prop := proper_ball (length a) c r /\ segment_through (ball c r) a b w.
 
 (** * The first time in [0, 1] at which shapes that move have a common point; of two boxes the first moves *)
 Definition first_time_spec (meet : R -> Prop) (w : option R) : Prop :=

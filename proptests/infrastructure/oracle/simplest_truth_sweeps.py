@@ -72,24 +72,33 @@ def truth_swept_aabb_aabb(q):
     return ({"relation": "hit", "t": str(min(met))} if met else {"relation": "never"}), margin
 
 
-def truth_swept_sphere_plane(q):
-    """The interval of heights that the ball reaches, times the length of the normal, has its ends at roots: they are
-    compared by squares with signs. Margin: how far the squares of the radius and of the nearer way out are apart."""
-    normal, radius = point(q["plane"]["normal"]), number(q["sphere"]["radius"])
-    start = dot(normal, point(q["sphere"]["center"])) + number(q["plane"]["offset"])
-    end = start + dot(normal, point(q["velocity"]))
-    square = dot(normal, normal)
+def first_at_plane(ends, radius, q):
+    """The interval of heights that balls around the ends reach, times the length of the normal, has its ends at roots:
+    they are compared by squares with signs. Margin: how far the squares of the radius and of the nearer way out are
+    apart."""
+    normal, radius = point(q["plane"]["normal"]), number(radius)
+    starts = [dot(normal, point(end)) + number(q["plane"]["offset"]) for end in ends]
+    rise, square = dot(normal, point(q["velocity"])), dot(normal, normal)
+    heights = starts + [start + rise for start in starts]
 
     def signed(height):
         return height * abs(height) / square
 
-    margin = min(radius**2 + signed(max(start, end)), radius**2 - signed(min(start, end)))
-    if start**2 <= radius**2 * square:
+    margin = min(radius**2 + signed(max(heights)), radius**2 - signed(min(heights)))
+    nearer = min(starts, key=abs)
+    if nearer**2 <= radius**2 * square or min(starts) < 0 < max(starts):
         return {"relation": "hit", "t": "0"}, abs(margin)
     if margin < 0:
         return {"relation": "never"}, abs(margin)
-    rise = end - start
-    return {"relation": "hit", "t": FirstRoot(start**2 - radius**2 * square, 2 * start * rise, rise**2)}, abs(margin)
+    return {"relation": "hit", "t": FirstRoot(nearer**2 - radius**2 * square, 2 * nearer * rise, rise**2)}, abs(margin)
+
+
+def truth_swept_sphere_plane(q):
+    return first_at_plane([q["sphere"]["center"]], q["sphere"]["radius"], q)
+
+
+def truth_swept_capsule_plane(q):
+    return first_at_plane(q["capsule"]["segment"], q["capsule"]["radius"], q)
 
 
 def truth_swept_sphere_aabb(q):
