@@ -124,7 +124,7 @@ struct ray_triangle : signatures::ray_triangle {
       return {{p, {q.x, q.y, q.z}}, triangle_of(c, huge_or_small_point)};
     });
     add("nearly_zero", [](DrawStream& c) -> Question {
-      // What rounding leaves of coordinates that should be 0, and the greatest and least numbers that are enclosed.
+      // Coordinates that rounding leaves where 0 is meant, and the greatest and least numbers that are enclosed.
       const double far = power_of_two(c, 38, 42), least = power_of_two(c, -82, -78);
       const auto near_zero = [&] { return small_integer(c, 1) * least; };
       return {{{near_zero(), near_zero(), -1}, {near_zero(), near_zero(), 1}},
