@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The checks of certify.py for moving shapes, one function for each operation, as in check_sweeps.cpp."""
 
+from itertools import product
+
 from certify_reading import WRONG_KIND, expect
-from certify_space import ball, box_holds, box_in_space, dot, plane, point_in_space, triple
+from certify_space import ball, box_holds, box_in_space, cross, dot, named, plane, point_in_space, triple
 from certify_surd import exact_surd
-from certify_triangles import capsule_in_space
+from certify_triangles import capsule_in_space, points, weighted
 
 NO_PROOF = "certificate: the kind does not hold"
 
@@ -102,10 +104,9 @@ def expect_contact_on_sides(center, velocity, low, high, radius, sides, t):
     expect(first and comes_in, "truth: t is wrong")
 
 
-def expect_apart(claim, center, radius, velocity, low, high):
+def expect_apart(claim, center, radius, velocity, corners):
     n = triple(claim, "normal")
-    farthest = [greatest if along > 0 else least for along, least, greatest in zip(n, low, high)]
-    start = dot(n, minus(center, farthest))
+    start = dot(n, center) - max(dot(n, corner) for corner in corners)
     end, reach = start + dot(n, velocity), radius**2 * dot(n, n)
     apart = start > 0 and end > 0 and start**2 > reach and end**2 > reach
     expect(apart, "certificate: the axis does not separate")
@@ -126,7 +127,7 @@ def check_swept_sphere_aabb(claim):
     relation, kind = claim.word("relation"), claim.kind()
     if relation == "never":
         claim.answers("relation"), expect(kind == "separating_axis", WRONG_KIND), claim.facts("normal")
-        return expect_apart(claim, center, radius, velocity, low, high)
+        return expect_apart(claim, center, radius, velocity, list(product(*zip(low, high))))
     expect(relation == "hit", "truth: relation is wrong"), claim.answers("relation", "t")
     t = exact_surd(claim.truth["t"], "truth.t")
     if kind == "start":
@@ -134,3 +135,67 @@ def check_swept_sphere_aabb(claim):
         return expect(t.sign() == 0, "truth: t is wrong")
     expect(kind == "first_contact", WRONG_KIND), claim.facts("sides")
     return expect_contact_on_sides(center, velocity, low, high, radius, triple(claim, "sides"), t)
+
+
+def times(factor, vector):
+    return tuple(factor * x for x in vector)
+
+
+def displacement_from(corners, part, center, v):
+    """(start, rise, scale, sides), as in check_sweeps.cpp."""
+    first = corners[part[0]]
+    w = minus(center, first)
+    if len(part) == 1:
+        return w, v, 1, []
+    e = minus(corners[part[1]], first)
+    if len(part) == 2:
+        square = dot(e, e)
+        expect(square > 0, "certificate: the edge has no length")
+        start, rise = (minus(times(square, d), times(dot(d, e), e)) for d in (w, v))
+        return start, rise, square, [(e, first), (times(-1, e), corners[part[1]])]
+    n = cross(e, minus(corners[2], corners[0]))
+    expect(dot(n, n) > 0, "certificate: the triangle has no area")
+    sides = [(cross(n, minus(corners[(k + 1) % 3], corners[k])), corners[k]) for k in range(3)]
+    return times(dot(w, n), n), times(dot(v, n), n), dot(n, n), sides
+
+
+def expect_contact_on_triangle(claim, center, radius, v, corners, t):
+    """Why it proves that stands in check_sweeps.cpp."""
+    named(claim, "corners", corners)
+    part = [int(place) for place in claim.list("corners")]
+    expect(part and part == sorted(set(part)), "certificate.corners: in ascending order")
+    start, rise, scale, sides = displacement_from(corners, part, center, v)
+    over = all((t * dot(n, v) + dot(n, minus(center, p))).sign() >= 0 for n, p in sides)
+    ways = [minus(p, corners[part[0]]) for p in corners]
+    over = over and all((t * dot(rise, way) + dot(start, way)).sign() <= 0 for way in ways)
+    expect(over, "certificate: the center is over another part at t")
+    constant, linear, square = dot(start, start) - (radius * scale) ** 2, 2 * dot(start, rise), dot(rise, rise)
+    m = triple(claim, "normal")
+    heights = [(t * (dot(m, rise) - scale * dot(m, v)) + (scale * dot(m, minus(p, center)) + dot(m, start))).sign()
+               for p in corners]
+    leaves = dot(m, v) > 0 and min(heights) >= 0
+    slope = (t * (2 * square) + linear).sign()
+    first = t.sign() > 0 and (t + -1).sign() <= 0 and (t.square() * square + t * linear + constant).sign() == 0
+    expect(first and (slope < 0 or slope == 0 and leaves), "truth: t is wrong")
+
+
+def check_swept_sphere_triangle(claim):
+    claim.inputs("sphere", "velocity", "triangle")
+    center, radius = ball(claim.input["sphere"], "sphere")
+    velocity = point_in_space(claim.input["velocity"], "velocity")
+    corners = points(claim.input["triangle"], "triangle", 3, "three")
+    relation, kind = claim.word("relation"), claim.kind()
+    if relation == "never":
+        claim.answers("relation"), expect(kind == "separating_axis", WRONG_KIND), claim.facts("normal")
+        return expect_apart(claim, center, radius, velocity, corners)
+    expect(relation == "hit", "truth: relation is wrong"), claim.answers("relation", "t")
+    t = exact_surd(claim.truth["t"], "truth.t")
+    if kind == "start":
+        claim.facts("weights")
+        weights = claim.list("weights")
+        expect(len(weights) == 3, "certificate: as many weights as points")
+        way = minus(center, weighted(corners, weights))
+        expect(dot(way, way) <= radius**2, "certificate: the point is not in both")
+        return expect(t.sign() == 0, "truth: t is wrong")
+    expect(kind == "first_contact", WRONG_KIND), claim.facts("corners", "normal")
+    return expect_contact_on_triangle(claim, center, radius, velocity, corners, t)

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <functional>
+
 #include "oracle/certificates/check_surd.h"
 #include "oracle/certificates/check_triangles.h"
 
@@ -107,11 +110,19 @@ void expect_contact_on_sides(const std::vector<CenterOnAxis>& axes, const Ration
   expect(first && comes_in, "truth: t is wrong");
 }
 
-/// Requires that along the fact `normal` the ball is beyond all of the box at the start and at the end.
-void expect_apart(const Claim& claim, const Ball& ball, const Triple& velocity, const Box& box) {
-  const Triple n = triple(claim, "normal");
+Triple farthest_along(const Triple& n, const Box& box) {
   const auto side = [&box](const Rational& along, std::size_t k) { return sgn(along) > 0 ? box.max[k] : box.min[k]; };
-  const Triple farthest{side(n.x, 0), side(n.y, 1), side(n.z, 2)};
+  return {side(n.x, 0), side(n.y, 1), side(n.z, 2)};
+}
+Triple farthest_along(const Triple& n, const Corners& corners) {
+  return *std::max_element(corners.begin(), corners.end(),
+                           [&n](const Triple& p, const Triple& q) { return dot(n, p) < dot(n, q); });
+}
+
+/// Requires that along the fact `normal` the ball is beyond all of the solid at the start and at the end.
+template <class Solid>
+void expect_apart(const Claim& claim, const Ball& ball, const Triple& velocity, const Solid& solid) {
+  const Triple n = triple(claim, "normal"), farthest = farthest_along(n, solid);
   const Rational start = dot(n, ball.center - farthest), end(start + dot(n, velocity)),
                  reach(square(ball.radius) * dot(n, n));
   const bool apart = sgn(start) > 0 && sgn(end) > 0 && square(start) > reach && square(end) > reach;
@@ -148,13 +159,100 @@ void check_swept_sphere_aabb(const Claim& claim) {
                           sphere.radius, {sides.x, sides.y, sides.z}, t);
 }
 
+/// The displacement from the nearest point of a corner, of the line of an edge or of the plane of a face to the center
+/// that moves, times `scale`: start + t rise; and the heights of the center, not negative where it is over that part.
+struct Displacement {
+  Triple start, rise;
+  Rational scale{1};
+  std::vector<std::pair<Triple, Triple>> sides;  ///< a normal and a point
+};
+Displacement displacement_from(const Corners& corners, const std::vector<std::size_t>& part, const Triple& center,
+                               const Triple& v) {
+  const Triple none{0, 0, 0}, w = center - corners[part[0]];
+  if (part.size() == 1) return {w, v, 1, {}};
+  const Triple e = corners[part[1]] - corners[part[0]];
+  if (part.size() == 2) {
+    const Rational square = dot(e, e);
+    expect(sgn(square) > 0, "certificate: the edge has no length");
+    const auto across = [&](const Triple& d) { return along(along(none, square, d), Rational(-dot(d, e)), e); };
+    return {across(w), across(v), square, {{e, corners[part[0]]}, {none - e, corners[part[1]]}}};
+  }
+  const Triple n = cross(e, corners[2] - corners[0]);
+  expect(sgn(dot(n, n)) > 0, "certificate: the triangle has no area");
+  Displacement found{along(none, dot(w, n), n), along(none, dot(v, n), n), dot(n, n), {}};
+  for (std::size_t k = 0; k < 3; ++k) found.sides.emplace_back(cross(n, corners[(k + 1) % 3] - corners[k]), corners[k]);
+  return found;
+}
+
+/// Requires that at t the center is over the part of the triangle that the fact `corners` names, that no corner is
+/// beyond that, that it is as far from there as the radius, and does not go away.
+///
+/// With d the displacement at t, half the slope of its square is d . v <= 0. Before t, d . (c - p) was d . d = r^2 or
+/// more for every point p of the triangle, so no p was nearer than r; and none was as near if d . v < 0. If that is 0,
+/// p = c - d alone was; but that was not in the triangle, if along the fact `normal` the velocity leads up, and all
+/// corners are as high as c - d at t.
+void expect_contact_on_triangle(const Claim& claim, const Ball& ball, const Triple& v, const Corners& corners,
+                                const Surd& t) {
+  named(claim, "corners", {corners.begin(), corners.end()});
+  std::vector<std::size_t> part;
+  for (const Rational& place : claim.list("corners")) part.push_back(place.get_num().get_ui());
+  const bool in_order = std::adjacent_find(part.begin(), part.end(), std::greater_equal<>()) == part.end();
+  expect(!part.empty() && in_order, "certificate.corners: in ascending order");
+  const Triple& c = ball.center;
+  const Displacement d = displacement_from(corners, part, c, v);
+  bool over = true;
+  for (const auto& [n, p] : d.sides) over = over && sign(t * dot(n, v) + dot(n, c - p)) >= 0;
+  for (const Triple& p : corners) {
+    const Triple from = p - corners[part[0]];
+    over = over && sign(t * dot(d.rise, from) + dot(d.start, from)) <= 0;
+  }
+  expect(over, "certificate: the center is over another part at t");
+  const Rational reach = ball.radius * d.scale;
+  const Quadratic f{Rational(dot(d.start, d.start) - reach * reach), Rational(2 * dot(d.start, d.rise)),
+                    dot(d.rise, d.rise)};
+  const int slope = sign(f.slope_at(t));
+  const Triple m = triple(claim, "normal");
+  bool leaves = sgn(dot(m, v)) > 0;
+  for (const Triple& p : corners) {
+    const Rational start(d.scale * dot(m, p - c) + dot(m, d.start)), rise(dot(m, d.rise) - d.scale * dot(m, v));
+    leaves = leaves && sign(t * rise + start) >= 0;
+  }
+  const bool first = sign(t) > 0 && sign(t + Rational(-1)) <= 0 && sign(f.at(t)) == 0;
+  expect(first && (slope < 0 || (slope == 0 && leaves)), "truth: t is wrong");
+}
+
+void check_swept_sphere_triangle(const Claim& claim) {
+  claim.inputs({"sphere", "velocity", "triangle"});
+  const Ball sphere = ball(claim.input["sphere"], "sphere");
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
+  const Corners corners = points<3>(claim.input["triangle"], "triangle");
+  const std::string relation = claim.word("relation"), kind = claim.kind();
+  if (relation == "never") {
+    claim.answers({"relation"}), expect(kind == "separating_axis", wrong_kind), claim.facts({"normal"});
+    return expect_apart(claim, sphere, velocity, corners);
+  }
+  expect(relation == "hit", "truth: relation is wrong"), claim.answers({"relation", "t"});
+  const Surd t = exact_surd(claim.truth["t"], "truth.t");
+  if (kind == "start") {
+    claim.facts({"weights"});
+    const std::vector<Rational> weights = claim.list("weights");
+    expect(weights.size() == 3, "certificate: as many weights as points");
+    const Triple way = sphere.center - weighted(corners, weights, 0);
+    expect(dot(way, way) <= square(sphere.radius), "certificate: the point is not in both");
+    return expect(sign(t) == 0, "truth: t is wrong");
+  }
+  expect(kind == "first_contact", wrong_kind), claim.facts({"corners", "normal"});
+  expect_contact_on_triangle(claim, sphere, velocity, corners, t);
+}
+
 }  // namespace
 
 Checks checks_of_sweeps() {
   return {{"swept_sphere_sphere", check_swept_sphere_sphere},
           {"swept_sphere_plane", check_swept_sphere_plane},
           {"swept_capsule_plane", check_swept_capsule_plane},
-          {"swept_sphere_aabb", check_swept_sphere_aabb}};
+          {"swept_sphere_aabb", check_swept_sphere_aabb},
+          {"swept_sphere_triangle", check_swept_sphere_triangle}};
 }
 
 }  // namespace touchstone::certify

@@ -1,69 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/sweeps/swept_sphere_aabb.h"
 
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include "robust/kernel/enclosed/round_solids.h"
 #include "robust/kernel/integers/integers.h"
-#include "robust/kernel/integers/quadratic_root.h"
-#include "robust/kernel/shapes/first_contact.h"
+#include "robust/kernel/shapes/moving_center.h"
 #include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
 namespace {
 
-using kernel::hit;
-using kernel::no_hit;
+using kernel::HeightOfStep;
+using kernel::SquaredGap;
+using kernel::TimeOfStep;
 
-/// One coordinate of the center and of its velocity, and the box's interval, all in one unit.
+/// The heights of the center over both sides of the box on an axis, all in one unit.
 struct CenterOnAxis {
-  mpz_class at, velocity, min, max;
+  HeightOfStep over_min, over_max;
 };
 using CenterOnAxes = std::array<CenterOnAxis, 3>;
 
-/// numerator / denominator, denominator > 0.
-struct TimeOfStep {
-  mpz_class numerator, denominator;
-  friend bool operator<(const TimeOfStep& s, const TimeOfStep& t) {
-    return s.numerator * t.denominator < t.numerator * s.denominator;
+/// As it is around t.
+SquaredGap gap_around(const CenterOnAxes& axes, const mpz_class& radius, const TimeOfStep& t) {
+  SquaredGap f{-radius * radius, 0, 0};
+  for (const auto& [over_min, over_max] : axes) {
+    const bool below = over_min.sign_at(t) < 0;
+    if (!below && over_max.sign_at(t) <= 0) continue;
+    const auto& [gap, velocity] = below ? over_min : over_max;
+    f.start += gap * gap, f.half += gap * velocity, f.square += velocity * velocity;
   }
-};
-
-/// f(t) - r^2 = square t^2 + 2 half t + start, f being the squared distance of the center from the box.
-struct SquaredGap {
-  mpz_class start, half, square;
-
-  /// As it is around t.
-  SquaredGap(const CenterOnAxes& axes, const mpz_class& radius, const TimeOfStep& t) : start(-radius * radius) {
-    for (const auto& [at, velocity, min, max] : axes) {
-      const mpz_class place = at * t.denominator + velocity * t.numerator;
-      const bool below = place < min * t.denominator;
-      if (!below && place <= max * t.denominator) continue;
-      const mpz_class gap = at - (below ? min : max);
-      start += gap * gap, half += gap * velocity, square += velocity * velocity;
-    }
-  }
-  mpz_class slope_at(const TimeOfStep& t) const { return square * t.numerator + half * t.denominator; }
-  mpz_class value_at(const TimeOfStep& t) const {
-    const mpz_class slopes = slope_at(t) + half * t.denominator;
-    return slopes * t.numerator + start * t.denominator * t.denominator;
-  }
-  mpz_class discriminant() const { return half * half - square * start; }
-};
-
-/// The start, the end, and the times between at which the center passes the plane of a face, in order.
-std::vector<TimeOfStep> times_of_change(const CenterOnAxes& axes) {
-  std::vector<TimeOfStep> times{{0, 1}, {1, 1}};
-  for (const auto& axis : axes) {
-    for (const mpz_class* side : {&axis.min, &axis.max}) {
-      const mpz_class gap = (*side - axis.at) * sgn(axis.velocity), speed = abs(axis.velocity);
-      if (sgn(gap) > 0 && gap < speed) times.push_back({gap, speed});
-    }
-  }
-  std::sort(times.begin(), times.end());
-  return times;
+  return f;
 }
 
 void validate_swept_sphere_aabb(const Sphere3d& sphere, const Vector3d& velocity, const Aabb3d& aabb) {
@@ -83,14 +50,13 @@ Perhaps<FirstContact<double>> stages::swept_sphere_aabb::filter(const Sphere3d& 
   const Vector3d size = aabb.max - aabb.min, way = center - aabb.min;
   const Vector3d x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z};
   const Perhaps<Contact> start = filters::Differences<3, 0>{{x, y, z}, way}.contact(radius);
-  if (start && *start == Contact::overlapping) return hit(0);
+  if (start && *start == Contact::overlapping) return kernel::hit(0);
   const Perhaps<Contact> step = filters::Differences<4, 0>{{x, y, z, -1.0 * velocity}, way}.contact(radius);
-  if (step && *step == Contact::disjoint) return no_hit;
+  if (step && *step == Contact::disjoint) return kernel::no_hit;
   return std::nullopt;
 }
 
-/// f is convex, its slope continuous, and it is a polynomial between two times of change: the first of these pieces in
-/// which f - r^2 has a zero has the first contact, unless f has stopped falling before.
+/// The nearest corner, edge or face changes where the center passes the plane of a face.
 FirstContact<double> stages::swept_sphere_aabb::exact(const Sphere3d& sphere, const Vector3d& velocity,
                                                       const Aabb3d& aabb) {
   const auto& [c, radius] = sphere;
@@ -98,20 +64,14 @@ FirstContact<double> stages::swept_sphere_aabb::exact(const Sphere3d& sphere, co
   const auto n = kernel::integers_of(c.x, velocity.x, min.x, max.x, c.y, velocity.y, min.y, max.y, c.z, velocity.z,
                                      min.z, max.z, radius)
                      .at;
-  const CenterOnAxes axes{{{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6], n[7]}, {n[8], n[9], n[10], n[11]}}};
-  const std::vector<TimeOfStep> times = times_of_change(axes);
-  if (sgn(SquaredGap(axes, n[12], times[0]).start) <= 0) return hit(0);
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    const TimeOfStep &from = times[i - 1], &to = times[i];
-    const SquaredGap f(
-        axes, n[12],
-        {from.numerator * to.denominator + to.numerator * from.denominator, 2 * from.denominator * to.denominator});
-    if (sgn(f.slope_at(from)) >= 0) return no_hit;
-    const bool turns = sgn(f.slope_at(to)) > 0 && sgn(f.discriminant()) >= 0;
-    if (turns || sgn(f.value_at(to)) <= 0)
-      return hit(kernel::round_quadratic_root(-f.half, -1, f.discriminant(), f.square));
+  CenterOnAxes axes;
+  kernel::TimesOfChange times;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const mpz_class &at = n[4 * k], &v = n[4 * k + 1];
+    axes[k] = {{at - n[4 * k + 2], v}, {at - n[4 * k + 3], v}};
+    times.crosses(axes[k].over_min), times.crosses(axes[k].over_max);
   }
-  return no_hit;
+  return kernel::first_contact(times, [&](const TimeOfStep& t) { return gap_around(axes, n[12], t); });
 }
 
 /// The filter does not check which end of an interval is the lesser: the box is validated first.

@@ -97,7 +97,7 @@ const std::vector<Synonym>& synonyms() {
       {"slab test", {"ray_aabb", "segment_aabb", "ray_obb", "segment_obb"}},
       {"sort and sweep", {"broad_phase", "all_pairs"}},
       {"spatial hash", {"uniform_grid", "broad_phase"}},
-      {"sphere cast", {"swept_sphere_sphere", "swept_sphere_plane", "swept_sphere_aabb"}},
+      {"sphere cast", {"swept_sphere_sphere", "swept_sphere_plane", "swept_sphere_aabb", "swept_sphere_triangle"}},
       {"spring", {"penalty_force"}},
       {"sweep", {"swept_sphere_sphere", "swept_aabb_aabb", "swept_convex_polyhedra"}},
       {"sweep and prune", {"broad_phase", "all_pairs"}},

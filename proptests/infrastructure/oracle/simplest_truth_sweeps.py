@@ -4,6 +4,7 @@ from fractions import Fraction
 from itertools import combinations
 from math import lcm
 
+from simplest_truth_mixed import clamped, foot_on_face
 from simplest_truth_polyhedra import cross
 from simplest_truth_reading import dot, minus, number, point, triangles
 
@@ -101,18 +102,9 @@ def truth_swept_capsule_plane(q):
     return first_at_plane(q["capsule"]["segment"], q["capsule"]["radius"], q)
 
 
-def truth_swept_sphere_aabb(q):
-    """The gap, the squared distance of the center from the box less r^2, is a polynomial between the times at which the
-    center passes the plane of a face. Three values give it; it is looked at where it is least in each piece. Margin:
-    that, and where the center is in the box, how far it is from missing it."""
-    radius = number(q["sphere"]["radius"])
-    low, high = point(q["aabb"]["min"]), point(q["aabb"]["max"])
-    axes = list(zip(point(q["sphere"]["center"]), point(q["velocity"]), low, high))
-
-    def gap(t):
-        return sum(max(least - c - t * v, 0, c + t * v - most) ** 2 for c, v, least, most in axes) - radius**2
-
-    passed = {(side - c) / v for c, v, least, most in axes if v for side in (least, most)}
+def first_in_pieces(gap, passed):
+    """The first zero and the least value of a function that is a polynomial of degree 2 between these times. Three
+    values give each; it is looked at where it is least in each piece."""
     times = sorted({Fraction(0), Fraction(1)} | {t for t in passed if 0 < t < 1})
     first, margin = "0" if gap(times[0]) <= 0 else None, gap(times[0])
     for start, end in zip(times, times[1:]):
@@ -124,10 +116,50 @@ def truth_swept_sphere_aabb(q):
             constant, linear = gap(middle) - rise * middle + bend * middle**2, rise - 2 * bend * middle
             first = FirstRoot(constant, linear, bend)
         margin = min(margin, least)
+    return {"relation": "never"} if first is None else {"relation": "hit", "t": first}, margin
+
+
+def truth_swept_sphere_aabb(q):
+    """The gap, the squared distance of the center from the box less r^2, is a polynomial between the times at which the
+    center passes the plane of a face. Margin: the least gap, and where the center is in the box, how far it is from
+    missing it."""
+    radius = number(q["sphere"]["radius"])
+    low, high = point(q["aabb"]["min"]), point(q["aabb"]["max"])
+    axes = list(zip(point(q["sphere"]["center"]), point(q["velocity"]), low, high))
+
+    def gap(t):
+        return sum(max(least - c - t * v, 0, c + t * v - most) ** 2 for c, v, least, most in axes) - radius**2
+
+    first, margin = first_in_pieces(gap, {(side - c) / v for c, v, *sides in axes if v for side in sides})
     if margin == -(radius**2):
         center = {"min": q["sphere"]["center"], "max": q["sphere"]["center"]}
         margin -= truth_swept_aabb_aabb({"a": center, "b": q["aabb"], "velocity": q["velocity"]})[1] ** 2
-    return {"relation": "never"} if first is None else {"relation": "hit", "t": first}, abs(margin)
+    return first, abs(margin)
+
+
+def truth_swept_sphere_triangle(q):
+    """The same of a triangle; the gap changes on planes at right angles to an edge through its ends, and to the face
+    through it. Margin: where the center is in the triangle, also how far it is from missing it, along the face or past
+    an edge."""
+    center, radius, v = point(q["sphere"]["center"]), number(q["sphere"]["radius"]), point(q["velocity"])
+    corners = list(map(point, q["triangle"]))
+    edges = [minus(corners[k - 2], corners[k]) for k in range(3)]
+    face = cross(*edges[:2])
+
+    def gap(t):
+        p = tuple(c + t * x for c, x in zip(center, v))
+        near = [clamped(p, corners[k], corners[k - 2]) for k in range(3)] + foot_on_face(p, *corners)
+        return min(dot(minus(p, x), minus(p, x)) for x in near) - radius**2
+
+    planes = [(n, corners[k]) for k in range(3) for n in (edges[k], edges[k - 1], cross(face, edges[k]))]
+    first, margin = first_in_pieces(gap, {dot(n, minus(p, center)) / dot(n, v) for n, p in planes if dot(n, v)})
+    if margin == -(radius**2):
+        depths = []
+        for n in [face] + [cross(e, v) for e in edges]:
+            heights = [dot(n, minus(center, p)) + t * dot(n, v) for p in corners for t in (0, 1)]
+            depths += [min(abs(min(heights)), abs(max(heights))) ** 2 / dot(n, n)] if any(n) else []
+        margin -= min(depths, default=0)
+    return first, abs(margin)
 
 
 def truth_swept_convex_polyhedra(q):

@@ -47,7 +47,6 @@ TEST_CASE("swept_capsule_plane: the time of the nearer end worked by hand, from 
   worked(over_ground(5, 9, 2, -3), at(Rational(1)), 0);        // at the very end
   worked(over_ground(5, 9, 2, -2), misses, 5);                 // short of it: 2^2 - 3^2
   worked(over_ground(-5, -9, 2, -3), misses, 21);              // away from it: 2^2 - 5^2
-  worked(over_ground(5, 9, 2, 0), misses, 21);                 // along the ground
   worked(over_ground(5, 9, 2, -40), at(Rational(3, 40)), 85);  // far through: the start is the nearer way out, 4 + 81
   worked(over_ground(3, 4, 0, -4), at(Rational(3, 4)), 1);     // a segment: its end goes through, by 1
   // E = 36 and 45 of length 3 |N|: 12 and 15 away; falls by 9 a step; radius 6. The ends: 3 and 6 away.

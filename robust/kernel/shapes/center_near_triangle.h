@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "geometry/triangles.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/integers/integers.h"
+#include "robust/kernel/shapes/moving_center.h"
+
+/// The center of a moving ball next to a triangle at rest, in integers.
+namespace touchstone::robust::kernel {
+
+/// The displacements from the corners to the center, and of a step; the normal is 0 for a triangle without area.
+class CenterNearTriangle {
+  using Vector = Vector3<mpz_class>;
+
+ public:
+  CenterNearTriangle(const Sphere3d& sphere, const Vector3d& velocity, const Triangle3d& triangle) {
+    const auto& [center, radius] = sphere;
+    const auto& [a, b, c] = triangle;
+    const auto n = integers_of(center.x, center.y, center.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, velocity.x,
+                               velocity.y, velocity.z, radius)
+                       .at;
+    const auto vector = [&n](std::size_t i, std::size_t from) {
+      return Vector{n[i] - n[from], n[i + 1] - n[from + 1], n[i + 2] - n[from + 2]};
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = 3 + 3 * k, next = 3 + 3 * ((k + 1) % 3);
+      ways_[k] = vector(0, corner), edges_[k] = vector(next, corner);
+    }
+    step_ = {n[12], n[13], n[14]}, squared_radius_ = n[15] * n[15];
+    normal_ = cross(edges_[0], edges_[1]);
+    for (std::size_t k = 0; k < 3; ++k)
+      sides_[k] = {height(cross(normal_, edges_[k]), k), height(edges_[k], k), height(edges_[k], (k + 1) % 3)};
+  }
+
+  TimesOfChange times_of_change() const {
+    TimesOfChange times;
+    for (const auto& [inwards, past_start, past_end] : sides_)
+      for (const HeightOfStep* height : {&inwards, &past_start, &past_end}) times.crosses(*height);
+    return times;
+  }
+
+  /// By the nearest of face, edges and corners: the face where the center is over it; an edge where the center is
+  /// between its ends, and not over the triangle's side of it; else the nearest corner.
+  SquaredGap gap_around(const TimeOfStep& t) const {
+    const bool has_area = sgn(square(normal_)) != 0;
+    if (has_area && inwards(0, t) >= 0 && inwards(1, t) >= 0 && inwards(2, t) >= 0) return from_face();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (beside(k, t) && !(has_area && inwards(k, t) > 0)) return from_edge(k);
+    return from_corner(nearest_corner(t));
+  }
+
+ private:
+  /// The center relative to an edge: over the line to the third corner, and along the edge over its start and its end.
+  struct Side {
+    HeightOfStep inwards, past_start, past_end;
+  };
+
+  static mpz_class square(const Vector& v) { return dot(v, v); }
+  /// The height of the center over a corner.
+  HeightOfStep height(const Vector& along, std::size_t corner) const {
+    return {dot(along, ways_[corner]), dot(along, step_)};
+  }
+  int inwards(std::size_t k, const TimeOfStep& t) const { return sides_[k].inwards.sign_at(t); }
+  bool beside(std::size_t k, const TimeOfStep& t) const {
+    return sgn(square(edges_[k])) != 0 && sides_[k].past_start.sign_at(t) >= 0 && sides_[k].past_end.sign_at(t) <= 0;
+  }
+  std::size_t nearest_corner(const TimeOfStep& t) const {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      const HeightOfStep farther{square(ways_[k]) - square(ways_[nearest]), 2 * dot(ways_[k] - ways_[nearest], step_)};
+      if (farther.sign_at(t) < 0) nearest = k;
+    }
+    return nearest;
+  }
+
+  SquaredGap from_face() const {
+    const auto [start, rise] = height(normal_, 0);
+    return {start * start - squared_radius_ * square(normal_), start * rise, rise * rise};
+  }
+  SquaredGap from_edge(std::size_t k) const {
+    const Vector start = cross(ways_[k], edges_[k]), rise = cross(step_, edges_[k]);
+    return {square(start) - squared_radius_ * square(edges_[k]), dot(start, rise), square(rise)};
+  }
+  SquaredGap from_corner(std::size_t k) const {
+    return {square(ways_[k]) - squared_radius_, dot(ways_[k], step_), square(step_)};
+  }
+
+  std::array<Vector, 3> ways_, edges_;  ///< edge k leads from corner k to the next
+  Vector step_, normal_;
+  mpz_class squared_radius_;
+  std::array<Side, 3> sides_;
+};
+
+}  // namespace touchstone::robust::kernel
