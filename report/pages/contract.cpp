@@ -53,10 +53,12 @@ std::string paragraph(const std::string& text) {
   return html;
 }
 
-/// The end of the sentence that continues at `from`: after its full stop, which excludes "p. 5" and "N . (x - a)".
+/// The end of the sentence that continues at `from`: after its full stop, which excludes "p. 5", "(p. 5)" and
+/// "N . (x - a)".
 static std::size_t end_of_sentence(const std::string& text, std::size_t from) {
   for (std::size_t at = from; (at = text.find('.', at)) != std::string::npos; ++at) {
-    const bool of_page = at > 0 && text[at - 1] == 'p' && (at < 2 || text[at - 2] == ' ' || text[at - 2] == '\n');
+    const bool of_page =
+        at > 0 && text[at - 1] == 'p' && (at < 2 || std::string(" \n(").find(text[at - 2]) != std::string::npos);
     const std::size_t next = text.find_first_not_of(" \n", at + 1);
     if (next == std::string::npos) return text.size();
     const bool of_product = at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\n');

@@ -79,6 +79,8 @@ TEST_CASE("formulas: of a contract's second paragraph the formula and its senten
   CHECK(formula_and_rest("Deck p. 5:\n    a = b.\na: any unit.") == Parts("Deck p. 5:\n    a = b.", "a: any unit."));
   CHECK(formula_and_rest("Deck p. 44: as on p. 5, squares. The slide ends.") ==
         Parts("Deck p. 44: as on p. 5, squares.", "The slide ends."));
+  CHECK(formula_and_rest("It is that of another (p. 48-50, 53). The slide ends.") ==
+        Parts("It is that of another (p. 48-50, 53).", "The slide ends."));
   CHECK(formula_and_rest("No page of the deck asks this. The formula is another. Units.") ==
         Parts("No page of the deck asks this. The formula is another.", "Units."));
   CHECK(formula_and_rest("Deck p. 54:\n    a = b,\nwhere (b x c) . N >= 0. a: any unit.") ==
