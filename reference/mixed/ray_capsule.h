@@ -62,6 +62,9 @@ RootsOfSphere<Real> roots_of_capsule(const Point3<Real>& from, const Vector3<Rea
 /// In exact arithmetic the formula is always right: where the ray is parallel to the axis, or this a point, the roots
 /// of the cylinder are 0/0, and do not count; entry and exit are then those of the balls.
 ///
+/// Margin: |m - r^2|, m being the least squared distance of the ray from the capsule's segment. 0 if the ray only
+/// touches the capsule.
+///
 /// Rounding (binary64, to nearest, u = 2^-53): nothing is promised of the cylinder, where digits of four lengths may
 /// cancel. The balls are computed as in ray_sphere.h. So where that promises a `hit` of the ball of the radius around
 /// an end, with roots off by at most e, the relation is `hit`, first is no greater than the ball's first + e, and last

@@ -23,6 +23,9 @@ namespace touchstone::reference {
 /// In exact arithmetic the formula is right, except for a segment of length 0 in the capsule: there all roots are 0/0,
 /// and it answers `none` (cause: algorithm).
 ///
+/// Margin: |m - r^2|, m being the least squared distance of the segment from that of the capsule. 0 if the segment
+/// only touches the capsule.
+///
 /// Rounding (binary64, to nearest, u = 2^-53): as in ray_capsule.h, with what segment_sphere.h promises of the balls.
 /// ulps: 50 roundings behind first and last (one more, in v).
 template <class Real>

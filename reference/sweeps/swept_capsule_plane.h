@@ -18,9 +18,9 @@ namespace touchstone::reference {
 /// steps. N of any length but 0. Closed sets: touching is a hit, also where the capsule only slides along the plane.
 /// The truth is `hit` with t = 0 if capsule and plane have a common point at the start, also where the segment crosses
 /// the plane, otherwise with the first t in [0, 1] where they have: that t, in general a number with a square root.
-/// Radius 0 is a segment, a segment of length 0 a ball; a velocity of 0 is valid. NaN or infinity: refused by robust
-/// and oracle (field, "finite number"); so is a negative radius ("capsule.radius", "radius >= 0") and N = 0
-/// ("plane.normal", "nonzero normal").
+/// Radius 0 is a segment, a segment of length 0 a ball; a velocity of 0 is valid. Refused by robust and oracle, the
+/// first that applies: NaN or infinity (field, "finite number"), a negative radius ("capsule.radius", "radius >= 0"), N
+/// = 0 ("plane.normal", "nonzero normal").
 ///
 /// The formula assumes that the capsule starts off the plane. Where it does not, the t it finds is that of a ball which
 /// has left the plane, or which has not reached it while the rest of the capsule is in it, or 0/0, in exact arithmetic

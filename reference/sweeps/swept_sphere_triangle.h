@@ -17,15 +17,15 @@ namespace touchstone::reference {
 /// height of the center over it at the start and s what it loses in a step, both in units of |N|, which counts if its
 /// center is over the triangle then; an edge e of the triangle at the first zero of |w x e|^2 - r^2 |e|^2, w leading
 /// from an end of the edge to the center, which counts if the center is between the ends of the edge then; a corner at
-/// the first zero of |w|^2 - r^2. Each is t = 0 where it is not positive at the start. `hit` with the least t in [0, 1]
-/// that counts, otherwise `never`. sphere, triangle: any unit of length, the same for both; velocity in that unit a
-/// step, of the ball, while the triangle rests; t counts in steps. Closed sets: touching is a hit, also where the ball
-/// only grazes the triangle, slides along it, or touches it at the start or at the end. The triangle has two sides and
-/// no interior; one without area is the segment or the point that its corners span. The truth is `hit` with t = 0 if
-/// they have a common point at the start, otherwise with the first t in [0, 1] where they have: that t, in general a
-/// number with a square root. Radius 0 is a point; so is a velocity of 0 valid. NaN or infinity: refused by robust and
-/// oracle (field "sphere.center[0]", "triangle[0][0]" ..., "finite number"); so is a negative radius ("sphere.radius",
-/// "radius >= 0").
+/// the first zero of |w|^2 - r^2. Where such a polynomial, or |h| - r |N|, is not positive at the start, its t is 0.
+/// `hit` with the least t in [0, 1] that counts, otherwise `never`. sphere, triangle: any unit of length, the same for
+/// both; velocity in that unit a step, of the ball, while the triangle rests; t counts in steps. Closed sets: touching
+/// is a hit, also where the ball only grazes the triangle, slides along it, or touches it at the start or at the end.
+/// The triangle has two sides and no interior; one without area is the segment or the point that its corners span. The
+/// truth is `hit` with t = 0 if they have a common point at the start, otherwise with the first t in [0, 1] where they
+/// have: that t, in general a number with a square root. Radius 0 is a point; a velocity of 0 is valid. NaN or
+/// infinity: refused by robust and oracle (field "sphere.center[0]", "triangle[0][0]" ..., "finite number"); so is a
+/// negative radius ("sphere.radius", "radius >= 0").
 ///
 /// In exact arithmetic the formula is always right: all centers that are no farther than r from the triangle are in the
 /// slab over its face, in a cylinder around an edge, or in a ball around a corner, and the first of these that the
@@ -33,7 +33,7 @@ namespace touchstone::reference {
 ///
 /// Margin: |m - r^2|, m being the least squared distance of the center from the triangle during the step; if the center
 /// crosses the triangle, r^2 + d^2, d being the distance by which its path has to be moved until it does not. 0 if the
-/// ball only grazes the triangle, or touches it at the start and parts, or at the end.
+/// ball only grazes the triangle, or touches it at the end, or at the start and comes no nearer.
 ///
 /// Rounding: no bound is given. A rounded time may be over another part of the triangle than the exact one, and a
 /// discriminant that cancels decides whether an edge is met. ulps: 53 roundings behind t (three differences in each of

@@ -67,6 +67,8 @@ const std::vector<Synonym>& synonyms() {
       {"moeller trumbore", {"ray_triangle", "segment_triangle"}},
       {"moller trumbore", {"ray_triangle", "segment_triangle"}},
       {"monotone chain", {"convex_hull_2d"}},
+      {"moving ball", {"swept_sphere_plane", "swept_sphere_sphere", "swept_sphere_triangle", "swept_sphere_aabb"}},
+      {"moving capsule", {"swept_capsule_plane"}},
       {"mpr", {"penetration", "convex_distance", "polyhedron_polyhedron"}},
       {"mtv", {"penetration", "convex_distance"}},
       {"narrow phase", {"polyhedron_polyhedron", "convex_distance", "obb_obb"}},
