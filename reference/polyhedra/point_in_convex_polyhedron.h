@@ -25,8 +25,8 @@ namespace touchstone::reference {
 /// (mesh.faces[i], "closed: edge ..."); a face of area zero (mesh.faces[i], "nonzero area"); all vertices on one plane
 /// (mesh, "convex: vertices on one plane have no inside"); a vertex on the outer side of a face's plane (mesh.faces[i],
 /// "convex: vertex ... must not lie beyond its plane"), where the inner side of all faces is that on which the first
-/// vertex lies that is not on the plane of face 0. Robust and oracle test every face with every vertex to find that
-/// out, which is most of their time.
+/// vertex lies that is not on the plane of face 0. To find that out the oracle tests every face with every
+/// vertex, which is most of its time; robust tests the edges, and every vertex only if these do not tell.
 ///
 /// By these rules the solid is at once the intersection K of the faces' closed inner half-spaces and the convex hull H
 /// of the vertices. All vertices are in K, so H is. H has an inside, and every face lies, with an area, in a plane that

@@ -69,6 +69,7 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
       return {mesh, a + (s * (b - a)) + (t * (d - a))};
     });
     // Closed, no edge bends outwards, and the middle is behind each face; but the surface goes around it twice.
+    // Or two solids, apart: the middle is behind some faces only.
     add.unscaled("wound_twice", [](DrawStream& c) -> Question {
       const double far = 1 + static_cast<double>(c.below(3));
       Meshd mesh{{{0, 0, far}, {0, 0, -far}, {0, 3, 0}, {-3, 1, 0}, {-2, -3, 0}, {2, -3, 0}, {3, 1, 0}}, {}};
@@ -79,10 +80,11 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
         }
       } else {
         mesh = lattice_polyhedron(c);
+        const bool apart = c.coin();
         const auto count = static_cast<Index>(mesh.vertices.size());
         for (Index i = 0; i < count; ++i) {
           const Point3d p = mesh.vertices[i];
-          mesh.vertices.push_back({2 * p.x, 2 * p.y, 2 * p.z});
+          mesh.vertices.push_back(apart ? Point3d{p.x + 64, p.y, p.z} : Point3d{2 * p.x, 2 * p.y, 2 * p.z});
         }
         for (std::size_t i = 0, faces = mesh.faces.size(); i < faces; ++i) {
           const auto [p, q, r] = mesh.faces[i];

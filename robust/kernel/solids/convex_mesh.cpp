@@ -101,8 +101,10 @@ void validate_areas(const std::string& field, const Meshd& mesh) {
   }
 }
 
-/// Asks each edge instead of each vertex about each face. A point o is below all faces, and a ray from o meets one: so
-/// all rays do, and the surface is a function of the direction from o. It is convex if it bends at no edge outwards.
+/// Asks each edge instead of each vertex about each face. A point o is below all faces, so from o they are all seen the
+/// same way round, and every ray from o meets as many of them as the closed surface, all its parts together, winds
+/// around o. If one ray meets one face, all do, and the surface is a function of the direction from o. It is convex if
+/// it bends at no edge outwards.
 /// (Mehlhorn et al., "Checking geometric programs or verification of geometric structures", 1999.)
 class ConvexByEdges {
  public:
