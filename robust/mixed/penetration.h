@@ -16,10 +16,10 @@ namespace touchstone::robust {
 /// indices, then those of b. The meshes are closed, and their faces are triangles that run counter-clockwise as seen
 /// from outside, or all clockwise; the radii are not negative. Every call with meshes checks that they are closed and
 /// convex. If the interiors certainly meet it asks all vertices once for each face found around the nearest part of the
-/// Minkowski difference; if they touch it takes as many steps as there are pairs of edges. Right for all finite
-/// doubles in every floating-point environment, and every number is correctly rounded on its own. NaN and infinities throw InvalidInput, which names
-/// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face), and a
-/// negative radius. Contract: reference/mixed/penetration.h.
+/// Minkowski difference; if they touch it takes as many steps as there are pairs of edges. Right for all finite doubles
+/// in every floating-point environment, and every number is correctly rounded on its own. NaN and infinities throw
+/// InvalidInput, which names the field and "finite number"; so does every mesh that is not the surface of a convex
+/// solid (with the face), and a negative radius. Contract: reference/mixed/penetration.h.
 Penetration<double> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b);
 
 class ConvexSolid;  // robust/prepared/solid.h

@@ -196,6 +196,21 @@ struct penetration : signatures::penetration {
       const double r = small_integer(c, 2), s = small_integer(c, 2);
       return {a, b, r, s};
     });
+    add.unscaled("far_from_origin", [](DrawStream& c) -> Question {
+      // An octahedron with decimals, and itself, listed in another order: many planes are nearly as near, and rounding
+      // decides which vertices seem to be farthest.
+      const double far = power_of_two(c, 16, 27);
+      const Point3d center{far, c.coin() ? far : 0, c.coin() ? far : 0};
+      Meshd a;
+      for (int k = 0; k < 3; ++k) {
+        const Vector3d v{integer_in(c, -3000, 3000) / 1000.0, integer_in(c, -3000, 3000) / 1000.0,
+                         integer_in(c, -3000, 3000) / 1000.0};
+        a.vertices.push_back(center + v), a.vertices.push_back(center + (-1.0 * v));
+      }
+      a.faces = {{0, 2, 4}, {0, 3, 5}, {1, 2, 5}, {1, 3, 4}, {2, 0, 5}, {2, 1, 4}, {3, 0, 4}, {3, 1, 5}};
+      const Meshd b = relisted(a, c);
+      return {a, b, 0, 0};
+    });
     add.unscaled("late_vertices", [](DrawStream& c) -> Question {
       const Meshd a = with_late_corners(c), b = with_late_corners(c);
       return rounded_by(c, a, shifted(b, 2048.0 * lattice_normal(c, 2)));

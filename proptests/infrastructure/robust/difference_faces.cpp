@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/kernel/minkowski/difference_faces.h"
 
+#include <cmath>
+
 #include "catalogue/families/meshes/mesh_draws.h"
 #include "proptests/catch.h"
 #include "robust/kernel/minkowski/least_overlap.h"
@@ -74,6 +76,25 @@ TEST_CASE("difference faces: of lattice solids, many directions of which are as 
         static_cast<int>(finds_the_least(a, moved(i % 2 == 0 ? a : catalogue::lattice_polyhedron(draws), {x, y, 0})));
   }
   CHECK(found > 50);
+}
+
+TEST_CASE("difference faces: far from the origin, where rounding names wrong vertices, the least is found or nothing") {
+  DrawStream draws = DrawStream::seeded(4);
+  int found = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Meshd a;
+    const double far = std::ldexp(1.0, 16 + static_cast<int>(draws.below(12)));
+    const auto part = [&] { return (static_cast<double>(draws.below(6001)) - 3000) / 1000; };
+    for (int k = 0; k < 3; ++k) {
+      const double x = part(), y = part(), z = part();
+      a.vertices.push_back({far + x, far + y, far + z}), a.vertices.push_back({far - x, far - y, far - z});
+    }
+    const auto faces = robust::convex_hull(a.vertices).faces;
+    if (!faces || a.vertices.size() != 6) continue;
+    a.faces = *faces;
+    found += static_cast<int>(finds_the_least(a, catalogue::relisted(a, draws)));
+  }
+  CHECK(found > 1000);
 }
 
 TEST_CASE("difference faces: none where solids touch or are apart, or numbers are huge") {

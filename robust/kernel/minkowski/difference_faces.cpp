@@ -45,7 +45,7 @@ class Polytope {
             !expand(nearest, beyond))
           return std::nullopt;
       } else if (facet.range.least > 0) {
-        facet.bounds = true, most_ = std::min(most_, facet.range.most);
+        facet.bounds = true;
       } else {
         return std::nullopt;
       }
@@ -54,6 +54,7 @@ class Polytope {
     for (const Facet& facet : facets_)
       if (facet.there && !(facet.range.least > most_))
         found.push_back({corners_[facet.at[0]], corners_[facet.at[1]], corners_[facet.at[2]]});
+    if (found.empty()) return std::nullopt;
     return found;
   }
 
@@ -124,8 +125,12 @@ class Polytope {
     return true;
   }
 
-  /// The nearest facet that may be nearer than any that bounds the difference, and is not known to bound it.
-  std::uint32_t next() const {
+  /// The nearest facet that may be nearer than any that bounds the difference, and is not known to bound it. One that
+  /// seemed to, and was removed since, says nothing of how near that is.
+  std::uint32_t next() {
+    most_ = std::numeric_limits<double>::infinity();
+    for (const Facet& facet : facets_)
+      if (facet.there && facet.bounds) most_ = std::min(most_, facet.range.most);
     std::uint32_t found = nobody;
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < facets_.size(); ++i) {
@@ -180,7 +185,7 @@ class Polytope {
   std::vector<Facet> facets_;
   std::vector<std::uint32_t> removed_, starting_at_;
   std::vector<Side> rim_;
-  double most_ = std::numeric_limits<double>::infinity();
+  double most_ = std::numeric_limits<double>::infinity();  // the distance of a facet that is there is no greater
 };
 
 }  // namespace
@@ -192,9 +197,10 @@ bool all_moderate(const Meshd& mesh) {
 }
 
 Index lowest(const std::vector<Point3d>& points, const Vector3d& n) {
-  const auto height = [&](const Point3d& p) { return n.x * p.x + n.y * p.y + n.z * p.z; };
+  const Point3d& first = points[0];
+  const auto height = [&](const Point3d& p) { return dot(n, p - first); };
   Index found = 0;
-  double least = height(points[0]);
+  double least = 0;
   for (Index i = 1; i < points.size(); ++i) {
     const double next = height(points[i]);
     const bool lower = next < least;
