@@ -28,9 +28,12 @@ Decided<Location> stages::point_in_convex_polyhedron::of_valid(const Meshd& mesh
   return {on ? Location::boundary : Location::inside, latest};
 }
 
-// A convex mesh is closed: the ray to +x meets few of its faces.
+// A convex mesh is closed: the ray to +x meets few of its faces, and tells the inside by their number, if they are not
+// there several times.
 Location point_in_convex_polyhedron(const ConvexSolid& solid, const Point3d& point) {
-  return point_in_polyhedron(solid, point);
+  if (solid.once()) return point_in_polyhedron(solid, point);
+  validation::validate_numbers("point", point);
+  return stages::point_in_convex_polyhedron::of_valid(solid.mesh(), point, solid.outside()).answer;
 }
 
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) {

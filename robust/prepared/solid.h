@@ -6,6 +6,7 @@
 #include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
 #include "robust/kernel/filters/space_box.h"
+#include "robust/kernel/solids/convex_mesh.h"
 #include "robust/prepared/validated.h"
 #include "robust/structures/face_tree.h"
 
@@ -40,6 +41,16 @@ class Solid {
 class ConvexSolid : public Solid {
  public:
   explicit ConvexSolid(Meshd mesh, const std::string& field = "mesh");
+
+  /// The side of the faces' planes on which the outside lies: 1 or -1.
+  int outside() const { return surface_.outside; }
+  /// True if the surface certainly goes around its inside once.
+  bool once() const { return surface_.once; }
+
+ private:
+  ConvexSolid(const kernel::ConvexSurface& surface, Meshd&& mesh);
+
+  kernel::ConvexSurface surface_;
 };
 
 }  // namespace touchstone::robust

@@ -84,7 +84,7 @@ struct point_in_convex_polyhedron : signatures::point_in_convex_polyhedron {
         const auto count = static_cast<Index>(mesh.vertices.size());
         for (Index i = 0; i < count; ++i) {
           const Point3d p = mesh.vertices[i];
-          mesh.vertices.push_back(apart ? Point3d{p.x + 64, p.y, p.z} : Point3d{2 * p.x, 2 * p.y, 2 * p.z});
+          mesh.vertices.push_back(apart ? Point3d{p.x + 0x1p20, p.y, p.z} : Point3d{2 * p.x, 2 * p.y, 2 * p.z});
         }
         for (std::size_t i = 0, faces = mesh.faces.size(); i < faces; ++i) {
           const auto [p, q, r] = mesh.faces[i];

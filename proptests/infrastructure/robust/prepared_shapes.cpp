@@ -118,8 +118,7 @@ TEST_CASE("prepared shapes: a square of many vertices holds what its coordinates
     for (const double y : {-1e300, -5e-324, -0.0, 1.0, 0.5, 150.0, std::nextafter(300.0, 0), 300.0, 301.0})
       points.push_back({x, y});
   std::vector<std::uint8_t> expected, found(points.size());
-  for (const Point2d& p : points)
-    expected.push_back(static_cast<std::uint8_t>(in_box({{0, 300, p.x}, {0, 300, p.y}})));
+  for (const Point2d& p : points) expected.push_back(static_cast<std::uint8_t>(in_box({{0, 300, p.x}, {0, 300, p.y}})));
   const robust::batch::Points2 columns{{&points[0].x, 2}, {&points[0].y, 2}};
   for (const bool clockwise : {false, true}) {
     const Polygon2d ring = square_of_many_vertices(clockwise);
@@ -194,11 +193,13 @@ TEST_CASE("prepared shapes: rows that are refused are named over many faces too"
   const auto column = [&numbers](std::ptrdiff_t k, std::ptrdiff_t stride) {
     return robust::batch::Column{numbers + k, stride};
   };
-  const std::string of_solid = refusal_of(
-      [&] { robust::batch::point_in_polyhedron(slab, {column(0, 3), column(1, 3), column(2, 3)}, 2, found); });
+  const std::string of_solid = refusal_of([&] {
+    robust::batch::point_in_polyhedron(slab, {column(0, 3), column(1, 3), column(2, 3)}, 2, found);
+  });
   CHECK(of_solid == "questions[1].point[1]: finite number");
-  const std::string of_polygon =
-      refusal_of([&] { robust::batch::point_in_polygon(square, {column(0, 4), column(1, 3)}, 2, found); });
+  const std::string of_polygon = refusal_of([&] {
+    robust::batch::point_in_polygon(square, {column(0, 4), column(1, 3)}, 2, found);
+  });
   CHECK(of_polygon == "questions[1].point[0]: finite number");
 }
 
@@ -234,16 +235,17 @@ TEST_CASE("prepared shapes: what breaks a rule is refused as the operations refu
   CHECK(refusal_of([&] { ConvexSolid(solids::angle, "b"); }) ==
         refusal_of([&] { robust::convex_distance(solids::cube, solids::angle); }));
   CHECK(refusal_of([&] { ConvexSolid(solids::angle, "b"); }) != "accepted");
-  for (const auto& refused :
-       {refusal_of([&] { Polygon(two, "x"); }), refusal_of([&] { SimplePolygon(crossed, "x"); }),
-        refusal_of([&] { ConvexPolygon(dented, "x"); }), refusal_of([&] { Solid(open, "x"); }),
-        refusal_of([&] { ConvexSolid(infinite_mesh, "x"); })})
+  for (const auto& refused : {refusal_of([&] { Polygon(two, "x"); }), refusal_of([&] { SimplePolygon(crossed, "x"); }),
+                              refusal_of([&] { ConvexPolygon(dented, "x"); }), refusal_of([&] { Solid(open, "x"); }),
+                              refusal_of([&] { ConvexSolid(infinite_mesh, "x"); })})
     CHECK(refused.substr(0, 1) == "x");
   const ConvexSolid cube(solids::cube);
-  CHECK(refusal_of([&] { robust::swept_convex_polyhedra(cube, cube, Vector3d{0, 0, NAN}); }) ==
-        "velocity[2]: finite number");
-  CHECK(refusal_of([&] { robust::point_in_polyhedron(Solid(solids::cube), Point3d{0, NAN, 0}); }) ==
-        "point[1]: finite number");
+  CHECK(refusal_of([&] {
+          robust::swept_convex_polyhedra(cube, cube, Vector3d{0, 0, NAN});
+        }) == "velocity[2]: finite number");
+  CHECK(refusal_of([&] {
+          robust::point_in_polyhedron(Solid(solids::cube), Point3d{0, NAN, 0});
+        }) == "point[1]: finite number");
 }
 
 TEST_CASE("prepared shapes: they may be made and asked in different environments") {
@@ -290,6 +292,24 @@ TEST_CASE("prepared shapes: copies answer when what they were made of is gone") 
   CHECK(robust::point_in_polyhedron(solids[1], Point3d{18, 18, 6}) == Location::outside);  // the hole
   CHECK(robust::polyhedron_polyhedron(moved, solids[2]).relation == Contact::overlapping);
   CHECK(robust::point_in_polygon(polygons[2], Point2d{0.5, 50}) == Location::inside);
+}
+
+TEST_CASE("prepared shapes: a convex solid whose faces are there twice has the inside of one") {
+  Meshd twice = solids::cube;
+  const auto count = static_cast<Index>(twice.vertices.size());
+  for (Index i = 0; i < count; ++i) twice.vertices.push_back(solids::cube.vertices[i]);
+  for (const auto& [a, b, c] : solids::cube.faces) twice.faces.push_back({a + count, b + count, c + count});
+  const Point3d &p = twice.vertices[0], &q = twice.vertices[1];
+  for (const Meshd& mesh : {solids::cube, twice}) {
+    Point3d middle{0, 0, 0};
+    for (Index i = 0; i < count; ++i) middle = middle + 1.0 / count * (mesh.vertices[i] - Point3d{0, 0, 0});
+    std::uint8_t found = 0;
+    robust::batch::point_in_convex_polyhedron(ConvexSolid(mesh), {&middle.x, &middle.y, &middle.z}, 1, &found);
+    CHECK(found == static_cast<std::uint8_t>(Location::inside));
+    CHECK(robust::point_in_convex_polyhedron(ConvexSolid(mesh), middle) == Location::inside);
+    CHECK(robust::point_in_convex_polyhedron(ConvexSolid(mesh), p) == Location::boundary);
+    CHECK(robust::point_in_convex_polyhedron(ConvexSolid(mesh), q + 2.0 * (q - middle)) == Location::outside);
+  }
 }
 
 }  // namespace touchstone::proptests::prepared_shapes_tests

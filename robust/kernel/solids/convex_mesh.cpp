@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/validation.h"
+#include "robust/kernel/enclosed/enclosed_crossing.h"
 #include "robust/kernel/filters/sized.h"
 #include "robust/kernel/shapes/face_side.h"
 #include "robust/kernel/shapes/plane.h"
@@ -113,7 +114,7 @@ class ConvexByEdges {
   /// The side of the outside, as validate_convex returns it; 0 if the mesh is not certainly convex.
   int outside(Stage& latest) const {
     for (Index i = 0; i < mesh_.vertices.size(); ++i)
-      if (!edges_.starts_any(i) || !filters::moderate(mesh_.vertices[i])) return 0;
+      if (!edges_.starts_any(i) || !crossable(mesh_.vertices[i])) return 0;
     const Point3d middle = mean();
     const int inside = FaceSide(mesh_, mesh_.faces[0]).surely(middle);
     if (inside == 0 || !meets_one_face(middle, inside)) return 0;
@@ -145,8 +146,8 @@ class ConvexByEdges {
   }
 
   /// True if the ray from o towards about the middle of the first face certainly passes through one face and misses
-  /// all others: three planes through o bound the cone of a face. Both points are multiples of 2^-150, as means of
-  /// `moderate` numbers, or their parts are 0: what is said of these in sized.h holds here with 2^-450.
+  /// all others: three planes through o bound the cone of a face. The parts of both points are means of `crossable`
+  /// numbers, or 0: multiples of 2^-190, so that no product is below 2^-570.
   bool meets_one_face(const Point3d& o, int inside) const {
     const auto [a, b, c] = corners(mesh_.faces[0]);
     const Point3d target{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
@@ -177,11 +178,15 @@ class ConvexByEdges {
 }  // namespace
 
 int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) {
+  return validate_convex_surface(field, mesh, latest).outside;
+}
+
+ConvexSurface validate_convex_surface(const std::string& field, const Meshd& mesh, Stage& latest) {
   validation::validate(field, mesh), validate_polygons(field, mesh);
   validation::validate_triangles(field, mesh);
   const DirectedEdges edges(mesh);
   validate_closed(field, mesh, edges);
-  if (const int outside = ConvexByEdges(mesh, edges).outside(latest); outside != 0) return outside;
+  if (const int outside = ConvexByEdges(mesh, edges).outside(latest); outside != 0) return {outside, true};
   int outside = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const Face& face = mesh.faces[i];
@@ -199,7 +204,7 @@ int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) 
     // face that has an area.
     if (!off) validate_areas(field, mesh), validation::refuse_flat_mesh(field);
   }
-  return outside;
+  return {outside, false};
 }
 
 }  // namespace touchstone::robust::kernel

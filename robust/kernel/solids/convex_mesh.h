@@ -14,4 +14,11 @@ namespace touchstone::robust::kernel {
 /// value and the last stage that any side needed.
 int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest);
 
+/// The same, and whether the surface certainly goes around its inside once: faces may be there several times.
+struct ConvexSurface {
+  int outside;
+  bool once;
+};
+ConvexSurface validate_convex_surface(const std::string& field, const Meshd& mesh, Stage& latest);
+
 }  // namespace touchstone::robust::kernel
