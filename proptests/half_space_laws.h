@@ -3,8 +3,8 @@
 
 #include "proptests/space_laws.h"
 
-/// Laws of every convex solid and the half-space behind a plane, in the types of the file's `Row`; flat(solid) tells that
-/// it has no interior.
+/// Laws of every convex solid and the half-space behind a plane, in the types of the file's `Row`; flat(solid) tells
+/// that it has no interior.
 #define HALF_SPACE_LAWS(op, flat)                                                                                 \
   TEST_CASE(op ": the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {     \
     law<Row>("the same plane", any_equation_of_the_plane<1>);                                                     \
@@ -19,8 +19,8 @@ namespace touchstone::proptests {
 
 inline constexpr Plane3d ground{{0, 1, 0}, 0};
 
-/// What sphere_plane's contract promises of the formula for balls of one radius around these points, by the least of the
-/// heights; `inside`: the truth where it reaches behind the plane.
+/// What sphere_plane's contract promises of the formula for balls of one radius around these points, by the least of
+/// the heights; `inside`: the truth where it reaches behind the plane.
 inline bool keeps_contract_over_plane(const std::vector<Point3d>& centers, double radius, const Plane3d& plane,
                                       Contact answer, Contact truth) {
   const double q = dot(plane.normal, plane.normal), reach = radius * std::sqrt(q);

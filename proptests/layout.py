@@ -128,10 +128,10 @@ def evidence(tree, operations):
         mutants = (tree.root / listed).read_text(encoding="utf-8").count("\n") if (tree.root / listed).is_file() else 0
         if mutants < FEWEST_MUTANTS:
             yield f"{listed}: {mutants} mutants of {name}, fewer than {FEWEST_MUTANTS}"
-        if not re.search(rf'\{{\s*"{name}"\s*,\s*check_', checks[".cpp"]):
+        if not re.search(rf'\{{\s*"{name}"\s*,\s*(check_|contact\()', checks[".cpp"]):
             yield f"{certify}check_*.cpp: no check of {name} in the table of a file"
-        if not re.search(rf"^def check_{name}\(", checks[".py"], re.MULTILINE):
-            yield f"{certify}certify_*.py: no function check_{name}"
+        if not re.search(rf"^(def check_{name}\(|check_{name} = )", checks[".py"], re.MULTILINE):
+            yield f"{certify}certify_*.py: no check_{name}"
         claims = f"{certify}claims/{name}.jsonl"
         for held, sort in zip(claimed(tree, claims), ("true", "false")):
             if not held:
@@ -337,7 +337,7 @@ PLANTED = [
     ("fuzz/corpus/touch/seed", None, "fuzz/corpus/touch: missing"),
     ("proptests/mutation/mutants/touch.jsonl", 5 * "{}\n", "5 mutants of touch, fewer than 6"),
     ("oracle/certificates/check_lines.cpp", '{{"touched", check_touched}}', "no check of touch in the table"),
-    ("oracle/certificates/certify_lines.py", "def check_touched(claim):\n", "no function check_touch"),
+    ("oracle/certificates/certify_lines.py", "def check_touched(claim):\n", "no check_touch"),
     ("oracle/certificates/claims/touch.jsonl", FALSE_CLAIM, "claims/touch.jsonl: no true claim of touch"),
     ("oracle/certificates/claims/touch.jsonl", CLAIM, "claims/touch.jsonl: no false claim of touch"),
     ("oracle/certificates/claims/touch.jsonl", None, "claims/touch.jsonl: no true claim of touch"),

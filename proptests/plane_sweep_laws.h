@@ -18,8 +18,8 @@ inline Rational sum_of_products(const Vector3d& v, double x, double y, double z)
   return Rational(exact(v.x) * exact(x) + exact(v.y) * exact(y) + exact(v.z) * exact(z));
 }
 
-/// The least E^2 of an end at t, less r^2 N . N; if ends are on both sides, 0 less that: at most 0 where the solid meets
-/// the plane.
+/// The least E^2 of an end at t, less r^2 N . N; if ends are on both sides, 0 less that: at most 0 where the solid
+/// meets the plane.
 template <class Solid>
 oracle::Surd beyond(const std::tuple<Solid, Vector3d, Plane3d>& question, const oracle::Surd& t) {
   using oracle::Surd;

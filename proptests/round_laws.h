@@ -137,6 +137,25 @@ bool is_apart_from_mesh_where_certain(const Truth& truth, Contact answer, const 
   return answer == Contact::disjoint || !certainly_apart(Rational(*truth.margin + r * r), e, r);
 }
 
+/// A point only touches the solid that it is in, and a ball around such a point overlaps it.
+template <class Ask, class Solid>
+bool center_tells(const Ask& ask, const Sphere3d& ball, const Solid& solid, Location center) {
+  const bool in = center != Location::outside;
+  if (ask(std::tuple{Sphere3d{ball.center, 0}, solid}) != (in ? Contact::touching : Contact::disjoint)) return false;
+  return !in || ask(std::tuple{ball, solid}) == (ball.radius == 0 ? Contact::touching : Contact::overlapping);
+}
+
+/// Balls beside a cube from -2 to 2, worked by hand.
+void balls_beside(const auto& cube, const auto& worked) {
+  worked({{{5, 6, 0}, 4}, cube}, Contact::disjoint, 9);      // beyond an edge by (3, 4): 25 - 16
+  worked({{{5, 6, 0}, 5}, cube}, Contact::touching, 0);      // 25 - 25
+  worked({{{5, 6, 0}, 6}, cube}, Contact::overlapping, 11);  // 36 - 25
+  worked({{{3, 4, 4}, 3}, cube}, Contact::touching, 0);      // beyond a corner by (1, 2, 2)
+  worked({{{1, -5, 2}, 3}, cube}, Contact::touching, 0);     // beyond a face
+  worked({{{1, 1, 0}, 1}, cube}, Contact::overlapping, 1);   // within: 1 - 0
+  worked({{{0, 0, 0}, 9}, cube}, Contact::overlapping, 81);  // the cube within the ball
+}
+
 /// ROUND_LAWS("sphere_obb") is three test cases, in the types of the file's `Row`.
 #define ROUND_LAWS(operation)                                                                    \
   LAW(operation ": a solid that is written in another way has the same contact", a, b) {         \

@@ -258,26 +258,6 @@ def check_contact(claim, a, b):
         expect_contact(claim, a, x, b, y)
 
 
-def check_sphere_triangle(claim):
-    claim.inputs("sphere", "triangle")
-    check_contact(claim, round_ball(claim, "sphere"), round_triangle(claim, "triangle"))
-
-
-def check_sphere_capsule(claim):
-    claim.inputs("sphere", "capsule")
-    check_contact(claim, round_ball(claim, "sphere"), round_capsule(claim, "capsule"))
-
-
-def check_capsule_capsule(claim):
-    claim.inputs("a", "b")
-    check_contact(claim, round_capsule(claim, "a"), round_capsule(claim, "b"))
-
-
-def check_sphere_obb(claim):
-    claim.inputs("sphere", "obb")
-    check_contact(claim, round_ball(claim, "sphere"), round_box(claim, "obb"))
-
-
 def check_closest_point_on_obb(claim):
     claim.inputs("point", "obb")
     p, box = point_in_space(claim.input["point"], "point"), round_box(claim, "obb")
@@ -286,26 +266,22 @@ def check_closest_point_on_obb(claim):
     expect_closest(claim, box.core, box.at(claim, "coefficients"), p)
 
 
-def check_capsule_obb(claim):
-    claim.inputs("capsule", "obb")
-    check_contact(claim, round_capsule(claim, "capsule"), round_box(claim, "obb"))
+def contact(a, read_a, b, read_b):
+    """The check of the contact of two inputs, which are read so."""
+
+    def check(claim):
+        claim.inputs(a, b)
+        check_contact(claim, read_a(claim, a), read_b(claim, b))
+
+    return check
 
 
-def check_capsule_aabb(claim):
-    claim.inputs("capsule", "aabb")
-    check_contact(claim, round_capsule(claim, "capsule"), round_aabb(claim, "aabb"))
-
-
-def check_capsule_triangle(claim):
-    claim.inputs("capsule", "triangle")
-    check_contact(claim, round_capsule(claim, "capsule"), round_triangle(claim, "triangle"))
-
-
-def check_sphere_convex(claim):
-    claim.inputs("sphere", "mesh")
-    check_contact(claim, round_ball(claim, "sphere"), round_convex(claim, "mesh"))
-
-
-def check_capsule_convex(claim):
-    claim.inputs("capsule", "mesh")
-    check_contact(claim, round_capsule(claim, "capsule"), round_convex(claim, "mesh"))
+check_sphere_triangle = contact("sphere", round_ball, "triangle", round_triangle)
+check_sphere_capsule = contact("sphere", round_ball, "capsule", round_capsule)
+check_capsule_capsule = contact("a", round_capsule, "b", round_capsule)
+check_sphere_obb = contact("sphere", round_ball, "obb", round_box)
+check_capsule_obb = contact("capsule", round_capsule, "obb", round_box)
+check_capsule_aabb = contact("capsule", round_capsule, "aabb", round_aabb)
+check_capsule_triangle = contact("capsule", round_capsule, "triangle", round_triangle)
+check_sphere_convex = contact("sphere", round_ball, "mesh", round_convex)
+check_capsule_convex = contact("capsule", round_capsule, "mesh", round_convex)

@@ -297,28 +297,14 @@ void check_contact(const Claim& claim, const Round& a, const Round& b) {
   expect_contact(claim, a, x, b, y);
 }
 
-void check_sphere_triangle(const Claim& claim) {
-  claim.inputs({"sphere", "triangle"});
-  const Round sphere = round_ball(claim, "sphere"), triangle = round_triangle(claim, "triangle");
-  check_contact(claim, sphere, triangle);
-}
-
-void check_sphere_capsule(const Claim& claim) {
-  claim.inputs({"sphere", "capsule"});
-  const Round sphere = round_ball(claim, "sphere"), capsule = round_capsule(claim, "capsule");
-  check_contact(claim, sphere, capsule);
-}
-
-void check_capsule_capsule(const Claim& claim) {
-  claim.inputs({"a", "b"});
-  const Round a = round_capsule(claim, "a"), b = round_capsule(claim, "b");
-  check_contact(claim, a, b);
-}
-
-void check_sphere_obb(const Claim& claim) {
-  claim.inputs({"sphere", "obb"});
-  const Round sphere = round_ball(claim, "sphere"), box = round_box(claim, "obb");
-  check_contact(claim, sphere, box);
+/// The check of the contact of two inputs, which are read so.
+Check contact(const char* a, Round (*read_a)(const Claim&, const char*), const char* b,
+              Round (*read_b)(const Claim&, const char*)) {
+  return [=](const Claim& claim) {
+    claim.inputs({a, b});
+    const Round first = read_a(claim, a), second = read_b(claim, b);
+    check_contact(claim, first, second);
+  };
 }
 
 void check_closest_point_on_obb(const Claim& claim) {
@@ -330,36 +316,6 @@ void check_closest_point_on_obb(const Claim& claim) {
   expect_closest(claim, box.core, box.at(claim, "coefficients"), {p.x, p.y, p.z});
 }
 
-void check_capsule_obb(const Claim& claim) {
-  claim.inputs({"capsule", "obb"});
-  const Round capsule = round_capsule(claim, "capsule"), box = round_box(claim, "obb");
-  check_contact(claim, capsule, box);
-}
-
-void check_capsule_aabb(const Claim& claim) {
-  claim.inputs({"capsule", "aabb"});
-  const Round capsule = round_capsule(claim, "capsule"), box = round_aabb(claim, "aabb");
-  check_contact(claim, capsule, box);
-}
-
-void check_capsule_triangle(const Claim& claim) {
-  claim.inputs({"capsule", "triangle"});
-  const Round capsule = round_capsule(claim, "capsule"), triangle = round_triangle(claim, "triangle");
-  check_contact(claim, capsule, triangle);
-}
-
-void check_sphere_convex(const Claim& claim) {
-  claim.inputs({"sphere", "mesh"});
-  const Round sphere = round_ball(claim, "sphere"), solid = round_convex(claim, "mesh");
-  check_contact(claim, sphere, solid);
-}
-
-void check_capsule_convex(const Claim& claim) {
-  claim.inputs({"capsule", "mesh"});
-  const Round capsule = round_capsule(claim, "capsule"), solid = round_convex(claim, "mesh");
-  check_contact(claim, capsule, solid);
-}
-
 }  // namespace
 
 Checks checks_of_closest() {
@@ -369,15 +325,15 @@ Checks checks_of_closest() {
           {"closest_point_on_obb", check_closest_point_on_obb},
           {"segment_segment_distance", check_segment_segment_distance},
           {"convex_distance", check_convex_distance},
-          {"sphere_triangle", check_sphere_triangle},
-          {"sphere_capsule", check_sphere_capsule},
-          {"capsule_capsule", check_capsule_capsule},
-          {"sphere_obb", check_sphere_obb},
-          {"capsule_obb", check_capsule_obb},
-          {"capsule_aabb", check_capsule_aabb},
-          {"capsule_triangle", check_capsule_triangle},
-          {"sphere_convex", check_sphere_convex},
-          {"capsule_convex", check_capsule_convex}};
+          {"sphere_triangle", contact("sphere", round_ball, "triangle", round_triangle)},
+          {"sphere_capsule", contact("sphere", round_ball, "capsule", round_capsule)},
+          {"capsule_capsule", contact("a", round_capsule, "b", round_capsule)},
+          {"sphere_obb", contact("sphere", round_ball, "obb", round_box)},
+          {"capsule_obb", contact("capsule", round_capsule, "obb", round_box)},
+          {"capsule_aabb", contact("capsule", round_capsule, "aabb", round_aabb)},
+          {"capsule_triangle", contact("capsule", round_capsule, "triangle", round_triangle)},
+          {"sphere_convex", contact("sphere", round_ball, "mesh", round_convex)},
+          {"capsule_convex", contact("capsule", round_capsule, "mesh", round_convex)}};
 }
 
 }  // namespace touchstone::certify

@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <initializer_list>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -109,7 +110,7 @@ struct Claim {
 };
 
 /// Returns if the certificate proves the truth and throws Refusal otherwise.
-using Check = void (*)(const Claim&);
+using Check = std::function<void(const Claim&)>;
 /// Checks by operation. A file check_NAME.cpp ends with `Checks checks_of_NAME()`: the build generates the table of all
 /// from that line.
 using Checks = std::map<std::string, Check>;

@@ -8,9 +8,9 @@
 
 namespace touchstone::oracle {
 
-/// Truth: S, the square of the distance of the segment from the solid, is 0 if one of its points is behind the planes of
-/// all faces. Otherwise it is the least of the squared distances of its ends and itself from vertices, edges and faces,
-/// all of them tried in integers. It is compared with the square of the radius.
+/// Truth: S, the square of the distance of the segment from the solid, is 0 if one of its points is behind the planes
+/// of all faces. Otherwise it is the least of the squared distances of its ends and itself from vertices, edges and
+/// faces, all of them tried in integers. It is compared with the square of the radius.
 ///
 /// Margin: |S - r^2|: 0 for a tangent capsule, and for a segment that meets the solid.
 ///

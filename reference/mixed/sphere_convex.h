@@ -30,9 +30,9 @@ Contact contact_with_convex(const Mesh<Real>& core, const Real& radius, const Me
 /// A radius of 0 (or -0) is valid: such a ball is a point, which has no interior, and the truth is `touching` at most,
 /// as in sphere_obb. Which meshes are valid, inside out among them, stands in
 /// reference/polyhedra/point_in_convex_polyhedron.h. Vertices of no face are within the solid, and change nothing.
-/// Refused by robust and oracle, the first that applies: NaN or infinity ("sphere.center[0]", "mesh.vertices[0][0]" ...,
-/// "finite number"); a negative radius ("sphere.radius", "radius >= 0"); what is not the surface of a convex solid, by
-/// the rules and in the order of that page, with "mesh" for the mesh.
+/// Refused by robust and oracle, the first that applies: NaN or infinity ("sphere.center[0]", "mesh.vertices[0][0]"
+/// ..., "finite number"); a negative radius ("sphere.radius", "radius >= 0"); what is not the surface of a convex
+/// solid, by the rules and in the order of that page, with "mesh" for the mesh.
 ///
 /// In exact arithmetic the formula is right, as that of convex_distance is.
 ///

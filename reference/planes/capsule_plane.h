@@ -11,9 +11,9 @@ namespace touchstone::reference {
 /// Decides whether a capsule and the half-space behind a plane, as closed solids, overlap, only touch, or neither. A
 /// capsule is the set of points no farther than its radius from its segment.
 ///
-/// No page of the deck asks this. The formula is that of sphere_plane for the end of the segment that is lower, as ODE's
-/// dCollideCapsulePlane takes the deepest of both caps: with p. 22's E(p) = N . p + d, the height over the plane in
-/// units of |N|, they are disjoint where
+/// No page of the deck asks this. The formula is that of sphere_plane for the end of the segment that is lower, as
+/// ODE's dCollideCapsulePlane takes the deepest of both caps: with p. 22's E(p) = N . p + d, the height over the plane
+/// in units of |N|, they are disjoint where
 ///     min(E(a), E(b)) > r |N|,
 /// and `touching` where both are equal.
 /// The half-space is the set of points with N . p + d <= 0: the plane and its back, as point_plane has it; its front is

@@ -5,7 +5,8 @@
 
 namespace touchstone::reference {
 
-/// Decides whether an oriented box and the half-space behind a plane, as closed solids, overlap, only touch, or neither.
+/// Decides whether an oriented box and the half-space behind a plane, as closed solids, overlap, only touch, or
+/// neither.
 ///
 /// No page of the deck asks this. The formula is the test of box against plane of Ericson (Real-Time Collision
 /// Detection, 5.2.3): of p. 22's E(p) = N . p + d, the height over the plane in units of |N|, and p. 27's box of center
@@ -13,11 +14,11 @@ namespace touchstone::reference {
 ///     E(c) > sum |N . h|,
 /// and `touching` where both are equal: E of the box's lowest corner is the difference.
 /// The half-space is the set of points with N . p + d <= 0: the plane and its back, as point_plane has it; its front is
-/// where N points to. obb, plane: center, half axes and d / |N| in any unit of length, the same for all; N of any length
-/// but 0. Shapes are closed: a box in front of the plane that only reaches it with a corner, an edge or a face is
-/// `touching`. A box within the half-space overlaps it, touching the plane from behind or not.
-/// The half axes need not be at right angles: the box is the parallelepiped that they span, exactly. It has an interior,
-/// however flat.
+/// where N points to. obb, plane: center, half axes and d / |N| in any unit of length, the same for all; N of any
+/// length but 0. Shapes are closed: a box in front of the plane that only reaches it with a corner, an edge or a face
+/// is `touching`. A box within the half-space overlaps it, touching the plane from behind or not.
+/// The half axes need not be at right angles: the box is the parallelepiped that they span, exactly. It has an
+/// interior, however flat.
 /// Refused by robust and oracle, the first that applies: NaN or infinity ("obb.center[0]", "plane.offset" ..., "finite
 /// number"); half axes that are linearly dependent, one of length zero among them ("obb.half_axes", "linearly
 /// independent"); N = 0 ("plane.normal", "nonzero normal").

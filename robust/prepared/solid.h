@@ -35,9 +35,9 @@ class Solid {
   structures::FaceTree tree_;
 };
 
-/// A solid that is convex, as point_in_convex_polyhedron, convex_distance, sphere_convex, capsule_convex, penetration and
-/// swept_convex_polyhedra take it. To make it costs the tree and the test for convexity, which each of their calls with
-/// a mesh costs.
+/// A solid that is convex, as point_in_convex_polyhedron, convex_distance, sphere_convex, capsule_convex, penetration
+/// and swept_convex_polyhedra take it. To make it costs the tree and the test for convexity, which each of their calls
+/// with a mesh costs.
 class ConvexSolid : public Solid {
  public:
   explicit ConvexSolid(Meshd mesh, const std::string& field = "mesh");

@@ -86,7 +86,7 @@ Definition check_convex_distance (va : list (list A)) (fa : list (list nat)) (vb
   | _, _ => No
   end.
 
-(** The mesh is closed and convex; x and y are points of the hulls of a core and of its vertices, w tells the contact. *)
+(** The mesh is closed and convex; x and y are points of the hulls of a core and of its vertices; w is the contact. *)
 Definition round_meets (points : list (list A)) (x : list T) (r : A) (va : list (list A)) (fa : list (list nat))
     (w : contact) (facts : gap_facts) (weights : list A) : C :=
   zero <= Leaf r /\ (right_mesh va fa /\ (convex_mesh_from one va fa \/ convex_mesh_from (zero - one) va fa)) /\

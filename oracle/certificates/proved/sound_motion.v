@@ -166,7 +166,8 @@ Theorem swept_sphere_sphere_sound : forall p r v o s w answer kind facts,
 Proof.
   intros p r v o s w answer kind facts h. apply decide_means in h. unfold check_swept_sphere_sphere in h. cbv zeta in h.
   destruct h as (l1 & l2 & l3 & l4 & hr & hs & h). rewrite of_length_means in l1, l2, l3, l4. simpl in hr, hs.
-  unfold swept_sphere_sphere_spec, swept_ball, proper_ball. rewrite !rl_length. do 2 (split; [auto|]). do 2 (split; [auto|]).
+  unfold swept_sphere_sphere_spec, swept_ball, proper_ball. rewrite !rl_length.
+  do 4 (split; [auto|]).
   eapply first_zero_means; [| |exact h].
   - rewrite inner_means, difference_means, !leaves_mean. apply dot_self.
   - intro t. rewrite meet_iff; auto; try (rewrite at_time_length, rl_length; auto; rewrite !rl_length; congruence).

@@ -14,9 +14,9 @@ namespace touchstone::oracle {
 std::size_t lowest_of(const Hull& points, const Plane<Rational>& plane);
 
 /// The contact of all that is no farther from the hull of points than a radius, and the half-space behind a plane: with
-/// the lowest of these points, and the point of the half-space that is nearest to it, which is itself or the foot of its
-/// perpendicular on the plane, and rational. The solids have a common point exactly if both are no farther apart than
-/// the radius, and a common interior point exactly if they are nearer.
+/// the lowest of these points, and the point of the half-space that is nearest to it, which is itself or the foot of
+/// its perpendicular on the plane, and rational. The solids have a common point exactly if both are no farther apart
+/// than the radius, and a common interior point exactly if they are nearer.
 ///
 /// Margin: |S - r^2|, S being their squared distance.
 ///
@@ -41,8 +41,8 @@ Truth<Contact> contact_over_plane(const std::string& field, const Shape& shape, 
 
 /// When all that is no farther from the hull of points than a radius first meets a plane while it moves. With e the
 /// height in units of |N|, at the start, of the point of the hull that is nearest to the plane, 0 if the hull has
-/// points on both sides, it is when f(t) = (e + t N . velocity)^2 - r^2 N . N is first at most 0: f is a parabola, whose
-/// first zero is found by Sturm's chain (parabola.h).
+/// points on both sides, it is when f(t) = (e + t N . velocity)^2 - r^2 N . N is first at most 0: f is a parabola,
+/// whose first zero is found by Sturm's chain (parabola.h).
 ///
 /// Margin: with m the lesser of r^2 + H |H| and r^2 - L |L|, H and L being the greatest and the least of the signed
 /// distances of the points at the start and at the end: |m|.

@@ -30,10 +30,7 @@ ROUND_LAWS("sphere_convex")
 
 ROBUST_LAW("sphere_convex: a point only touches the solid that it is in, and a ball around one overlaps it", ball,
            mesh) {
-  const Location location = robust::point_in_convex_polyhedron(mesh, ball.center);
-  const Contact of_point = ask(Row::Question{{ball.center, 0}, mesh});
-  return of_point == (location == Location::outside ? disjoint : touching) &&
-         (of_point == disjoint || ask(asked) == (ball.radius == 0 ? touching : overlapping));
+  return center_tells(ask, ball, mesh, robust::point_in_convex_polyhedron(mesh, ball.center));
 }
 
 ROBUST_LAW("sphere_convex: the box around the solid has the contact of sphere_aabb, and no less than the solid", ball,
@@ -44,13 +41,7 @@ ROBUST_LAW("sphere_convex: the box around the solid has the contact of sphere_aa
 }
 
 TEST_CASE("sphere_convex: balls beside a cube, a face and an edge, worked by hand") {
-  worked({{{5, 6, 0}, 4}, cube}, disjoint, 9);      // beyond an edge by (3, 4): 25 - 16
-  worked({{{5, 6, 0}, 5}, cube}, touching, 0);      // 25 - 25
-  worked({{{5, 6, 0}, 6}, cube}, overlapping, 11);  // 36 - 25
-  worked({{{3, 4, 4}, 3}, cube}, touching, 0);      // beyond a corner by (1, 2, 2)
-  worked({{{1, -5, 2}, 3}, cube}, touching, 0);     // beyond a face
-  worked({{{1, 1, 0}, 1}, cube}, overlapping, 1);   // within: 1 - 0
-  worked({{{0, 0, 0}, 9}, cube}, overlapping, 81);  // the cube within the ball
+  balls_beside(cube, worked);
   worked({{{7, 5, 5}, 2}, slanted}, disjoint, 5);   // beyond a face by (1, 2, 2): 9 - 4
   worked({{{7, 5, 5}, 3}, slanted}, touching, 0);
   worked({{{7, 5, 5}, 4}, slanted}, overlapping, 7);

@@ -18,10 +18,7 @@ constexpr Worked<Row> worked;
 ROUND_LAWS("sphere_obb")
 
 ROBUST_LAW("sphere_obb: a point only touches the box that it is in, and a ball around one overlaps it", ball, box) {
-  const Location location = robust::point_in_obb(box, ball.center);
-  const Contact of_point = ask(Row::Question{{ball.center, 0}, box});
-  return of_point == (location == Location::outside ? disjoint : touching) &&
-         (of_point == disjoint || ask(asked) == (ball.radius == 0 ? touching : overlapping));
+  return center_tells(ask, ball, box, robust::point_in_obb(box, ball.center));
 }
 
 ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ball, box) {
@@ -31,13 +28,7 @@ ROBUST_LAW("sphere_obb: a box along the axes has the contact of sphere_aabb", ba
 }
 
 TEST_CASE("sphere_obb: balls beside a cube and a turned box, worked by hand") {
-  worked({{{5, 6, 0}, 4}, cube}, disjoint, 9);      // beyond an edge by (3, 4): 25 - 16
-  worked({{{5, 6, 0}, 5}, cube}, touching, 0);      // 25 - 25
-  worked({{{5, 6, 0}, 6}, cube}, overlapping, 11);  // 36 - 25
-  worked({{{3, 4, 4}, 3}, cube}, touching, 0);      // beyond a corner by (1, 2, 2)
-  worked({{{1, -5, 2}, 3}, cube}, touching, 0);     // beyond a face
-  worked({{{1, 1, 0}, 1}, cube}, overlapping, 1);   // within: 1 - 0
-  worked({{{0, 0, 0}, 9}, cube}, overlapping, 81);  // the box within the ball
+  balls_beside(cube, worked);
   worked({{{6, 8, 0}, 5}, turned}, touching, 0);    // beyond a face by (3, 4)
   worked({{{6, 8, 0}, 4}, turned}, disjoint, 9);
   worked({{{-8, 6, 13}, 13}, turned}, touching, 0);  // beyond an edge by (-4, 3) and 12

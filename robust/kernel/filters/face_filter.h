@@ -22,7 +22,7 @@ struct CubicBounds {
 };
 
 /// The side of the plane through three points on which other points lie. The part that depends on the three alone is
-/// computed once, because every vertex of a mesh is tested against every face.
+/// computed once, for many points.
 ///
 /// E = ((b - a) x (c - a)) . (p - a) has six products of three differences; let P be the sum of their magnitudes, taken
 /// exactly. A product goes through three differences, two products, the difference in the normal and at most two sums:

@@ -21,12 +21,12 @@ Vector3d some_normal_of(const Vector3d& v) {
 ///
 /// Why its nearest faces are those of the difference: let D be the least distance of a triangle's plane from the
 /// origin, and let the origin be below all of them. Each triangle is then seen from the origin the same way round, so
-/// the surface, which is closed, winds around the origin, and with it around all points nearer than D, which it does not
-/// meet. A point around which it winds is in the hull of its vertices. So the ball of radius D is in the difference.
-/// If a plane at distance D bounds the difference, no point of the boundary is nearer; and a plane that bounds it at
-/// distance D touches the ball, whose point there is on the surface: it is the plane of a triangle. None of this needs
-/// the surface to be convex or free of crossings, as rounding might leave it: only that it is closed, because it is
-/// always a cone over the rim of a hole that closes it, and that heights and distances are certain.
+/// the surface, which is closed, winds around the origin, and with it around all points nearer than D, which it does
+/// not meet. A point around which it winds is in the hull of its vertices. So the ball of radius D is in the
+/// difference. If a plane at distance D bounds the difference, no point of the boundary is nearer; and a plane that
+/// bounds it at distance D touches the ball, whose point there is on the surface: it is the plane of a triangle. None
+/// of this needs the surface to be convex or free of crossings, as rounding might leave it: only that it is closed,
+/// because it is always a cone over the rim of a hole that closes it, and that heights and distances are certain.
 class Polytope {
  public:
   Polytope(const Meshd& a, const Meshd& b) : a_(a.vertices), b_(b.vertices) {
