@@ -128,27 +128,28 @@ std::size_t faces_by_qhull(const Points& points) {
 }
 #endif
 
+template <std::size_t threads>
 std::size_t faces_by_robust(const Points& points) {
-  const ConvexHull hull = robust::convex_hull(points);
+  const ConvexHull hull = robust::convex_hull(points, threads);
   return hull.faces ? hull.faces->size() : hull.dimension;
 }
 
-void add(const std::string& set, std::size_t n, const char* name, std::size_t (*faces)(const Points&)) {
-  benchmark::RegisterBenchmark(("convex_hull_" + std::to_string(n) + "/" + set + "/" + name).c_str(),
-                               [=](benchmark::State& state) {
-                                 const Points& points = cloud_of(set, n);
-                                 std::size_t found = 0;
-                                 for (auto _ : state) found = faces(points);
-                                 state.SetItemsProcessed(state.iterations());
-                                 state.SetLabel(std::to_string(found));
-                               });
+auto add(const std::string& set, std::size_t n, const char* name, std::size_t (*faces)(const Points&)) {
+  return benchmark::RegisterBenchmark(("convex_hull_" + std::to_string(n) + "/" + set + "/" + name).c_str(),
+                                      [=](benchmark::State& state) {
+                                        const Points& points = cloud_of(set, n);
+                                        std::size_t found = 0;
+                                        for (auto _ : state) found = faces(points);
+                                        state.SetItemsProcessed(state.iterations());
+                                        state.SetLabel(std::to_string(found));
+                                      });
 }
 
 bool verified() {
   bool held = true;
   for (const char* set : {"ball", "clusters", "sphere", "box", "cylinder"}) {
     const Points& points = cloud_of(set, 100'000);
-    const std::size_t ours = faces_by_robust(points), theirs = faces_by_cgal(points);
+    const std::size_t ours = faces_by_robust<1>(points), theirs = faces_by_cgal(points);
     std::printf("%-10s %zu faces, by CGAL %zu\n", set, ours, theirs);
     held = held && ours == theirs;
   }
@@ -163,9 +164,10 @@ int main(int argc, char** argv) {
   if (argc == 2 && std::strcmp(argv[1], "--verify") == 0) return verified() ? 0 : 1;
   for (const char* set : sets) {
     for (const std::size_t n : {100'000u, 1'000'000u}) {
-      add(set, n, "robust", faces_by_robust);
+      add(set, n, "robust", faces_by_robust<1>);
       if (n < 1'000'000) continue;
       add(set, n, "epick", faces_by_cgal);
+      add(set, n, "robust_2_threads", faces_by_robust<2>)->UseRealTime();  // compare with its `Time`, not `CPU`
 #ifdef TOUCHSTONE_QHULL
       add(set, n, "qhull", faces_by_qhull);
 #endif

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "robust/hulls/solid.h"
+#include "robust/kernel/machine/parallel.h"
 
 // Most points of a cloud are far from its hull. The farthest point in each of some hundred directions from the centre
 // of the box is found, and the hull of those. A finer grid of directions then stores for each cell which facets its
@@ -142,23 +143,47 @@ class CubeMap {
   FramePoint centre_;
 };
 
-/// The farthest point of each cell, in the order of cells; sets the grain of all points.
-std::vector<std::size_t> far_points(const std::vector<Point3d>& points, const Frame& frame, int k, Grain& grain) {
+/// Calls work(part, i, count) of consecutive points in each part, as many as Directions takes.
+template <class Work>
+void each_some(const kernel::ThreadParts& parts, const Work& work) {
+  parts.each([&](std::size_t part, std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; i += Directions::most) work(part, i, std::min(Directions::most, last - i));
+  });
+}
+
+/// The farthest point of each cell, in the order of cells, and the first of those as far; sets the grain of all points.
+std::vector<std::size_t> far_points(const std::vector<Point3d>& points, const Frame& frame, int k,
+                                    const kernel::ThreadParts& parts, Grain& grain) {
   constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<double> most(static_cast<std::size_t>(6 * k * k), -1);
-  std::vector<std::size_t> farthest(most.size(), none);
-  Directions found;
-  grain = Grain::narrow;
-  for (std::size_t i = 0; i < points.size(); i += Directions::most) {
-    const std::size_t count = std::min(Directions::most, points.size() - i);
-    grain = std::max(grain, directions_of(points.data() + i, count, frame, k, found));
+  struct Farthest {
+    Grain grain = Grain::narrow;
+    std::vector<double> most;
+    std::vector<std::size_t> point;
+    Directions found;
+  };
+  std::vector<Farthest> of_parts(parts.size());
+  for (Farthest& own : of_parts) {
+    own.most.assign(static_cast<std::size_t>(6 * k * k), -1);
+    own.point.assign(own.most.size(), none);
+  }
+  each_some(parts, [&](std::size_t part, std::size_t i, std::size_t count) {
+    Farthest& own = of_parts[part];
+    own.grain = std::max(own.grain, directions_of(points.data() + i, count, frame, k, own.found));
     for (std::size_t j = 0; j < count; ++j) {
-      const auto cell = static_cast<std::size_t>(found.cell[j]);
-      if (found.squared[j] > most[cell]) most[cell] = found.squared[j], farthest[cell] = i + j;
+      const auto cell = static_cast<std::size_t>(own.found.cell[j]);
+      if (own.found.squared[j] > own.most[cell]) own.most[cell] = own.found.squared[j], own.point[cell] = i + j;
+    }
+  });
+  Farthest& all = of_parts[0];
+  for (const Farthest& own : of_parts) {
+    all.grain = std::max(all.grain, own.grain);
+    for (std::size_t cell = 0; cell < all.most.size(); ++cell) {
+      if (own.most[cell] > all.most[cell]) all.most[cell] = own.most[cell], all.point[cell] = own.point[cell];
     }
   }
-  std::erase(farthest, none);
-  return farthest;
+  grain = all.grain;
+  std::erase(all.point, none);
+  return all.point;
 }
 
 struct Outside {
@@ -168,14 +193,15 @@ struct Outside {
 
 /// The points outside, in the order of the list.
 std::vector<Outside> outside_of(const Surface& surface, const CubeMap& map, const std::vector<Point3d>& points,
-                                const Frame& frame, int k) {
+                                const Frame& frame, int k, const kernel::ThreadParts& parts) {
   const std::vector<double> inside = map.inside_of_cells();
-  std::vector<Outside> outside;
-  Directions found;
-  std::array<std::size_t, Directions::most> inconclusive{};
-  double height = 0;
-  for (std::size_t i = 0; i < points.size(); i += Directions::most) {
-    const std::size_t count = std::min(Directions::most, points.size() - i);
+  std::vector<std::vector<Outside>> of_parts(parts.size());
+  std::vector<Stage> latest(parts.size(), Stage::filter);
+  each_some(parts, [&](std::size_t part, std::size_t i, std::size_t count) {
+    const Sides sides(surface.sides, latest[part]);
+    Directions found;
+    std::array<std::size_t, Directions::most> inconclusive{};
+    double height = 0;
     directions_of(points.data() + i, count, frame, k, found);
     std::size_t left = 0;
     for (std::size_t j = 0; j < count; ++j) {
@@ -186,48 +212,72 @@ std::vector<Outside> outside_of(const Surface& surface, const CubeMap& map, cons
       const std::size_t j = inconclusive[t], cell = static_cast<std::size_t>(found.cell[j]);
       const FramePoint p = framed(frame, points, i + j);
       for (std::size_t l = map.begins[cell]; l < map.begins[cell + 1]; ++l) {
-        if (surface.sides.of(surface.facets[static_cast<std::size_t>(map.listed[l])], p, surface.points, height) <= 0)
-          continue;
-        outside.push_back({found.cell[j], map.listed[l], i + j});
+        if (sides.of(surface.facets[static_cast<std::size_t>(map.listed[l])], p, surface.points, height) <= 0) continue;
+        of_parts[part].push_back({found.cell[j], map.listed[l], i + j});
         break;
       }
     }
-  }
-  return outside;
+  });
+  for (std::size_t part = 1; part < parts.size(); ++part)
+    of_parts[0].insert(of_parts[0].end(), of_parts[part].begin(), of_parts[part].end());
+  for (const Stage each : latest) surface.sides.note(each);
+  return std::move(of_parts[0]);
 }
 
-/// Keeps each point once, sorted by cell.
+/// Keeps each point once, sorted by cell. Equal points are in one cell.
 void keep_outside(Surface& surface, const std::vector<Outside>& outside, std::size_t cells,
-                  const std::vector<Point3d>& points, const Frame& frame) {
+                  const std::vector<Point3d>& points, const Frame& frame, std::size_t threads) {
   std::vector<std::size_t> ends(cells + 1, 0);
   for (const Outside& p : outside) ++ends[static_cast<std::size_t>(p.cell) + 1];
   for (std::size_t c = 0; c < cells; ++c) ends[c + 1] += ends[c];
   std::vector<Outside> sorted(outside.size());
   for (const Outside& p : outside) sorted[ends[static_cast<std::size_t>(p.cell)]++] = p;
+  struct Kept {
+    std::vector<FramePoint> points;
+    std::vector<std::int32_t> facets;
+  };
+  const kernel::ThreadParts parts(threads, sorted.size(), 1U << 13);
+  std::vector<Kept> of_parts(parts.size());
+  parts.each([&](std::size_t part, std::size_t first, std::size_t last) {
+    const auto next_cell = [&sorted](std::size_t i) {
+      while (i > 0 && i < sorted.size() && sorted[i].cell == sorted[i - 1].cell) ++i;
+      return i;
+    };
+    first = next_cell(first), last = next_cell(last);
+    auto& [own, facets] = of_parts[part];
+    Seen seen(last - first);
+    for (std::size_t i = first; i < last; ++i) {
+      const FramePoint p = framed(frame, points, sorted[i].point);
+      if (!seen.is_new(p, static_cast<std::int32_t>(own.size()), own)) continue;
+      own.push_back(p), facets.push_back(sorted[i].facet);
+    }
+  });
   surface.points.reserve(surface.points.size() + sorted.size());
   surface.facets.reserve(surface.facets.size() + 2 * sorted.size() + 64);
   surface.open_slots(surface.facets.size());
-  Seen seen(sorted.size());
   std::vector<std::int32_t> order;
-  for (const Outside& p : sorted) {
-    const FramePoint framed_point = framed(frame, points, p.point);
-    const auto number = static_cast<std::int32_t>(surface.points.size());
-    if (!seen.is_new(framed_point, number, surface.points)) continue;
-    surface.points.push_back(framed_point);
-    const Facet& facet = surface.facet(p.facet);
-    if (facet.above < 0) order.push_back(p.facet);
-    surface.keep(number, p.facet, facet.height(framed_point), static_cast<std::size_t>(p.facet));
+  for (const Kept& own : of_parts) {
+    for (std::size_t i = 0; i < own.points.size(); ++i) {
+      const auto number = static_cast<std::int32_t>(surface.points.size());
+      const std::int32_t f = own.facets[i];
+      const Facet& facet = surface.facet(f);
+      surface.points.push_back(own.points[i]);
+      if (facet.above < 0) order.push_back(f);
+      surface.keep(number, f, facet.height(own.points[i]), static_cast<std::size_t>(f));
+    }
   }
   for (auto f = order.rbegin(); f != order.rend(); ++f) surface.wait(*f, static_cast<std::size_t>(*f));
 }
 
 }  // namespace
 
-std::optional<Surface> surface_of_far_points(const std::vector<Point3d>& points, const Frame& frame, Stage& latest) {
+std::optional<Surface> surface_of_far_points(const std::vector<Point3d>& points, const Frame& frame, Stage& latest,
+                                              std::size_t threads) {
+  const kernel::ThreadParts parts(threads, points.size(), 1U << 14);
   const double directions = std::pow(static_cast<double>(points.size()), 0.25) / 2;
   const int coarse = std::clamp(static_cast<int>(std::lround(directions)), 1, 32), fine = 4 * coarse;
   Grain grain = Grain::narrow;
-  const std::vector<std::size_t> far = far_points(points, frame, coarse, grain);
+  const std::vector<std::size_t> far = far_points(points, frame, coarse, parts, grain);
   if (grain == Grain::lossy) return std::nullopt;
   Surface surface(frame, grain, latest);
   for (const std::size_t i : far) surface.points.push_back(framed(frame, points, i));
@@ -239,7 +289,7 @@ std::optional<Surface> surface_of_far_points(const std::vector<Point3d>& points,
   }
   CubeMap map(fine, surface, centre);
   if (!map.list_facets(4 * points.size() + 100'000)) return std::nullopt;
-  keep_outside(surface, outside_of(surface, map, points, frame, fine), map.cells(), points, frame);
+  keep_outside(surface, outside_of(surface, map, points, frame, fine, parts), map.cells(), points, frame, threads);
   return surface;
 }
 

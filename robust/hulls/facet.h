@@ -41,6 +41,11 @@ class Sides {
     if (narrow_) latest_ = std::max(latest_, Stage::lattice);
   }
 
+  /// The same of the same frame, for another thread.
+  Sides(const Sides& of, Stage& latest) : reach_(of.reach_), narrow_(of.narrow_), wide_(of.wide_), latest_(latest) {}
+
+  /// A decision needed that stage.
+  void note(Stage stage) const { latest_ = std::max(latest_, stage); }
   bool narrow() const { return narrow_; }
 
   /// The plane of a facet through its corners.

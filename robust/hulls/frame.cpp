@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robust/kernel/machine/parallel.h"
+
 // The two passes over all points are compiled for each vector width of the processor: three times as fast as for the
 // narrowest. (Only if a function can be compiled several times, and not with sanitizers, which are not ready when the
 // version is chosen.)
@@ -97,9 +99,18 @@ const double* numbers_of(const Point3d* points) {
 
 }  // namespace
 
-std::optional<Frame> frame_of(const std::vector<Point3d>& points) {
-  Bounds bounds{};
-  extend(numbers_of(points.data()), 3 * points.size(), bounds);
+std::optional<Frame> frame_of(const std::vector<Point3d>& points, std::size_t threads) {
+  const kernel::ThreadParts parts(threads, points.size(), 1U << 16);
+  std::vector<Bounds> of_parts(parts.size());
+  parts.each([&](std::size_t part, std::size_t first, std::size_t last) {
+    extend(numbers_of(points.data() + first), 3 * (last - first), of_parts[part]);
+  });
+  Bounds bounds = of_parts[0];
+  for (const Bounds& own : of_parts) {
+    for (std::size_t k = 0; k < 3; ++k)
+      bounds.low[k] = std::min(bounds.low[k], own.low[k]), bounds.high[k] = std::max(bounds.high[k], own.high[k]);
+    bounds.finite = bounds.finite && own.finite;
+  }
   if (!bounds.finite) return std::nullopt;
   Frame frame{};
   for (std::size_t k = 0; k < 3; ++k) {

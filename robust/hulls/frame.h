@@ -32,7 +32,7 @@ struct Frame {
 };
 
 /// Returns nullopt if a number is not finite. Requires at least one point.
-std::optional<Frame> frame_of(const std::vector<Point3d>& points);
+std::optional<Frame> frame_of(const std::vector<Point3d>& points, std::size_t threads = 1);
 
 /// The precision of the numbers in the frame: a power of two that divides all of them.
 enum class Grain {

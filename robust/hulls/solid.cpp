@@ -50,13 +50,14 @@ bool Seen::is_new(const FramePoint& p, std::int32_t number, const std::vector<Fr
   }
 }
 
-Solid solid_of(const std::vector<Point3d>& points, const Frame& frame, Stage& latest, std::size_t worth_looking) {
+Solid solid_of(const std::vector<Point3d>& points, const Frame& frame, Stage& latest, std::size_t worth_looking,
+               std::size_t threads) {
   if (points.size() >= worth_looking && frame.extents == 3) {
     Stage of_surface = latest;
-    if (auto surface = surface_of_far_points(points, frame, of_surface)) {
-      surface->grow();
+    if (auto surface = surface_of_far_points(points, frame, of_surface, threads)) {
+      surface->grow(threads);
       latest = of_surface;
-      return {faces_of(*surface), {}};
+      return {faces_of(*surface, threads), {}};
     }
   }
   return directly(points, frame, latest);

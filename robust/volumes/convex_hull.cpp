@@ -7,6 +7,7 @@
 #include "robust/hulls/planar.h"
 #include "robust/hulls/solid.h"
 #include "robust/kernel/filters/control_word.h"
+#include "robust/kernel/machine/parallel.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::robust {
@@ -30,13 +31,14 @@ std::size_t projected_along(const std::vector<Point3d>& simplex) {
 
 }  // namespace
 
-Decided<ConvexHull> stages::convex_hull::ask(const std::vector<Point3d>& points) {
+Decided<ConvexHull> stages::convex_hull::ask(const std::vector<Point3d>& points, std::size_t threads) {
   if (points.size() >= std::size_t{1} << 30) throw std::length_error("convex_hull: fewer than 2^30 points");
+  if (threads == 0) threads = threads_of_machine();
   const kernel::ControlWord ieee;  // the bounds of robust/hulls
-  const auto frame = points.empty() ? std::nullopt : hulls::frame_of(points);
+  const auto frame = points.empty() ? std::nullopt : hulls::frame_of(points, threads);
   if (!frame) validation::validate("points", points, rule::points);
   Stage latest = Stage::filter;
-  const hulls::Solid solid = hulls::solid_of(points, *frame, latest);
+  const hulls::Solid solid = hulls::solid_of(points, *frame, latest, hulls::usually_worth_looking, threads);
   if (solid.simplex.empty()) return {{3, {}, {}, {}, solid.faces}, latest};
   std::vector<Point3d> simplex;
   for (const hulls::FramePoint& p : solid.simplex) simplex.push_back(points[static_cast<std::size_t>(p.place)]);
@@ -51,5 +53,8 @@ Decided<ConvexHull> stages::convex_hull::ask(const std::vector<Point3d>& points)
 }
 
 ConvexHull convex_hull(const std::vector<Point3d>& points) { return stages::convex_hull::ask(points).answer; }
+ConvexHull convex_hull(const std::vector<Point3d>& points, std::size_t threads) {
+  return stages::convex_hull::ask(points, threads).answer;
+}
 
 }  // namespace touchstone::robust

@@ -18,15 +18,17 @@ namespace touchstone::robust {
 /// points the first in the list is named, so that the answer depends on the points alone. Right for all finite doubles,
 /// and the same in every floating-point environment. The time was about n log n in all measurements (bench/README.md);
 /// no bound below n^2 is proved. Requires fewer than 2^30 points (throws std::length_error otherwise). NaN and
-/// infinities throw InvalidInput, which names the field and "finite number"; so does an empty list. Contract:
+/// infinities throw InvalidInput, which names the field and "finite number"; so does an empty list. `threads` is the
+/// number of threads that may be used, 0 for as many as the machine runs at once: the answer is the same. Contract:
 /// reference/volumes/convex_hull.h.
 ConvexHull convex_hull(const std::vector<Point3d>& points);
+ConvexHull convex_hull(const std::vector<Point3d>& points, std::size_t threads);
 
 namespace stages {
 
 /// The latest stage that one of its decisions needed.
-struct convex_hull : Signatures<decltype(robust::convex_hull)> {
-  static Staged ask;
+struct convex_hull {
+  static Decided<ConvexHull> ask(const std::vector<Point3d>& points, std::size_t threads = 1);
 };
 
 }  // namespace stages

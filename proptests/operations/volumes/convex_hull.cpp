@@ -268,6 +268,29 @@ TEST_CASE("convex_hull: clouds that other programs stumbled over") {
   }
 }
 
+TEST_CASE("convex_hull: threads change nothing") {
+  std::mt19937_64 next(2);
+  const auto number = [&next] { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; };
+  for (int shape = 0; shape < 5; ++shape) {
+    Points points;
+    while (points.size() < 60'000) {
+      const double x = number(), y = number(), z = number(), root = std::sqrt(x * x + y * y + z * z);
+      if (root > 1 || root == 0) continue;
+      const Point3d p{x / root, y / root, z / root};
+      if (shape == 0) points.push_back({x, y, z});
+      else if (shape == 1) points.push_back(p);
+      else if (shape == 2) points.push_back({std::floor(99 * p.x), std::floor(99 * p.y), std::floor(99 * p.z)});
+      else if (shape == 3) points.push_back({p.x, p.y, std::floor(2 * p.z)});  // four planes
+      else points.push_back({p.x, 1e-3 * p.y, points.size() < 30'000 ? p.z : 1e6 + p.z});  // two thin ones, far apart
+    }
+    const ConvexHull alone = robust::convex_hull(points);
+    for (const std::size_t threads : {2U, 3U, 8U}) {
+      CAPTURE(shape, threads);
+      CHECK(robust::convex_hull(points, threads).faces == alone.faces);
+    }
+  }
+}
+
 // Seconds; where all points are on the sphere, two nanoseconds for each pair of them would be twelve minutes, and the
 // limit in ctest is less than half of that (cmake/proptests.cmake).
 TEST_CASE("convex_hull: very many points in a ball, on a sphere, on a grid and in a plane") {
@@ -284,7 +307,9 @@ TEST_CASE("convex_hull: very many points in a ball, on a sphere, on a grid and i
       else points.push_back({std::floor(99 * x), std::floor(99 * y), std::floor(99 * x) + std::floor(99 * y)});
     }
     CAPTURE(shape);
-    CHECK(robust::convex_hull(points).dimension == (shape == 3 ? 2 : 3));
+    const ConvexHull hull = robust::convex_hull(points);
+    CHECK(hull.dimension == (shape == 3 ? 2 : 3));
+    CHECK(robust::convex_hull(points, 0).faces == hull.faces);
   }
 }
 
