@@ -34,14 +34,26 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
+std::vector<std::string> sorted_words(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (const char c : name) {
+    if (c == '_') words.emplace_back();
+    else words.back() += c;
+  }
+  std::sort(words.begin(), words.end());
+  return words;
+}
+
 template <class Names>
 std::string nearest_of(std::string_view name, const Names& known) {
   if (name.empty() || name.size() > longest_name) return "";
   const std::string misspelt = folded(name);
+  const std::vector<std::string> words = sorted_words(misspelt);
   std::size_t least = std::max<std::size_t>(1, misspelt.size() / 3) + 1;
   std::string nearest, longer;
   for (const auto& candidate : known) {
     const std::string spelt = folded(candidate);
+    if (words == sorted_words(spelt)) return " (did you mean \"" + std::string(candidate) + "\"?)";
     if (longer.empty() && misspelt.size() >= fewest_of_a_beginning && spelt.starts_with(misspelt)) longer = candidate;
     const std::size_t off = distance(misspelt, spelt);
     // A word that shares no letter in place is a different name, however short.

@@ -130,7 +130,7 @@ class Builder {
     Json& object = *open_.back();
     if (object.size() == most_fields)
       throw InvalidInput("line", "at most " + std::to_string(most_fields) + " fields in an object");
-    if (object.contains(name)) throw InvalidInput(excerpt(name, most_of_a_key), "given once");
+    if (object.contains(name)) throw InvalidInput(path_of(name), "given once");
     field_ = &object[name];
     return true;
   }
@@ -140,6 +140,20 @@ class Builder {
   }
 
  private:
+  /// The way from the document to a key of the innermost object.
+  std::string path_of(const std::string& name) const {
+    std::string path;
+    const auto add = [&path](const std::string& key) {
+      path += (path.empty() ? "" : ".") + excerpt(key, most_of_a_key);
+    };
+    for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
+      const Json& outer = *open_[i];
+      if (outer.is_array()) path += "[" + std::to_string(outer.size() - 1) + "]";
+      else add(std::find_if(outer.begin(), outer.end(), [&](const Json& value) { return &value == open_[i + 1]; }).key());
+    }
+    add(name);
+    return path;
+  }
   Json& place_of(Json value) {
     if (open_.empty()) return built_ = std::move(value);
     Json& outer = *open_.back();

@@ -27,6 +27,13 @@ TEST_CASE("did you mean: what has more than a third of its letters wrong is anot
   CHECK(did_you_mean(std::string(10'000'000, 'a'), names).empty());
 }
 
+TEST_CASE("did you mean: the same words in another order are the name, even beside one that is nearer") {
+  const std::vector<std::string> known{"capsule_aabb", "ray_capsule", "capsule_rays"};
+  CHECK(did_you_mean("capsule_ray", known) == " (did you mean \"ray_capsule\"?)");
+  CHECK(did_you_mean("segment-Ray", names) == " (did you mean \"ray_segment\"?)");
+  CHECK(did_you_mean("segment_rai", names).empty());
+}
+
 TEST_CASE("did you mean: three letters or more that a name begins with stand for it") {
   CHECK(did_you_mean("orient", names) == " (did you mean \"orientation\"?)");
   CHECK(did_you_mean("seg", names) == " (did you mean \"segment_segment\"?)");

@@ -151,7 +151,8 @@ TEST_CASE("numbers: exact values are printed as p or p/q") {
 TEST_CASE("lines: a key given twice and what is no JSON are refused") {
   const auto refused = [](const std::string& text) { return refusal_of([&] { parse_line(text); }); };
   CHECK(refused(R"({"a":1,"a":2})") == "a: given once");
-  CHECK(refused(R"({"a":{"b":1,"c":[{"b":2}],"b":3}})") == "b: given once");
+  CHECK(refused(R"({"a":{"b":1,"c":[{"b":2}],"b":3}})") == "a.b: given once");
+  CHECK(refused(R"({"a":[{"b":1},{"c":{"d":1,"d":2}}]})") == "a[1].c.d: given once");
   CHECK(refused(R"([{"a":1},{"a":2}])") == "accepted");
   const std::pair<const char*, const char*> all[]{{"", "the text ends in column 1"},
                                                   {"{", "the text ends in column 2"},
