@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Many rays on one mesh of a thousand to a million faces: robust::RayTree, which finds the first face, t and point
+// Many rays on one mesh of a thousand to a million faces: robust::Surface, which finds the first face, t and point
 // correctly rounded, and the number of faces that are met; and CGAL's AABB_tree with the kernel Epick, which finds the
 // first face and counts in two calls. Processor time; trees are made before; `made` is how long ours takes to make.
 //
@@ -21,6 +21,7 @@
 #include "bench/globes.h"
 #include "catalogue/families/numbers.h"
 #include "robust/polyhedra/ray_mesh.h"
+#include "robust/prepared/surface.h"
 
 namespace touchstone::bench {
 namespace {
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
   const bool verify = argc == 2 && std::strcmp(argv[1], "--verify") == 0;
   const Rays rays = drawn_rays(verify ? 20000 : 4096);
   std::deque<Mesh> meshes;
-  std::deque<robust::RayTree> trees;
+  std::deque<robust::Surface> trees;
   std::size_t different = 0;
   const auto first_by_cgal = [](const Mesh& mesh, const auto& ray) {
     return mesh.tree.first_intersection(ray).has_value() ? 1U : 0U;
@@ -91,22 +92,22 @@ int main(int argc, char** argv) {
   for (const auto& [faces, n] : sizes) {
     for (const char* set : sets) {
       const Mesh& mesh = meshes.emplace_back(set, n);
-      const robust::RayTree& tree = trees.emplace_back(mesh.ours);
+      const robust::Surface& tree = trees.emplace_back(mesh.ours);
       if (verify) {
         for (std::size_t i = 0; i < rays.ours.size(); ++i)
-          different +=
-              tree.first(rays.ours[i]).answer.faces_met != mesh.tree.number_of_intersected_primitives(rays.theirs[i]);
+          different += robust::ray_mesh(rays.ours[i], tree).faces_met !=
+                       mesh.tree.number_of_intersected_primitives(rays.theirs[i]);
         continue;
       }
       const std::string name = "ray_mesh_" + std::to_string(faces) + "/" + set;
-      add(name + "/robust", rays.ours, [&tree](const auto& ray) { return tree.first(ray).answer.faces_met; });
+      add(name + "/robust", rays.ours, [&tree](const auto& ray) { return robust::ray_mesh(ray, tree).faces_met; });
       add(name + "/epick_first", rays.theirs,
           [&mesh, first_by_cgal](const auto& ray) { return first_by_cgal(mesh, ray); });
       add(name + "/epick", rays.theirs, [&mesh, first_by_cgal](const auto& ray) {
         return first_by_cgal(mesh, ray) * mesh.tree.number_of_intersected_primitives(ray);
       });
       benchmark::RegisterBenchmark((name + "/made").c_str(), [&mesh](benchmark::State& state) {
-        for (auto _ : state) benchmark::DoNotOptimize(robust::RayTree(mesh.ours));
+        for (auto _ : state) benchmark::DoNotOptimize(robust::Surface(mesh.ours));
       });
     }
   }

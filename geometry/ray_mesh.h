@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 #include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
 #include "geometry/rays.h"
+#include "geometry/triangles.h"
 
 /// Answers about rays and meshes.
 namespace touchstone {
@@ -34,6 +36,13 @@ struct RayMesh {
   Index faces_met;
   static constexpr auto members = as_record("relation", "first", "faces_met");
 };
+
+/// A face as a triangle.
+template <class Real>
+Triangle3<Real> triangle_of_face(const Mesh<Real>& mesh, std::size_t face) {
+  const auto& [a, b, c] = mesh.faces[face];
+  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
 
 namespace validation {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <type_traits>
+
 #include "proptests/forward_error.h"
 
 /// Laws of solids that move along straight lines.
@@ -18,17 +20,18 @@ std::optional<Vector> times_two_to(const Vector& v, int k) {
 
 /// Whether `found` is the answer after all velocities have been multiplied by 2^k: t is divided by it. What is never
 /// met may be met by a faster motion, and a slower one may not get there.
-template <class Number>
-bool divided(const FirstContact<Number>& answer, const FirstContact<Number>& found, int k) {
+template <class Answer>
+bool divided(const Answer& answer, const Answer& found, int k) {
+  using Number = std::remove_cvref_t<decltype(*answer.t)>;
   if (!answer.t) return k > 0 || !found.t;
-  if (*answer.t > Number(power_of_two(k))) return !found.t;
-  return found.t && *found.t == *answer.t * Number(power_of_two(-k));
-}
-inline bool divided(const FirstContact<double>& answer, const FirstContact<double>& found, int k) {
-  if (!answer.t) return k > 0 || !found.t;
-  // A rounded t that is 2^k may have been more.
-  if (!found.t) return *answer.t >= std::ldexp(1, k);
-  return scaled_number(*answer.t, *found.t, -k);
+  if constexpr (std::is_same_v<Number, double>) {
+    // A rounded t that is 2^k may have been more.
+    if (!found.t) return *answer.t >= std::ldexp(1, k);
+    return scaled_number(*answer.t, *found.t, -k);
+  } else {
+    if (*answer.t > Number(power_of_two(k))) return !found.t;
+    return found.t && *found.t == *answer.t * Number(power_of_two(-k));
+  }
 }
 
 /// Velocities times a power of two, where that is exact, divide t by it. velocities: their numbers among the parts of

@@ -6,24 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/kernel/filters/ordered_bits.h"
 #include "robust/kernel/shapes/ray_part.h"
 #include "robust/mixed/ray_triangle.h"
+#include "robust/prepared/surface.h"
 
 namespace touchstone::robust {
 namespace {
-
-Triangle3d triangle_of(const Meshd& mesh, Index face) {
-  const auto& [a, b, c] = mesh.faces[face];
-  return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-}
-
-void validate_mesh_of_ray(const Meshd& mesh) {
-  validation::validate("mesh", mesh), validation::validate_no_polygons("mesh", mesh);
-}
 
 /// The first of the faces that were met.
 class FirstFace {
@@ -33,7 +26,7 @@ class FirstFace {
   /// Only what the filter of the decision does not know goes on to the other stages at once. stay() bounds t.
   template <class Stay>
   void meet(Index face, const Stay& stay) {
-    const Triangle3d triangle = triangle_of(mesh_, face);
+    const Triangle3d triangle = triangle_of_face(mesh_, face);
     const auto relation = Each::decision::filter(ray_, triangle);
     if (relation && *relation == SegmentTriangleRelation::none) return;
     if (relation && waiting_ < hits_.size()) {
@@ -52,7 +45,7 @@ class FirstFace {
   Decided<RayMesh<double>> found() {
     for (std::size_t i = 0; i < waiting_; ++i) {
       const auto [face, first] = hits_[i];
-      if (first <= least_last_) measure(face, triangle_of(mesh_, face));
+      if (first <= least_last_) measure(face, triangle_of_face(mesh_, face));
       else ++found_.faces_met;  // later than another
     }
     return {found_, latest_};
@@ -91,7 +84,8 @@ class FirstFace {
     const std::int64_t here = kernel::ordered_bits(t), there = kernel::ordered_bits(found_.first->t);
     if (here != there) return here < there;
     note(Stage::exact);
-    const kernel::RayPart one(ray_, triangle_of(mesh_, face)), other(ray_, triangle_of(mesh_, found_.first->face));
+    const kernel::RayPart one(ray_, triangle_of_face(mesh_, face)),
+        other(ray_, triangle_of_face(mesh_, found_.first->face));
     return one < other || (face < found_.first->face && !(other < one));
   }
 
@@ -104,32 +98,27 @@ class FirstFace {
   float least_last_ = std::numeric_limits<float>::infinity();
 };
 
-Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh, const structures::FaceTree& faces) {
+Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh,
+                                        const std::optional<structures::FaceTree>& faces) {
   const kernel::ControlWord guard;
   FirstFace first(ray, mesh);
-  faces.along(ray, [&first](Index face, const auto& stay) { first.meet(face, stay); });
+  if (faces) faces->along(ray, [&first](Index face, const auto& stay) { first.meet(face, stay); });
   return first.found();
 }
 
 }  // namespace
 
-RayTree::RayTree(const Meshd& mesh) : mesh_(mesh) {
-  validate_mesh_of_ray(mesh);
-  if (!mesh.faces.empty()) faces_.emplace(mesh);
-}
-
-Decided<RayMesh<double>> RayTree::first(const Ray3d& ray) const {
-  validation::validate("ray", ray);
-  if (!faces_) return FirstFace(ray, mesh_).found();
-  return first_of_valid(ray, mesh_, *faces_);
-}
-
 Decided<RayMesh<double>> stages::ray_mesh::ask(const Ray3d& ray, const Meshd& mesh) {
   validation::validate_numbers("ray", ray), validation::validate_numbers("mesh", mesh);
-  validation::validate("ray", ray);
-  return RayTree(mesh).first(ray);
+  validation::validate("ray", ray), Surface::validate("mesh", mesh);
+  return first_of_valid(ray, mesh, Surface::tree_of(mesh));
 }
 
 RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh) { return stages::ray_mesh::ask(ray, mesh).answer; }
+
+RayMesh<double> ray_mesh(const Ray3d& ray, const Surface& surface) {
+  validation::validate_all("ray", ray);
+  return first_of_valid(ray, surface.mesh(), surface.tree()).answer;
+}
 
 }  // namespace touchstone::robust

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/invalid_input.h"
 #include "geometry/ray_mesh.h"
 #include "robust/kernel/filters/staged.h"
-#include "robust/structures/face_tree.h"
 
 namespace touchstone::robust {
 
@@ -15,31 +12,21 @@ namespace touchstone::robust {
 /// `inside` that face, on an `edge` or at a `vertex` of it.
 ///
 /// The origin, edges and vertices belong to them, so no ray passes between two faces that share an edge. Each call
-/// sorts the faces into a tree; for many rays on one mesh keep a RayTree. Right for all finite doubles in every
+/// sorts the faces into a tree; for many rays on one mesh keep a robust::Surface. Right for all finite doubles in every
 /// floating-point environment, and every number correctly rounded (infinite if the exact one is beyond the range). NaN
 /// and infinities throw InvalidInput, which names the field and "finite number"; so do a direction of length 0
 /// ("nonzero direction"), a face that names no vertex, and faces of more than three corners. Contract:
 /// reference/polyhedra/ray_mesh.h.
 RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh);
 
-/// A mesh, which must outlive this unchanged, prepared for many rays. Any number of threads may ask at the same time.
-class RayTree {
- public:
-  /// Refuses the mesh like ray_mesh.
-  explicit RayTree(const Meshd& mesh);
+class Surface;  // robust/prepared/surface.h
+/// The same without the validation of its mesh, by its tree.
+RayMesh<double> ray_mesh(const Ray3d& ray, const Surface& surface);
 
-  /// ray_mesh(ray, mesh), and the latest stage that one of its decisions needed.
-  Decided<RayMesh<double>> first(const Ray3d& ray) const;
-
- private:
-  const Meshd& mesh_;
-  std::optional<structures::FaceTree> faces_;  ///< if there are any
-};
-
-/// Each stage alone, for tests and other operations; not part of the API.
 namespace stages {
 
-struct ray_mesh : Signatures<decltype(robust::ray_mesh)> {
+/// The latest stage that one of its decisions needed.
+struct ray_mesh : Signatures<RayMesh<double>(const Ray3d&, const Meshd&)> {
   static Staged ask;
 };
 

@@ -115,16 +115,18 @@ float FaceTree::greatest() const {
   return found;
 }
 
-FaceTree::Slabs::Slabs(const Ray3d& ray, float greatest) {
+FaceTree::Slabs::Slabs(const Ray3d& ray, float greatest, float radius) {
   const auto& [o, v] = ray;
   const Place origin = rounded(o);
+  greatest = std::max(greatest, radius);
   for (const float x : origin) greatest = std::max(greatest, std::fabs(x));
   moderate = greatest >= 0x1p-60F && greatest <= 0x1p60F;
-  const int exponent = std::ilogb(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}));
+  const double length = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  exponent = validation::zero(length) ? 0 : std::ilogb(length);
   const Place direction =
       rounded({std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)});
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float size = std::max(std::fabs(direction[axis]), 0x1p-40F), wider = 0x1p-20F * greatest;
+    const float size = std::max(std::fabs(direction[axis]), 0x1p-40F), wider = radius + 0x1p-19F * greatest;
     falls[axis] = direction[axis] < 0;
     inverse[axis] = (falls[axis] ? -1 : 1) / size;
     from[axis] = falls[axis] ? origin[axis] - wider : origin[axis] + wider;

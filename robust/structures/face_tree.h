@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -85,34 +86,58 @@ class FaceTree {
       for (const Index face : order_) visit(face);
       return;
     }
-    struct Node {
-      std::size_t above, i;
-      float square;
-    };
-    std::array<Node, 96> left;  // as above, and the faces of the last; the nearest is opened first
-    std::size_t size = 0;
-    double bound = std::numeric_limits<double>::infinity();
-    left[size++] = {levels_.size(), 0, 0};
-    while (size > 0) {
-      const Node node = left[--size];
-      if (node.square > bound) continue;
-      if (node.above == 0) {
-        bound = visit(order_[node.i]);
-        continue;
-      }
-      const std::array<float, 8> squares = levels_[node.above - 1][node.i].squares(gaps);
-      const std::size_t first = size;
-      for (std::size_t lane = 0; lane < 8; ++lane) {
-        if (!(squares[lane] <= bound)) continue;  // a missing one is a NaN
-        std::size_t place = size++;
-        for (; place > first && left[place - 1].square < squares[lane]; --place) left[place] = left[place - 1];
-        left[place] = {node.above - 1, 8 * node.i + lane, squares[lane]};
-      }
+    least_first([&gaps](const Block& block) { return block.squares(gaps); }, std::numeric_limits<double>::infinity(),
+                visit);
+  }
+
+  /// Calls visit(index) for each face that a ball can meet whose center moves from the ray's origin by its direction,
+  /// which may be 0, and for some others, for the most part in the order in which it can; visit returns the t of the
+  /// first contact that is known, rounded to nearest, or 1, and a face that is not met by then is left out. Call while
+  /// a kernel::ControlWord is in scope.
+  template <class Visit>
+  void on_way(const Ray3d& way, double radius, const Visit& visit) const {
+    const Slabs slabs(way, greatest(), static_cast<float>(radius));
+    if (!slabs.moderate || slabs.exponent < -900 || slabs.exponent > 900) {
+      for (const Index face : order_) visit(face);
+      return;
     }
+    // A first t that is not 0 is above 2^-90 here, so that no t that is compared with it was subnormal.
+    const auto in_slabs = [&slabs](double t) { return std::scalbn(t * (1 + 0x1p-50), slabs.exponent); };
+    least_first([&slabs](const Block& block) { return block.firsts(slabs); }, in_slabs(1),
+                [&](Index face) { return in_slabs(visit(face)); });
   }
 
  private:
   static constexpr float endless = 0x1p126F;
+
+  /// keys(block): a number for each box, NaN to leave it out, that is no greater than those of what is in it. Visits
+  /// faces of least numbers first, as long as these do not exceed the bound that visit returns.
+  template <class Keys, class Visit>
+  void least_first(const Keys& keys, double bound, const Visit& visit) const {
+    struct Node {
+      std::size_t above, i;
+      float key;
+    };
+    std::array<Node, 96> left;  // as above, and the faces of the last; the least is opened first
+    std::size_t size = 0;
+    left[size++] = {levels_.size(), 0, 0};
+    while (size > 0) {
+      const Node node = left[--size];
+      if (node.key > bound) continue;
+      if (node.above == 0) {
+        bound = visit(order_[node.i]);
+        continue;
+      }
+      const std::array<float, 8> found = keys(levels_[node.above - 1][node.i]);
+      const std::size_t first = size;
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        if (!(found[lane] <= bound)) continue;  // a NaN
+        std::size_t place = size++;
+        for (; place > first && left[place - 1].key < found[lane]; --place) left[place] = left[place - 1];
+        left[place] = {node.above - 1, 8 * node.i + lane, found[lane]};
+      }
+    }
+  }
 
   /// A ray in floats, and what is computed of a box on each axis: the t at which the ray is past `first`, the bound of
   /// the box that it comes to first, is (first - from) inverse, and (last - until) inverse that at which it leaves.
@@ -128,12 +153,20 @@ class FaceTree {
   /// taken for 2^-40: in a box t is at most 2.1 M, and the ray has moved there by less than 2^-38 M; so the first t is
   /// negative and the last at least 2^16 M. Hence no box that the ray meets is missed; nothing overflows, and what
   /// underflows is a first t near 0. Not proved by machine.
+  ///
+  /// A ball of radius R around the point on the ray meets what is in a box no sooner than the point meets the box that
+  /// is larger by R on each side. Let M be at least R too; then 16 u M are 32 u M, and `from` is o plus R and that. R
+  /// as a float, that sum, `from` and the difference, which is at most 3.2 M, are off by no more than 9.5 u M together:
+  /// the first difference is at most L - R - o - 22 u M, of which 3.1 u of its value is less than 10 u M. So a first t
+  /// that is not 0 is at least the quotient of 12 u M and 2, as long as M is 2^-60 or more. A direction of 0 is below
+  /// 2^-40.
   struct Slabs {
     std::array<float, 3> from, until, inverse;
     std::array<bool, 3> falls;
+    int exponent;   ///< t in lengths of the direction is multiplied by 2^exponent
     bool moderate;  ///< M is between 2^-60 and 2^60
 
-    Slabs(const Ray3d& ray, float greatest);
+    Slabs(const Ray3d& ray, float greatest, float radius = 0);
   };
 
   /// A point in floats, a little more and a little less on each axis.
@@ -173,6 +206,17 @@ class FaceTree {
       return found;
     }
     unsigned lanes_on(const Slabs& slabs) const { return four_on(slabs, 0) | four_on(slabs, 4) << 4; }
+    /// The first t of each box that the ray meets, or less; NaN for the others.
+    std::array<float, 8> firsts(const Slabs& slabs) const {
+      std::array<float, 8> found;
+      for (std::size_t from : {0, 4}) {
+        Four enter;
+        const Found met = four_stays(slabs, from, enter);
+        enter = reinterpret_cast<Four>(reinterpret_cast<Found>(enter) | ~met);
+        std::memcpy(&found[from], &enter, sizeof enter);
+      }
+      return found;
+    }
     /// The squared distance of a point from each box, or less; NaN for a missing one.
     std::array<float, 8> squares(const Gaps& gaps) const {
       std::array<float, 8> sums;
@@ -223,9 +267,14 @@ class FaceTree {
       }
       std::memcpy(&sums[from], &sum, sizeof sum);
     }
-    /// A missing box enters at NaN.
     unsigned four_on(const Slabs& slabs, std::size_t from) const {
-      Four enter{0, 0, 0, 0}, leave{-endless, -endless, -endless, -endless};
+      Four enter;
+      return kernel::processor::signs(four_stays(slabs, from, enter));
+    }
+    /// Which are met, and when they are entered; a missing box is entered at NaN.
+    Found four_stays(const Slabs& slabs, std::size_t from, Four& enter) const {
+      Four leave{-endless, -endless, -endless, -endless};
+      enter = Four{0, 0, 0, 0};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         Four first, last;
         std::memcpy(&first, &(slabs.falls[axis] ? high : low)[axis][from], sizeof first);
@@ -233,7 +282,7 @@ class FaceTree {
         enter = later(enter, (first - slabs.from[axis]) * slabs.inverse[axis]);
         leave = later(leave, (slabs.until[axis] - last) * slabs.inverse[axis]);
       }
-      return kernel::processor::signs(reinterpret_cast<Found>(enter <= -leave));
+      return reinterpret_cast<Found>(enter <= -leave);
     }
   };
 

@@ -16,8 +16,9 @@ void validate_swept_sphere_triangle(const Sphere3d& sphere, const Vector3d& velo
 }  // namespace
 
 /// The center at the start and the triangle are two cores; so are its path and the triangle.
-Perhaps<FirstContact<double>> stages::swept_sphere_triangle::filter(const Sphere3d& sphere, const Vector3d& velocity,
-                                                                    const Triangle3d& triangle) {
+Perhaps<FirstContact<double>> stages::swept_sphere_triangle::filter_until(const Sphere3d& sphere,
+                                                                          const Vector3d& velocity, double until,
+                                                                          const Triangle3d& triangle) {
   using filters::moderate;
   const auto& [center, radius] = sphere;
   const auto& [a, b, c] = triangle;
@@ -26,18 +27,20 @@ Perhaps<FirstContact<double>> stages::swept_sphere_triangle::filter(const Sphere
   const Vector3d u = b - a, w = c - a, way = center - a;
   const Perhaps<Contact> start = filters::Differences<2, 0, true>{{u, w}, way}.contact(radius);
   if (start && *start == Contact::overlapping) return kernel::hit(0);
-  const Perhaps<Contact> step = filters::Differences<3, 0, true>{{-1.0 * velocity, u, w}, way}.contact(radius);
+  const Perhaps<Contact> step = filters::Differences<3, 0, true>{{-until * velocity, u, w}, way}.contact(radius);
   if (step && *step == Contact::disjoint) return kernel::no_hit;
   return std::nullopt;
 }
 
-/// Its nearest face, edge or corner changes where the center passes a plane through a corner, at right angles to an
-/// edge, or one through an edge, at right angles to the face.
+Perhaps<FirstContact<double>> stages::swept_sphere_triangle::filter(const Sphere3d& sphere, const Vector3d& velocity,
+                                                                    const Triangle3d& triangle) {
+  return filter_until(sphere, velocity, 1, triangle);
+}
+
 FirstContact<double> stages::swept_sphere_triangle::exact(const Sphere3d& sphere, const Vector3d& velocity,
                                                           const Triangle3d& triangle) {
-  const kernel::CenterNearTriangle center(sphere, velocity, triangle);
-  return kernel::first_contact(center.times_of_change(),
-                               [&](const kernel::TimeOfStep& t) { return center.gap_around(t); });
+  const auto gap = kernel::CenterNearTriangle(sphere, velocity, triangle).gap_of_contact();
+  return gap ? kernel::hit(gap->least_zero()) : kernel::no_hit;
 }
 
 /// The filter takes the square of a negative radius: the ball is validated first.

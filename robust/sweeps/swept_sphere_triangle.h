@@ -27,6 +27,9 @@ struct swept_sphere_triangle : Signatures<decltype(robust::swept_sphere_triangle
   static Partial filter;
   static Total exact;
   static Staged ask;
+  /// The same as the filter, of the step as far as t = until, which is at least 2^-30 and at most 1.
+  static Perhaps<FirstContact<double>> filter_until(const Sphere3d& sphere, const Vector3d& velocity, double until,
+                                                    const Triangle3d& triangle);
 };
 
 }  // namespace stages

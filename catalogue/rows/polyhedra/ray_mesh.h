@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <vector>
-
 #include "catalogue/draw/figures.h"
 #include "catalogue/families/list_draws.h"
-#include "catalogue/families/meshes/contact_mesh_draws.h"
-#include "catalogue/families/meshes/mesh_draws.h"
 #include "catalogue/families/meshes/part_draws.h"
 #include "catalogue/families/meshes/polygon_draws.h"
-#include "catalogue/families/meshes/solid_draws.h"
 #include "catalogue/families/triangle_draws.h"
+#include "catalogue/families/triangles/face_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/polyhedra/ray_mesh.h"
 #include "oracle/polyhedra/ray_mesh.h"
 #include "reference/polyhedra/ray_mesh.h"
 #include "robust/polyhedra/ray_mesh.h"
+#include "robust/prepared/surface.h"
 
 namespace touchstone::catalogue::rows {
 
 struct ray_mesh : signatures::ray_mesh {
   TOUCHSTONE_STAGED_MODULES(ray_mesh)
+  TOUCHSTONE_PREPARED(ray_mesh, Surface)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{
@@ -47,17 +44,17 @@ struct ray_mesh : signatures::ray_mesh {
     });
     add("through_vertex", [](DrawStream& c) -> Question {
       const Meshd mesh = some_faces(c);
-      const Point3d p = vertex(mesh, c);
+      const Point3d p = some_vertex(mesh, c);
       return through(c, p, mesh);
     });
     add("through_two", [](DrawStream& c) -> Question {
       const Meshd mesh = some_faces(c);
-      const Point3d p = on_a_face_plane(mesh, c), q = c.coin() ? vertex(mesh, c) : on_a_face_plane(mesh, c);
+      const Point3d p = on_a_face_plane(mesh, c), q = c.coin() ? some_vertex(mesh, c) : on_a_face_plane(mesh, c);
       return through_both(c, p, q, mesh);
     });
     add("in_face_plane", [](DrawStream& c) -> Question {
       const Meshd mesh = some_faces(c);
-      const Triangle3d t = face(mesh, c.below(mesh.faces.size()));
+      const Triangle3d t = triangle_of_face(mesh, c.below(mesh.faces.size()));
       const auto point = [&] {
         const double i = small_integer(c, 2) / 2, j = small_integer(c, 2) / 2;
         return t.a + (i * (t.b - t.a) + j * (t.c - t.a));
@@ -81,7 +78,7 @@ struct ray_mesh : signatures::ray_mesh {
       const auto triangles = one_by_one(c, 8, [&p](DrawStream& d) {
         return LatticePlane{p, lattice_normal(d, 3), lattice_normal(d, 3)}.triangle(d);
       });
-      return {ray_to(c, p, lattice_normal(c, 3)), mesh_of(triangles)};
+      return {ray_to(c, p, lattice_normal(c, 3)), mesh_of_triangles(triangles)};
     });
     add("rounded_ties", [](DrawStream& c) -> Question {
       // Across the axis, an ulp or a few apart, where quotients by 1.5 are farther apart than their rounding is fine.
@@ -89,11 +86,12 @@ struct ray_mesh : signatures::ray_mesh {
         const double x = ulps_apart(d, 1.75, 4), y = small_integer(d, 1);
         return Triangle3d{{x, -2, y - 2}, {x, 2, -2}, {x, 0, 2}};
       });
-      return {{{0, 0, 0}, {1.5, 0, 0}}, mesh_of(triangles)};
+      return {{{0, 0, 0}, {1.5, 0, 0}}, mesh_of_triangles(triangles)};
     });
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane line = LatticePlane::of(c, 4);
-      Meshd mesh = mesh_of(one_by_one(c, 4, [&line](DrawStream& d) { return line.triangle_without_area(d); }));
+      Meshd mesh =
+          mesh_of_triangles(one_by_one(c, 4, [&line](DrawStream& d) { return line.triangle_without_area(d); }));
       if (c.coin()) mesh.faces.push_back({1, c.coin() ? Index{1} : Index{0}, 1});
       const Point3d p = line.on_line(c);
       return {ray_to(c, p, c.coin() ? line.v : line.u), mesh};
@@ -110,19 +108,14 @@ struct ray_mesh : signatures::ray_mesh {
       return through(c, p, mesh);
     });
     add("far_from_origin", [](DrawStream& c) -> Question {
-      // Beyond the digits of floats, in which boxes are compared.
-      const auto far = [&c] {
-        const double sign = either_sign(c);
-        return sign * power_of_two(c, 18, 40);
-      };
-      const Vector3d by{far(), far(), far()};
+      const Vector3d by = far_displacement(c);
       const Meshd mesh = shifted(some_faces(c), by);
       const Point3d p = on_a_face_plane(mesh, c);
       return through(c, p, mesh);
     });
     add("nearly_along_axis", [](DrawStream& c) -> Question {
       const Meshd mesh = some_faces(c);
-      const Point3d p = vertex(mesh, c);
+      const Point3d p = some_vertex(mesh, c);
       const double least = power_of_two(c, -44, -20), y = c.coin() ? least : -least, z = c.coin() ? least : 0;
       return {ray_to(c, p, {1, y, z}), mesh};
     });
@@ -140,7 +133,7 @@ struct ray_mesh : signatures::ray_mesh {
     });
     add("rounded_onto_edge", [](DrawStream& c) -> Question {
       const Meshd mesh = ordinary_solid(c);
-      const Triangle3d t = face(mesh, c.below(mesh.faces.size()));
+      const Triangle3d t = triangle_of_face(mesh, c.below(mesh.faces.size()));
       const Point3d p = ordinary_point_in_space(c), q = t.a + std::fabs(ordinary(c)) * (t.b - t.a);
       return {c.coin() ? Ray3d{q, p - q} : Ray3d{p, q - p}, mesh};
     });
@@ -158,12 +151,12 @@ struct ray_mesh : signatures::ray_mesh {
     add("whole_range", [](DrawStream& c) -> Question {
       const Point3d p = huge_or_small_point(c), q = huge_or_small_point(c);
       const auto draw = [](DrawStream& d) { return triangle_of(d, huge_or_small_point); };
-      return {{p, {q.x, q.y, q.z}}, mesh_of(one_by_one(c, 4, draw))};
+      return {{p, {q.x, q.y, q.z}}, mesh_of_triangles(one_by_one(c, 4, draw))};
     });
     add("opened", [](DrawStream& c) -> Question {
       // Mostly an open mesh; sometimes a face that names a vertex twice.
       const Meshd mesh = opened(lattice_solid(c), c);
-      const Point3d p = vertex(mesh, c);
+      const Point3d p = some_vertex(mesh, c);
       return through(c, p, mesh);
     });
     add.unscaled("unnamed_vertices", [](DrawStream& c) -> Question {
@@ -174,12 +167,12 @@ struct ray_mesh : signatures::ray_mesh {
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd mesh = solid_of_polygons(c);
-      const Point3d p = vertex(mesh, c);
+      const Point3d p = some_vertex(mesh, c);
       return through(c, p, mesh);
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_solid(c);
-      const Point3d p = on_a_face_plane(mesh, c), q = c.coin() ? between_vertices(mesh, c) : vertex(mesh, c);
+      const Point3d p = on_a_face_plane(mesh, c), q = c.coin() ? between_vertices(mesh, c) : some_vertex(mesh, c);
       return through_both(c, p, q, mesh);
     });
     add.unscaled("long_mesh", [](DrawStream& c) -> Question {
@@ -190,14 +183,7 @@ struct ray_mesh : signatures::ray_mesh {
     });
   }
 
-  /// Up to five faces, each over three vertices that follow each other in the list; the others are taken away.
-  static void repair(Question& question) {
-    Meshd& mesh = std::get<1>(question);
-    mesh.vertices.resize(std::min<std::size_t>(mesh.vertices.size(), 7));
-    const auto count = static_cast<Index>(mesh.vertices.size());
-    mesh.faces.clear(), mesh.polygons.clear();
-    for (Index i = 0; i + 2 < count; ++i) mesh.faces.push_back({i, i + 1, i + 2});
-  }
+  static void repair(Question& question) { make_strip(std::get<1>(question)); }
 
   /// From a point of a grid in thirds of 12 in a direction of integers, at a tetrahedron of size 12 with a dent.
   static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
@@ -216,7 +202,7 @@ struct ray_mesh : signatures::ray_mesh {
     const auto& [ray, mesh] = question;
     catalogue::draw(drawing, "ray", ray, false), catalogue::draw(drawing, "mesh", mesh, false);
     if (!truth.first || truth.first->face >= mesh.faces.size()) return;
-    catalogue::draw(drawing, "face", face(mesh, truth.first->face), true);
+    catalogue::draw(drawing, "face", triangle_of_face(mesh, truth.first->face), true);
     catalogue::draw(drawing, "point", truth.first->point, true);
   }
 
@@ -244,28 +230,6 @@ struct ray_mesh : signatures::ray_mesh {
   /// From one point to the other, or along an axis if they are one.
   static Question through_both(DrawStream& c, const Point3d& p, const Point3d& q, const Meshd& mesh) {
     return {ray_to(c, p, q == p ? Vector3d{0, 1, 0} : q - p), mesh};
-  }
-  static Meshd some_faces(DrawStream& c) {
-    switch (c.below(4)) {
-      case 0: return lattice_solid(c);
-      case 1: return lattice_polyhedron(c);
-      case 2: return flat_part(c);
-      default: return folded_flap(c);
-    }
-  }
-  static Triangle3d face(const Meshd& mesh, std::size_t i) {
-    const Face& f = mesh.faces[i];
-    return {mesh.vertices[f.a], mesh.vertices[f.b], mesh.vertices[f.c]};
-  }
-  static Point3d vertex(const Meshd& mesh, DrawStream& c) { return mesh.vertices[c.below(mesh.vertices.size())]; }
-  static Meshd mesh_of(const std::vector<Triangle3d>& triangles) {
-    Meshd mesh;
-    for (const Triangle3d& t : triangles) {
-      const auto i = static_cast<Index>(mesh.vertices.size());
-      mesh.vertices.insert(mesh.vertices.end(), {t.a, t.b, t.c});
-      mesh.faces.push_back({i, i + 1, i + 2});
-    }
-    return mesh;
   }
 
   /// Along an axis, or between.

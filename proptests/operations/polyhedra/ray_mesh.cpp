@@ -119,9 +119,9 @@ ROBUST_LAW("ray_mesh: each face is met where ray_triangle meets it, also by a tr
            mesh) {
   const auto answer = ask(asked);
   const auto& first = answer.first;
-  const robust::RayTree tree(mesh);
-  tree.first({ray.origin, -1.0 * ray.direction});
-  if (!equal(tree.first(ray).answer, answer)) return false;
+  const robust::Surface surface(mesh);
+  robust::ray_mesh({ray.origin, -1.0 * ray.direction}, surface);
+  if (!equal(robust::ray_mesh(ray, surface), answer)) return false;
   Index met = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto one = robust::ray_triangle(ray, triangle(mesh, i));

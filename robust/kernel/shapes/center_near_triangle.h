@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
@@ -35,6 +36,13 @@ class CenterNearTriangle {
       sides_[k] = {height(cross(normal_, edges_[k]), k), height(edges_[k], k), height(edges_[k], (k + 1) % 3)};
   }
 
+  /// As moving_center.h has it: the nearest face, edge or corner changes where the center passes a plane through a
+  /// corner, at right angles to an edge, or one through an edge, at right angles to the face.
+  std::optional<SquaredGap> gap_of_contact() const {
+    return kernel::gap_of_contact(times_of_change(), [this](const TimeOfStep& t) { return gap_around(t); });
+  }
+
+ private:
   TimesOfChange times_of_change() const {
     TimesOfChange times;
     for (const auto& [inwards, past_start, past_end] : sides_)
@@ -52,7 +60,6 @@ class CenterNearTriangle {
     return from_corner(nearest_corner(t));
   }
 
- private:
   /// The center relative to an edge: over the line to the third corner, and along the edge over its start and its end.
   struct Side {
     HeightOfStep inwards, past_start, past_end;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "geometry/invalid_input.h"
+#include "geometry/polyhedra.h"
+#include "robust/structures/face_tree.h"
+
+namespace touchstone::robust {
+
+/// The faces of a mesh, closed or not, that is validated once and asked many times, as ray_mesh takes it.
+///
+/// Never changes once it is made, so threads may share it; a copy copies the mesh, and one that was moved from can only
+/// be assigned or destroyed. It keeps a tree of the boxes around its faces, about 32 bytes a face. The constructor
+/// throws InvalidInput, which names `field` and the rule, as the operations do.
+class Surface {
+ public:
+  explicit Surface(Meshd mesh, const std::string& field = "mesh");
+
+  const Meshd& mesh() const { return mesh_; }
+  /// None without faces.
+  const std::optional<structures::FaceTree>& tree() const { return tree_; }
+
+  static void validate(const std::string& field, const Meshd& mesh);
+  static std::optional<structures::FaceTree> tree_of(const Meshd& mesh);
+
+ private:
+  Meshd mesh_;
+  std::optional<structures::FaceTree> tree_;
+};
+
+}  // namespace touchstone::robust
