@@ -5,12 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "geometry/answers.h"
 #include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
 #include "geometry/rays.h"
 #include "geometry/triangles.h"
 
-/// Answers about rays and meshes.
+/// Answers about meshes, and rays or moving solids.
 namespace touchstone {
 
 /// The place of a point in a face. All of a face without area is its edges and vertices.
@@ -35,6 +36,16 @@ struct RayMesh {
   std::optional<FaceHit<Real>> first;
   Index faces_met;
   static constexpr auto members = as_record("relation", "first", "faces_met");
+};
+
+/// relation `hit`: the first t in [0, 1] at which a moving solid has a common point with a mesh, and the least index of
+/// the faces with which it has one then. `never`: neither.
+template <class Real>
+struct FirstFaceContact {
+  HitRelation relation;
+  std::optional<Real> t;
+  std::optional<Index> face;
+  static constexpr auto members = as_record("relation", "t", "face");
 };
 
 /// A face as a triangle.

@@ -39,6 +39,14 @@ class Surd:
             return of_p or of_root
         return of_p * of(self.p**2 - self.q**2 * self.r)
 
+    def compared_with(self, other):
+        """The sign of the difference, also over different roots."""
+        left = self + -other.p
+        of_left, of_root = left.sign(), Surd(0, other.q, other.r).sign()
+        if of_left != of_root:
+            return 1 if of_left > of_root else -1
+        return of_left * (left.square() + -(other.q**2) * other.r).sign()
+
     def has_square(self, square):
         return (self.square() + -square).sign() == 0
 

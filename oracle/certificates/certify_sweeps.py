@@ -3,9 +3,11 @@
 
 from itertools import product
 
+from certify_meshes import listed_triangles
 from certify_reading import WRONG_KIND, expect
 from certify_space import ball, box_holds, box_in_space, cross, dot, named, plane, point_in_space, triple
-from certify_surd import exact_surd
+from certify_solids import index
+from certify_surd import Surd, exact_surd
 from certify_triangles import capsule_in_space, points, weighted
 
 NO_PROOF = "certificate: the kind does not hold"
@@ -179,6 +181,18 @@ def expect_contact_on_triangle(claim, center, radius, v, corners, t):
     expect(first and (slope < 0 or slope == 0 and leaves), "truth: t is wrong")
 
 
+def expect_hit(claim, center, radius, velocity, corners, t):
+    """Requires that t is the first contact, by a common point at the start or the part that is met later."""
+    if claim.kind() != "start":
+        claim.expect_kind("first_contact")
+        return expect_contact_on_triangle(claim, center, radius, velocity, corners, t)
+    weights = claim.list("weights")
+    expect(len(weights) == 3, "certificate: as many weights as points")
+    way = minus(center, weighted(corners, weights))
+    expect(dot(way, way) <= radius**2, "certificate: the point is not in both")
+    return expect(t.sign() == 0, "truth: t is wrong")
+
+
 def check_swept_sphere_triangle(claim):
     claim.inputs("sphere", "velocity", "triangle")
     center, radius = ball(claim.input["sphere"], "sphere")
@@ -192,10 +206,47 @@ def check_swept_sphere_triangle(claim):
     t = exact_surd(claim.truth["t"], "truth.t")
     if kind == "start":
         claim.facts("weights")
-        weights = claim.list("weights")
-        expect(len(weights) == 3, "certificate: as many weights as points")
-        way = minus(center, weighted(corners, weights))
-        expect(dot(way, way) <= radius**2, "certificate: the point is not in both")
-        return expect(t.sign() == 0, "truth: t is wrong")
-    expect(kind == "first_contact", WRONG_KIND), claim.facts("corners", "normal")
-    return expect_contact_on_triangle(claim, center, radius, velocity, corners, t)
+    else:
+        claim.expect_kind("first_contact"), claim.facts("corners", "normal")
+    return expect_hit(claim, center, radius, velocity, corners, t)
+
+
+def check_swept_sphere_mesh(claim):
+    claim.inputs("sphere", "velocity", "mesh")
+    center, radius = ball(claim.input["sphere"], "sphere")
+    velocity = point_in_space(claim.input["velocity"], "velocity")
+    vertices, faces = listed_triangles(claim.input["mesh"], "mesh")
+    relation = claim.word("relation")
+    expect(relation in ("hit", "never"), "truth: relation is wrong")
+    claim.answers("relation", *(["t", "face"] if relation == "hit" else []))
+    claim.expect_kind("faces"), claim.facts("missed", "met")
+    proved, first = set(), None
+
+    def corners_of(value):
+        face = index(value, len(faces))
+        expect(face not in proved, "certificate: a face is proved twice")
+        proved.add(face)
+        return [vertices[corner] for corner in faces[face]]
+
+    for proof in claim.proofs("missed"):
+        proof.expect_kind("separating_axis"), proof.facts("normal", "faces")
+        for face in proof.list("faces"):
+            expect_apart(proof, center, radius, velocity, corners_of(face))
+    for proof in claim.proofs("met"):
+        if proof.kind() == "start":
+            proof.facts("face", "weights", "time")
+        else:
+            proof.expect_kind("first_contact"), proof.facts("face", "corners", "normal", "time")
+        time = triple(proof, "time")
+        expect(time[2] >= 0, "certificate.time: the root of a negative number")
+        t, face = Surd(*time), proof.single("face")
+        expect_hit(proof, center, radius, velocity, corners_of(face), t)
+        order = t.compared_with(first[0]) if first else -1
+        if order < 0 or order == 0 and face < first[1]:
+            first = t, face
+    expect(len(proved) == len(faces), "certificate: a face is left out")
+    expect(relation == ("hit" if first else "never"), "truth: relation is wrong")
+    if first:
+        expect(exact_surd(claim.truth["t"], "truth.t").compared_with(first[0]) == 0, "truth: t is wrong")
+        face = claim.truth["face"]
+        expect(type(face) is int and face == first[1], "truth: face is wrong")

@@ -51,6 +51,13 @@ int sign(const Surd& x) {
   return of_p * sgn(Rational(x.p * x.p - x.q * x.q * x.r));
 }
 
+int compare(const Surd& x, const Surd& y) {
+  const Surd left = x + Rational(-y.p);
+  const int of_left = sign(left), of_root = sgn(y.q) * sgn(y.r);
+  if (of_left != of_root) return of_left > of_root ? 1 : -1;
+  return of_left * sign(square(left) + Rational(-y.q * y.q * y.r));
+}
+
 void expect_kind_of_root(const Claim& claim, bool rational) {
   claim.expect_kind(rational ? "root" : "irrational_root");
 }

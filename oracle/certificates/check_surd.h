@@ -12,6 +12,8 @@ struct Surd {
 
 /// -1, 0, 1; by squares.
 int sign(const Surd& x);
+/// That of x - y, also over different roots.
+int compare(const Surd& x, const Surd& y);
 
 /// Requires that the claim's kind is "root", or "irrational_root" if no rational number is the root.
 void expect_kind_of_root(const Claim& claim, bool rational);

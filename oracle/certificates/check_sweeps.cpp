@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <functional>
+#include <optional>
+#include <set>
+#include <utility>
 
+#include "oracle/certificates/check_meshes.h"
+#include "oracle/certificates/check_solids.h"
 #include "oracle/certificates/check_surd.h"
 #include "oracle/certificates/check_triangles.h"
 
@@ -221,6 +226,19 @@ void expect_contact_on_triangle(const Claim& claim, const Ball& ball, const Trip
   expect(first && (slope < 0 || (slope == 0 && leaves)), "truth: t is wrong");
 }
 
+/// Requires that t is the first contact, by a common point at the start or the part that is met later.
+void expect_hit(const Claim& claim, const Ball& sphere, const Triple& velocity, const Corners& corners, const Surd& t) {
+  if (claim.kind() != "start") {
+    claim.expect_kind("first_contact");
+    return expect_contact_on_triangle(claim, sphere, velocity, corners, t);
+  }
+  const std::vector<Rational> weights = claim.list("weights");
+  expect(weights.size() == 3, "certificate: as many weights as points");
+  const Triple way = sphere.center - weighted(corners, weights, 0);
+  expect(dot(way, way) <= square(sphere.radius), "certificate: the point is not in both");
+  expect(sign(t) == 0, "truth: t is wrong");
+}
+
 void check_swept_sphere_triangle(const Claim& claim) {
   claim.inputs({"sphere", "velocity", "triangle"});
   const Ball sphere = ball(claim.input["sphere"], "sphere");
@@ -233,26 +251,59 @@ void check_swept_sphere_triangle(const Claim& claim) {
   }
   expect(relation == "hit", "truth: relation is wrong"), claim.answers({"relation", "t"});
   const Surd t = exact_surd(claim.truth["t"], "truth.t");
-  if (kind == "start") {
-    claim.facts({"weights"});
-    const std::vector<Rational> weights = claim.list("weights");
-    expect(weights.size() == 3, "certificate: as many weights as points");
-    const Triple way = sphere.center - weighted(corners, weights, 0);
-    expect(dot(way, way) <= square(sphere.radius), "certificate: the point is not in both");
-    return expect(sign(t) == 0, "truth: t is wrong");
+  if (kind == "start") claim.facts({"weights"});
+  else claim.expect_kind("first_contact"), claim.facts({"corners", "normal"});
+  expect_hit(claim, sphere, velocity, corners, t);
+}
+
+/// Each face is proved once, by a normal along which it is missed or by the time of its first contact.
+void check_swept_sphere_mesh(const Claim& claim) {
+  claim.inputs({"sphere", "velocity", "mesh"});
+  const Ball sphere = ball(claim.input["sphere"], "sphere");
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
+  const Mesh surface = listed_triangles(claim.input["mesh"], "mesh");
+  const std::string relation = claim.word("relation");
+  expect(relation == "hit" || relation == "never", "truth: relation is wrong");
+  if (relation == "hit") claim.answers({"relation", "t", "face"});
+  else claim.answers({"relation"});
+  claim.expect_kind("faces"), claim.facts({"missed", "met"});
+  std::set<std::size_t> proved;
+  const auto corners_of = [&](const Rational& value) {
+    const std::size_t face = index(value, surface.faces.size());
+    expect(proved.insert(face).second, "certificate: a face is proved twice");
+    const auto& [a, b, c] = surface.faces[face];
+    return Corners{surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+  };
+  for (const Claim& proof : claim.proofs("missed")) {
+    proof.expect_kind("separating_axis"), proof.facts({"normal", "faces"});
+    for (const Rational& face : proof.list("faces")) expect_apart(proof, sphere, velocity, corners_of(face));
   }
-  expect(kind == "first_contact", wrong_kind), claim.facts({"corners", "normal"});
-  expect_contact_on_triangle(claim, sphere, velocity, corners, t);
+  std::optional<std::pair<Surd, Rational>> first;
+  for (const Claim& proof : claim.proofs("met")) {
+    if (proof.kind() == "start") proof.facts({"face", "weights", "time"});
+    else proof.expect_kind("first_contact"), proof.facts({"face", "corners", "normal", "time"});
+    const Triple time = triple(proof, "time");
+    expect(sgn(time.z) >= 0, "certificate.time: the root of a negative number");
+    const Surd t{time.x, time.y, time.z};
+    const Rational face = proof.single("face");
+    expect_hit(proof, sphere, velocity, corners_of(face), t);
+    const int order = first ? compare(t, first->first) : -1;
+    if (order < 0 || (order == 0 && face < first->second)) first = {t, face};
+  }
+  expect(proved.size() == surface.faces.size(), "certificate: a face is left out");
+  expect(relation == (first ? "hit" : "never"), "truth: relation is wrong");
+  if (!first) return;
+  expect(compare(exact_surd(claim.truth["t"], "truth.t"), first->first) == 0, "truth: t is wrong");
+  const json& face = claim.truth["face"];
+  expect(face.is_number_unsigned() && first->second == face.get<std::uint64_t>(), "truth: face is wrong");
 }
 
 }  // namespace
 
 Checks checks_of_sweeps() {
-  return {{"swept_sphere_sphere", check_swept_sphere_sphere},
-          {"swept_sphere_plane", check_swept_sphere_plane},
-          {"swept_capsule_plane", check_swept_capsule_plane},
-          {"swept_sphere_aabb", check_swept_sphere_aabb},
-          {"swept_sphere_triangle", check_swept_sphere_triangle}};
+  return {{"swept_sphere_sphere", check_swept_sphere_sphere},     {"swept_sphere_plane", check_swept_sphere_plane},
+          {"swept_capsule_plane", check_swept_capsule_plane},     {"swept_sphere_aabb", check_swept_sphere_aabb},
+          {"swept_sphere_triangle", check_swept_sphere_triangle}, {"swept_sphere_mesh", check_swept_sphere_mesh}};
 }
 
 }  // namespace touchstone::certify

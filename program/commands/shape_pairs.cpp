@@ -43,7 +43,7 @@ Names shapes_in(const Shape& question, const Names& among) {
 std::string question_about(const Operation& operation) {
   const Shape& answer = operation.answer_shape();
   const std::string type = name_in(type_text(answer.kind == Shape::Kind::choice ? *answer.parts[0].shape : answer));
-  if (type == "FirstContact") return "sweep";
+  if (type == "FirstContact" || type == "FirstFaceContact") return "sweep";
   if (type == "Penetration") return "depth";
   const bool nearest =
       type.starts_with("Closest") || type.ends_with("Distance") || type == "Point2" || type == "Point3";

@@ -254,6 +254,10 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
        [](L l) -> Json {
          return {{"a", l.sphere(0, 2)}, {"b", l.sphere(3, 2)}, {"velocity", {2, 0.1, 0.2}}};
        }},
+      {"swept_sphere_mesh",
+       [origin](L l) -> Json {
+         return {{"sphere", {{"center", origin}, {"radius", 0.5}}}, {"velocity", {2, 0.1, 0.2}}, {"mesh", l.sphere()}};
+       }},
       {"momentum", bodies},
       {"kinetic_energy", bodies},
       {"simultaneous_collisions",

@@ -10,7 +10,8 @@
 
 namespace touchstone::robust {
 
-/// The faces of a mesh, closed or not, that is validated once and asked many times, as ray_mesh takes it.
+/// The faces of a mesh, closed or not, that is validated once and asked many times, as ray_mesh and swept_sphere_mesh
+/// take it.
 ///
 /// Never changes once it is made, so threads may share it; a copy copies the mesh, and one that was moved from can only
 /// be assigned or destroyed. It keeps a tree of the boxes around its faces, about 32 bytes a face. The constructor

@@ -162,6 +162,48 @@ def truth_swept_sphere_triangle(q):
     return first, abs(margin)
 
 
+def vertex_and_square(t):
+    """A time is v - sqrt(d): v and d."""
+    if t == "0":
+        return Fraction(0), Fraction(0)
+    vertex = -t.linear / (2 * t.square)
+    return vertex, vertex**2 - t.constant / t.square
+
+
+def is_before(one, other):
+    """v + sqrt(e) < w + sqrt(d), by squares."""
+    (v, d), (w, e) = vertex_and_square(one), vertex_and_square(other)
+    n = v - w
+    rest, square = d - e - n * n, 4 * n * n * e
+    if n < 0:
+        return n * n > e or rest > 0 or square > rest * rest
+    return rest > 0 and square < rest * rest
+
+
+def truth_swept_sphere_mesh(q):
+    """Face by face. Margin: that of each, or 0 if another face is met at once; at the start, of the named face and of
+    those before it at rest."""
+    first, face, margins, at_once = None, None, [], False
+    ball, vertices = {"sphere": q["sphere"], "velocity": q["velocity"]}, q["mesh"]["vertices"]
+    questions = [ball | {"triangle": [vertices[k] for k in named]} for named in q["mesh"]["faces"]]
+    for i, question in enumerate(questions):
+        answer, margin = truth_swept_sphere_triangle(question)
+        margins.append(margin)
+        t = answer.get("t")
+        if t is None or first is not None and is_before(first, t):
+            continue
+        at_once = first is not None and not is_before(t, first)
+        if not at_once:
+            first, face = t, i
+    if first is None:
+        return {"relation": "never"}, min(margins, default=None)
+    if first == "0":
+        rest = [question | {"velocity": [0, 0, 0]} for question in questions[: face + 1]]
+        margins = [truth_swept_sphere_triangle(question)[1] for question in rest]
+    margin = 0 if at_once and first != "0" else min(margins)
+    return {"relation": "hit", "t": first, "face": face}, margin
+
+
 def truth_swept_convex_polyhedra(q):
     """b less a, swept backwards, and that with a cube around it, are polytopes: normals of their facets are normals of
     faces, or cross products of edges, of the velocity and of the axes. On each, a has to be between two numbers, from
