@@ -156,12 +156,12 @@ def displacement_from(corners, part, center, v):
         start, rise = (minus(times(square, d), times(dot(d, e), e)) for d in (w, v))
         return start, rise, square, [(e, first), (times(-1, e), corners[part[1]])]
     n = cross(e, minus(corners[2], corners[0]))
-    expect(dot(n, n) > 0, "certificate: the triangle has no area")
-    sides = [(cross(n, minus(corners[(k + 1) % 3], corners[k])), corners[k]) for k in range(3)]
+    expect(dot(n, n) > 0, "certificate: the polygon has no area")
+    sides = [(cross(n, minus(p, q)), q) for p, q in zip(corners[1:] + corners[:1], corners)]
     return times(dot(w, n), n), times(dot(v, n), n), dot(n, n), sides
 
 
-def expect_contact_on_triangle(claim, center, radius, v, corners, t):
+def expect_contact_on_polygon(claim, center, radius, v, corners, t):
     """Why it proves that stands in check_sweeps.cpp."""
     named(claim, "corners", corners)
     part = [int(place) for place in claim.list("corners")]
@@ -185,19 +185,16 @@ def expect_hit(claim, center, radius, velocity, corners, t):
     """Requires that t is the first contact, by a common point at the start or the part that is met later."""
     if claim.kind() != "start":
         claim.expect_kind("first_contact")
-        return expect_contact_on_triangle(claim, center, radius, velocity, corners, t)
+        return expect_contact_on_polygon(claim, center, radius, velocity, corners, t)
     weights = claim.list("weights")
-    expect(len(weights) == 3, "certificate: as many weights as points")
+    expect(len(weights) == len(corners), "certificate: as many weights as points")
     way = minus(center, weighted(corners, weights))
     expect(dot(way, way) <= radius**2, "certificate: the point is not in both")
-    return expect(t.sign() == 0, "truth: t is wrong")
+    expect(t.sign() == 0, "truth: t is wrong")
 
 
-def check_swept_sphere_triangle(claim):
-    claim.inputs("sphere", "velocity", "triangle")
-    center, radius = ball(claim.input["sphere"], "sphere")
-    velocity = point_in_space(claim.input["velocity"], "velocity")
-    corners = points(claim.input["triangle"], "triangle", 3, "three")
+def prove_contact_with_polygon(claim, center, radius, velocity, corners):
+    """A moving ball and a convex polygon at rest, its corners in order."""
     relation, kind = claim.word("relation"), claim.kind()
     if relation == "never":
         claim.answers("relation"), expect(kind == "separating_axis", WRONG_KIND), claim.facts("normal")
@@ -208,7 +205,15 @@ def check_swept_sphere_triangle(claim):
         claim.facts("weights")
     else:
         claim.expect_kind("first_contact"), claim.facts("corners", "normal")
-    return expect_hit(claim, center, radius, velocity, corners, t)
+    expect_hit(claim, center, radius, velocity, corners, t)
+
+
+def check_swept_sphere_triangle(claim):
+    claim.inputs("sphere", "velocity", "triangle")
+    center, radius = ball(claim.input["sphere"], "sphere")
+    velocity = point_in_space(claim.input["velocity"], "velocity")
+    corners = points(claim.input["triangle"], "triangle", 3, "three")
+    prove_contact_with_polygon(claim, center, radius, velocity, corners)
 
 
 def check_swept_sphere_mesh(claim):
@@ -250,3 +255,13 @@ def check_swept_sphere_mesh(claim):
         expect(exact_surd(claim.truth["t"], "truth.t").compared_with(first[0]) == 0, "truth: t is wrong")
         face = claim.truth["face"]
         expect(type(face) is int and face == first[1], "truth: face is wrong")
+
+
+def check_swept_capsule_capsule(claim):
+    """Why the points of b, less the displacements along a, are enough stands in check_sweeps.cpp."""
+    claim.inputs("a", "b", "velocity")
+    (p, q), r = capsule_in_space(claim.input["a"], "a")
+    of_b, s = capsule_in_space(claim.input["b"], "b")
+    velocity, u = point_in_space(claim.input["velocity"], "velocity"), minus(q, p)
+    corners = [*of_b, minus(of_b[1], u), minus(of_b[0], u)]
+    prove_contact_with_polygon(claim, p, r + s, velocity, corners)

@@ -119,7 +119,8 @@ Triple farthest_along(const Triple& n, const Box& box) {
   const auto side = [&box](const Rational& along, std::size_t k) { return sgn(along) > 0 ? box.max[k] : box.min[k]; };
   return {side(n.x, 0), side(n.y, 1), side(n.z, 2)};
 }
-Triple farthest_along(const Triple& n, const Corners& corners) {
+using Polygon = std::vector<Triple>;
+Triple farthest_along(const Triple& n, const Polygon& corners) {
   return *std::max_element(corners.begin(), corners.end(),
                            [&n](const Triple& p, const Triple& q) { return dot(n, p) < dot(n, q); });
 }
@@ -171,7 +172,7 @@ struct Displacement {
   Rational scale{1};
   std::vector<std::pair<Triple, Triple>> sides;  ///< a normal and a point
 };
-Displacement displacement_from(const Corners& corners, const std::vector<std::size_t>& part, const Triple& center,
+Displacement displacement_from(const Polygon& corners, const std::vector<std::size_t>& part, const Triple& center,
                                const Triple& v) {
   const Triple none{0, 0, 0}, w = center - corners[part[0]];
   if (part.size() == 1) return {w, v, 1, {}};
@@ -183,22 +184,23 @@ Displacement displacement_from(const Corners& corners, const std::vector<std::si
     return {across(w), across(v), square, {{e, corners[part[0]]}, {none - e, corners[part[1]]}}};
   }
   const Triple n = cross(e, corners[2] - corners[0]);
-  expect(sgn(dot(n, n)) > 0, "certificate: the triangle has no area");
+  expect(sgn(dot(n, n)) > 0, "certificate: the polygon has no area");
   Displacement found{along(none, dot(w, n), n), along(none, dot(v, n), n), dot(n, n), {}};
-  for (std::size_t k = 0; k < 3; ++k) found.sides.emplace_back(cross(n, corners[(k + 1) % 3] - corners[k]), corners[k]);
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    found.sides.emplace_back(cross(n, corners[(k + 1) % corners.size()] - corners[k]), corners[k]);
   return found;
 }
 
-/// Requires that at t the center is over the part of the triangle that the fact `corners` names, that no corner is
+/// Requires that at t the center is over the part of the polygon that the fact `corners` names, that no corner is
 /// beyond that, that it is as far from there as the radius, and does not go away.
 ///
 /// With d the displacement at t, half the slope of its square is d . v <= 0. Before t, d . (c - p) was d . d = r^2 or
-/// more for every point p of the triangle, so no p was nearer than r; and none was as near if d . v < 0. If that is 0,
-/// p = c - d alone was; but that was not in the triangle, if along the fact `normal` the velocity leads up, and all
+/// more for every point p of the polygon, so no p was nearer than r; and none was as near if d . v < 0. If that is 0,
+/// p = c - d alone was; but that was not in the polygon, if along the fact `normal` the velocity leads up, and all
 /// corners are as high as c - d at t.
-void expect_contact_on_triangle(const Claim& claim, const Ball& ball, const Triple& v, const Corners& corners,
-                                const Surd& t) {
-  named(claim, "corners", {corners.begin(), corners.end()});
+void expect_contact_on_polygon(const Claim& claim, const Ball& ball, const Triple& v, const Polygon& corners,
+                               const Surd& t) {
+  named(claim, "corners", corners);
   std::vector<std::size_t> part;
   for (const Rational& place : claim.list("corners")) part.push_back(place.get_num().get_ui());
   const bool in_order = std::adjacent_find(part.begin(), part.end(), std::greater_equal<>()) == part.end();
@@ -227,16 +229,30 @@ void expect_contact_on_triangle(const Claim& claim, const Ball& ball, const Trip
 }
 
 /// Requires that t is the first contact, by a common point at the start or the part that is met later.
-void expect_hit(const Claim& claim, const Ball& sphere, const Triple& velocity, const Corners& corners, const Surd& t) {
+void expect_hit(const Claim& claim, const Ball& sphere, const Triple& velocity, const Polygon& corners, const Surd& t) {
   if (claim.kind() != "start") {
     claim.expect_kind("first_contact");
-    return expect_contact_on_triangle(claim, sphere, velocity, corners, t);
+    return expect_contact_on_polygon(claim, sphere, velocity, corners, t);
   }
   const std::vector<Rational> weights = claim.list("weights");
-  expect(weights.size() == 3, "certificate: as many weights as points");
+  expect(weights.size() == corners.size(), "certificate: as many weights as points");
   const Triple way = sphere.center - weighted(corners, weights, 0);
   expect(dot(way, way) <= square(sphere.radius), "certificate: the point is not in both");
   expect(sign(t) == 0, "truth: t is wrong");
+}
+
+/// Requires what is true of a moving ball and a convex polygon at rest, its corners in order.
+void prove_contact_with_polygon(const Claim& claim, const Ball& ball, const Triple& velocity, const Polygon& corners) {
+  const std::string relation = claim.word("relation"), kind = claim.kind();
+  if (relation == "never") {
+    claim.answers({"relation"}), expect(kind == "separating_axis", wrong_kind), claim.facts({"normal"});
+    return expect_apart(claim, ball, velocity, corners);
+  }
+  expect(relation == "hit", "truth: relation is wrong"), claim.answers({"relation", "t"});
+  const Surd t = exact_surd(claim.truth["t"], "truth.t");
+  if (kind == "start") claim.facts({"weights"});
+  else claim.expect_kind("first_contact"), claim.facts({"corners", "normal"});
+  expect_hit(claim, ball, velocity, corners, t);
 }
 
 void check_swept_sphere_triangle(const Claim& claim) {
@@ -244,16 +260,7 @@ void check_swept_sphere_triangle(const Claim& claim) {
   const Ball sphere = ball(claim.input["sphere"], "sphere");
   const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
   const Corners corners = points<3>(claim.input["triangle"], "triangle");
-  const std::string relation = claim.word("relation"), kind = claim.kind();
-  if (relation == "never") {
-    claim.answers({"relation"}), expect(kind == "separating_axis", wrong_kind), claim.facts({"normal"});
-    return expect_apart(claim, sphere, velocity, corners);
-  }
-  expect(relation == "hit", "truth: relation is wrong"), claim.answers({"relation", "t"});
-  const Surd t = exact_surd(claim.truth["t"], "truth.t");
-  if (kind == "start") claim.facts({"weights"});
-  else claim.expect_kind("first_contact"), claim.facts({"corners", "normal"});
-  expect_hit(claim, sphere, velocity, corners, t);
+  prove_contact_with_polygon(claim, sphere, velocity, {corners.begin(), corners.end()});
 }
 
 /// Each face is proved once, by a normal along which it is missed or by the time of its first contact.
@@ -272,7 +279,7 @@ void check_swept_sphere_mesh(const Claim& claim) {
     const std::size_t face = index(value, surface.faces.size());
     expect(proved.insert(face).second, "certificate: a face is proved twice");
     const auto& [a, b, c] = surface.faces[face];
-    return Corners{surface.vertices[a], surface.vertices[b], surface.vertices[c]};
+    return Polygon{surface.vertices[a], surface.vertices[b], surface.vertices[c]};
   };
   for (const Claim& proof : claim.proofs("missed")) {
     proof.expect_kind("separating_axis"), proof.facts({"normal", "faces"});
@@ -298,12 +305,24 @@ void check_swept_sphere_mesh(const Claim& claim) {
   expect(face.is_number_unsigned() && first->second == face.get<std::uint64_t>(), "truth: face is wrong");
 }
 
+/// The capsules meet where the first end of a is no farther from the points of b, less the displacements along a, than
+/// both radii together.
+void check_swept_capsule_capsule(const Claim& claim) {
+  claim.inputs({"a", "b", "velocity"});
+  const auto [of_a, r] = capsule_in_space(claim.input["a"], "a");
+  const auto [of_b, s] = capsule_in_space(claim.input["b"], "b");
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity"), u = of_a[1] - of_a[0];
+  prove_contact_with_polygon(claim, {of_a[0], Rational(r + s)}, velocity, {of_b[0], of_b[1], of_b[1] - u, of_b[0] - u});
+}
+
 }  // namespace
 
 Checks checks_of_sweeps() {
-  return {{"swept_sphere_sphere", check_swept_sphere_sphere},     {"swept_sphere_plane", check_swept_sphere_plane},
-          {"swept_capsule_plane", check_swept_capsule_plane},     {"swept_sphere_aabb", check_swept_sphere_aabb},
-          {"swept_sphere_triangle", check_swept_sphere_triangle}, {"swept_sphere_mesh", check_swept_sphere_mesh}};
+  return {
+      {"swept_sphere_sphere", check_swept_sphere_sphere},     {"swept_sphere_plane", check_swept_sphere_plane},
+      {"swept_capsule_plane", check_swept_capsule_plane},     {"swept_sphere_aabb", check_swept_sphere_aabb},
+      {"swept_sphere_triangle", check_swept_sphere_triangle}, {"swept_sphere_mesh", check_swept_sphere_mesh},
+      {"swept_capsule_capsule", check_swept_capsule_capsule}};
 }
 
 }  // namespace touchstone::certify

@@ -13,13 +13,13 @@ Capsule capsule_in_space(const json& value, const std::string& what) {
   return {ends, radius};
 }
 
-Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from) {
+Triple weighted(const std::vector<Triple>& points, const std::vector<Rational>& weights, std::size_t from) {
   Triple sum{0, 0, 0};
   Rational total;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
     expect(sgn(weights[from + k]) >= 0, "certificate: a weight is negative");
     total += weights[from + k];
-    sum = along(sum, weights[from + k], corners[k]);
+    sum = along(sum, weights[from + k], points[k]);
   }
   expect(total == 1, "certificate: the weights do not add up to 1");
   return sum;

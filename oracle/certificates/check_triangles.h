@@ -27,7 +27,10 @@ struct Capsule {
 Capsule capsule_in_space(const json& value, const std::string& what);
 
 /// The point with these weights, which begin at index `from`.
-Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from);
+Triple weighted(const std::vector<Triple>& points, const std::vector<Rational>& weights, std::size_t from);
+inline Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from) {
+  return weighted(std::vector<Triple>(corners.begin(), corners.end()), weights, from);
+}
 
 /// Requires a plane with no part of the triangle in front of it, `end` in front and x not behind: so is everything from
 /// the end to x, except x itself.

@@ -1,13 +1,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "geometry/answers.h"
 #include "geometry/triangles.h"
 #include "geometry/volumes.h"
 
 namespace touchstone::reference {
+
+/// The formula of swept_sphere_triangle for a convex polygon, its corners in order.
+template <class Real, std::size_t size>
+FirstContact<Real> ball_to_polygon(const Sphere3<Real>& sphere, const Vector3<Real>& velocity,
+                                   const std::array<Point3<Real>, size>& corners) {
+  using std::sqrt;
+  const Real none(0), one(1), squared_radius = Real(sphere.radius * sphere.radius);
+  const auto square = [](const Vector3<Real>& v) { return Real(dot(v, v)); };
+  const auto way = [&](std::size_t k) { return sphere.center - corners[k]; };
+  const auto edge = [&](std::size_t k) { return corners[(k + 1) % size] - corners[k]; };
+  const Vector3<Real> normal = cross(edge(0), edge(1));
+  FirstContact<Real> first{HitRelation::never, std::nullopt};
+  // The height of the center at t over a plane through a corner.
+  const auto height = [&](const Vector3<Real>& n, std::size_t k, const Real& t) {
+    return Real(dot(n, way(k)) + Real(t * Real(dot(n, velocity))));
+  };
+  const auto count = [&](const Real& t, const auto& over) {
+    if (none <= t && t <= one && !(first.t && *first.t <= t) && over(t)) first = {HitRelation::hit, t};
+  };
+  // The first zero of a t^2 + 2 h t + g.
+  const auto enter = [&](const Vector3<Real>& start, const Vector3<Real>& rise, const Real& reach, const auto& over) {
+    const Real g = Real(square(start) - reach), h = dot(start, rise), a = square(rise);
+    if (g <= none) return count(none, over);
+    const Real discriminant = Real(Real(h * h) - Real(a * g));
+    if (h < none && none <= discriminant) count(Real(Real(-h - Real(sqrt(discriminant))) / a), over);
+  };
+  for (std::size_t k = 0; k < size; ++k) {
+    const Vector3<Real> e = edge(k);
+    enter(way(k), velocity, squared_radius, [](const Real&) { return true; });
+    if (none < square(e))
+      enter(cross(way(k), e), cross(velocity, e), Real(squared_radius * square(e)),
+            [&](const Real& t) { return none <= height(e, k, t) && height(e, (k + 1) % size, t) <= none; });
+  }
+  if (none < square(normal)) {
+    const Real h = dot(normal, way(0)), rise = dot(normal, velocity),
+               reach = Real(sphere.radius * Real(sqrt(square(normal))));
+    const Real gap = Real((h < none ? Real(-h) : h) - reach);
+    count(gap <= none ? none : Real(gap / (h < none ? rise : Real(-rise))), [&](const Real& t) {
+      for (std::size_t k = 0; k < size; ++k)
+        if (height(cross(normal, edge(k)), k, t) < none) return false;
+      return true;
+    });
+  }
+  return first;
+}
 
 /// Finds when a ball that moves along a straight line first has a common point with a closed triangle in space, by its
 /// face, its edges and its corners.
@@ -42,46 +89,8 @@ namespace touchstone::reference {
 template <class Real>
 FirstContact<Real> swept_sphere_triangle(const Sphere3<Real>& sphere, const Vector3<Real>& velocity,
                                          const Triangle3<Real>& triangle) {
-  using std::sqrt;
-  const Real none(0), one(1), squared_radius = Real(sphere.radius * sphere.radius);
-  const Point3<Real>* corners[] = {&triangle.a, &triangle.b, &triangle.c};
-  const auto square = [](const Vector3<Real>& v) { return Real(dot(v, v)); };
-  const auto way = [&](int k) { return sphere.center - *corners[k]; };
-  const auto edge = [&](int k) { return *corners[(k + 1) % 3] - *corners[k]; };
-  const Vector3<Real> normal = cross(edge(0), edge(1));
-  FirstContact<Real> first{HitRelation::never, std::nullopt};
-  // The height of the center at t over a plane through a corner.
-  const auto height = [&](const Vector3<Real>& n, int k, const Real& t) {
-    return Real(dot(n, way(k)) + Real(t * Real(dot(n, velocity))));
-  };
-  const auto count = [&](const Real& t, const auto& over) {
-    if (none <= t && t <= one && !(first.t && *first.t <= t) && over(t)) first = {HitRelation::hit, t};
-  };
-  // The first zero of a t^2 + 2 h t + g.
-  const auto enter = [&](const Vector3<Real>& start, const Vector3<Real>& rise, const Real& reach, const auto& over) {
-    const Real g = Real(square(start) - reach), h = dot(start, rise), a = square(rise);
-    if (g <= none) return count(none, over);
-    const Real discriminant = Real(Real(h * h) - Real(a * g));
-    if (h < none && none <= discriminant) count(Real(Real(-h - Real(sqrt(discriminant))) / a), over);
-  };
-  for (int k = 0; k < 3; ++k) {
-    const Vector3<Real> e = edge(k);
-    enter(way(k), velocity, squared_radius, [](const Real&) { return true; });
-    if (none < square(e))
-      enter(cross(way(k), e), cross(velocity, e), Real(squared_radius * square(e)),
-            [&](const Real& t) { return none <= height(e, k, t) && height(e, (k + 1) % 3, t) <= none; });
-  }
-  if (none < square(normal)) {
-    const Real h = dot(normal, way(0)), rise = dot(normal, velocity),
-               reach = Real(sphere.radius * Real(sqrt(square(normal))));
-    const Real gap = Real((h < none ? Real(-h) : h) - reach);
-    count(gap <= none ? none : Real(gap / (h < none ? rise : Real(-rise))), [&](const Real& t) {
-      for (int k = 0; k < 3; ++k)
-        if (height(cross(normal, edge(k)), k, t) < none) return false;
-      return true;
-    });
-  }
-  return first;
+  const auto& [a, b, c] = triangle;
+  return ball_to_polygon<Real, 3>(sphere, velocity, {a, b, c});
 }
 
 }  // namespace touchstone::reference

@@ -5,13 +5,13 @@
 #include "robust/kernel/machine/parallel.h"
 
 // A surface is cut into regions, by one coordinate, that grow at the same time, one thread each. A thread adds a point
-// only if all facets below it and all around the hole are its own: so facets beside those of another region stay, and
-// nobody reads what another thread writes. Points that this leaves out wait for regions along another axis, and the
+// only if all facets below it and all around the hole are its own: so facets next to those of another region stay, and
+// no thread reads what another one writes. Points that this leaves out wait for regions along another axis, and the
 // last for one thread. Which facets the whole surface has does not depend on any of this (surface.h).
 namespace touchstone::robust::hulls {
 namespace {
 
-/// Of so many points above a region's facets a thread is worth making.
+/// A thread is worth making for so many points above a region's facets.
 constexpr std::size_t worth_a_thread = 1U << 12, most_regions = 1U << 14;
 
 struct Waiting {
@@ -20,7 +20,7 @@ struct Waiting {
   double place;
 };
 
-/// Where to cut so that regions have about as many points each.
+/// The coordinates to cut at, so that regions have about as many points each.
 std::vector<double> cuts_of(std::vector<Waiting> waiting, std::size_t points, std::size_t regions) {
   std::sort(waiting.begin(), waiting.end(), [](const Waiting& a, const Waiting& b) { return a.place < b.place; });
   std::vector<double> cuts;

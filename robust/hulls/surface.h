@@ -10,7 +10,7 @@
 
 namespace touchstone::robust::hulls {
 
-/// Elements that a vector makes without a value have none: whoever sets them first touches the memory.
+/// Elements that a vector makes without a value have none: the thread that sets one first touches its memory first.
 template <class T>
 struct Unset : std::allocator<T> {
   template <class Other>
@@ -63,7 +63,7 @@ class Surface {
   struct Edge {
     std::int32_t from, to, beyond;
   };
-  /// What grows: the whole surface, or one of its regions beside others.
+  /// The state of what grows: the whole surface, or one of its regions while others do.
   struct Growth {
     explicit Growth(const Sides& of) : sides(of) {}
 
@@ -73,10 +73,10 @@ class Surface {
     std::vector<double> farthest;    ///< height of the farthest point, by slot
     std::vector<std::int32_t> kept;  ///< number of points, by slot
     std::int32_t stamp = 0;
-    // Of a region only
+    // Only a region has these.
     std::int16_t region = -1;
     std::int32_t next_free = 0, end_of_free = 0;
-    std::vector<std::int32_t> blocked;      ///< facets whose farthest point another region's facets are below or beside
+    std::vector<std::int32_t> blocked;      ///< facets whose farthest point needs another region's
     std::vector<std::int32_t> first_edges;  ///< by corner, for one hole
   };
 

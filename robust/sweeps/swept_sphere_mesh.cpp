@@ -9,7 +9,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/kernel/filters/ordered_bits.h"
-#include "robust/kernel/shapes/center_near_triangle.h"
+#include "robust/kernel/shapes/center_near_polygon.h"
 #include "robust/prepared/surface.h"
 #include "robust/sweeps/swept_sphere_triangle.h"
 
@@ -31,7 +31,7 @@ class FirstFaceOnWay {
       if ((*known).t) add(face, kernel::gap_of_start);
     } else {
       latest_ = Stage::exact;
-      auto gap = kernel::CenterNearTriangle(sphere_, velocity_, triangle).gap_of_contact();
+      auto gap = kernel::center_near(sphere_, velocity_, triangle).gap_of_contact();
       if (gap) add(face, std::move(*gap));
     }
     return found_.t ? *found_.t : 1;

@@ -2,7 +2,7 @@
 #include "robust/sweeps/swept_sphere_triangle.h"
 
 #include "robust/kernel/enclosed/round_solids.h"
-#include "robust/kernel/shapes/center_near_triangle.h"
+#include "robust/kernel/shapes/center_near_polygon.h"
 #include "robust/kernel/shapes/valid.h"
 
 namespace touchstone::robust {
@@ -39,8 +39,7 @@ Perhaps<FirstContact<double>> stages::swept_sphere_triangle::filter(const Sphere
 
 FirstContact<double> stages::swept_sphere_triangle::exact(const Sphere3d& sphere, const Vector3d& velocity,
                                                           const Triangle3d& triangle) {
-  const auto gap = kernel::CenterNearTriangle(sphere, velocity, triangle).gap_of_contact();
-  return gap ? kernel::hit(gap->least_zero()) : kernel::no_hit;
+  return kernel::center_near(sphere, velocity, triangle).first_contact();
 }
 
 /// The filter takes the square of a negative radius: the ball is validated first.

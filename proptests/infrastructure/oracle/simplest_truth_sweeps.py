@@ -137,21 +137,21 @@ def truth_swept_sphere_aabb(q):
     return first, abs(margin)
 
 
-def truth_swept_sphere_triangle(q):
-    """The same of a triangle; the gap changes on planes at right angles to an edge through its ends, and to the face
-    through it. Margin: where the center is in the triangle, also how far it is from missing it, along the face or past
+def first_at_polygon(center, radius, v, corners):
+    """The same of a polygon; the gap changes on planes at right angles to an edge through its ends, and to the face
+    through it. Margin: where the center is in the polygon, also how far it is from missing it, along the face or past
     an edge."""
-    center, radius, v = point(q["sphere"]["center"]), number(q["sphere"]["radius"]), point(q["velocity"])
-    corners = list(map(point, q["triangle"]))
-    edges = [minus(corners[k - 2], corners[k]) for k in range(3)]
+    following = list(zip(corners, corners[1:] + corners[:1]))
+    edges = [minus(q, p) for p, q in following]
     face = cross(*edges[:2])
 
     def gap(t):
         p = tuple(c + t * x for c, x in zip(center, v))
-        near = [clamped(p, corners[k], corners[k - 2]) for k in range(3)] + foot_on_face(p, *corners)
+        near = [clamped(p, *ends) for ends in following]
+        near += [x for k in range(2, len(corners)) for x in foot_on_face(p, corners[0], corners[k - 1], corners[k])]
         return min(dot(minus(p, x), minus(p, x)) for x in near) - radius**2
 
-    planes = [(n, corners[k]) for k in range(3) for n in (edges[k], edges[k - 1], cross(face, edges[k]))]
+    planes = [(n, p) for e, ends in zip(edges, following) for p in ends for n in (e, cross(face, e))]
     first, margin = first_in_pieces(gap, {dot(n, minus(p, center)) / dot(n, v) for n, p in planes if dot(n, v)})
     if margin == -(radius**2):
         depths = []
@@ -160,6 +160,11 @@ def truth_swept_sphere_triangle(q):
             depths += [min(abs(min(heights)), abs(max(heights))) ** 2 / dot(n, n)] if any(n) else []
         margin -= min(depths, default=0)
     return first, abs(margin)
+
+
+def truth_swept_sphere_triangle(q):
+    center, radius = point(q["sphere"]["center"]), number(q["sphere"]["radius"])
+    return first_at_polygon(center, radius, point(q["velocity"]), list(map(point, q["triangle"])))
 
 
 def vertex_and_square(t):
@@ -202,6 +207,14 @@ def truth_swept_sphere_mesh(q):
         margins = [truth_swept_sphere_triangle(question)[1] for question in rest]
     margin = 0 if at_once and first != "0" else min(margins)
     return {"relation": "hit", "t": first, "face": face}, margin
+
+
+def truth_swept_capsule_capsule(q):
+    """The points of b, less displacements along a, are seen from an end of a."""
+    (p, end), (c, d) = (map(point, q[name]["segment"]) for name in ("a", "b"))
+    corners = [c, d, minus(d, minus(end, p)), minus(c, minus(end, p))]
+    radius = number(q["a"]["radius"]) + number(q["b"]["radius"])
+    return first_at_polygon(p, radius, point(q["velocity"]), corners)
 
 
 def truth_swept_convex_polyhedra(q):

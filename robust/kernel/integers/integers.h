@@ -7,6 +7,7 @@
 #include <climits>
 
 #include "geometry/points.h"
+#include "geometry/space.h"
 #include "robust/kernel/integers/lattice.h"
 
 namespace touchstone::robust::kernel {
@@ -40,5 +41,11 @@ Integers<sizeof...(Doubles)> integers_of(Doubles... numbers) {
 }
 
 inline int sign_of(const mpz_class& n) { return sgn(n); }
+
+/// Three consecutive numbers, from number i on.
+template <class Numbers>
+auto vector_at(const Numbers& n, std::size_t i) {
+  return Vector3<typename Numbers::value_type>{n[i], n[i + 1], n[i + 2]};
+}
 
 }  // namespace touchstone::robust::kernel

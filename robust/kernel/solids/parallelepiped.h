@@ -44,10 +44,4 @@ Third<Integer> along_axis(const Vector3<Second<Integer>>& axis, const Vector3<In
   return sign_of(sum) < 0 ? Third<Integer>(-sum) : sum;
 }
 
-/// Three consecutive numbers, from number i on.
-template <class Numbers>
-auto vector_at(const Numbers& n, std::size_t i) {
-  return Vector3<typename Numbers::value_type>{n[i], n[i + 1], n[i + 2]};
-}
-
 }  // namespace touchstone::robust::kernel
