@@ -29,4 +29,15 @@ struct Polygon2 {
 
 using Polygon2d = Polygon2<double>;
 
+/// A region of the plane: the closed polygon of the outer ring without the open insides of the holes. Which rings fit
+/// together takes exact arithmetic (HoleDefect in geometry/validation.h).
+template <class Real>
+struct Region2 {
+  Polygon2<Real> outer;
+  std::vector<Polygon2<Real>> holes;
+  static constexpr auto members = as_record("outer", "holes");
+};
+
+using Region2d = Region2<double>;
+
 }  // namespace touchstone

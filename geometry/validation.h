@@ -207,6 +207,20 @@ struct RingDefect {
   throw InvalidInput(vertex, "simple: its edge must not meet edge " + std::to_string(defect.second));
 }
 
+/// The reason why simple rings make no region: the first hole that is not within the outer ring or has more than single
+/// points of its boundary in common with it (`other` is the hole itself); or that has more than such points in common
+/// with hole `other`, the first before it; the outer ring comes before these.
+struct HoleDefect {
+  std::size_t hole, other;
+};
+[[noreturn]] inline void refuse(const std::string& field, const HoleDefect& defect) {
+  const std::string named_hole = named(field, {"holes", defect.hole});
+  if (defect.hole == defect.other)
+    throw InvalidInput(named_hole, "inside the outer ring, which it may touch in single points only");
+  throw InvalidInput(named_hole,
+                     "outside hole " + std::to_string(defect.other) + ", which it may touch in single points only");
+}
+
 /// Why a polygon is not convex, in this order: an edge of length zero; all vertices on one line; a RingDefect; the
 /// first vertex at which the ring turns against its direction.
 [[noreturn]] inline void refuse_flat(const std::string& field) {

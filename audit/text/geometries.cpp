@@ -42,18 +42,22 @@ void collect(const Json& value, const std::string& path, Json& geometries) {
 struct Wanted {
   std::string type;
   std::size_t axes = 0;
+  bool holes = false;
 };
 
 Wanted wanted_by(const Shape& shape) {
-  static constexpr std::array<std::array<const char*, 2>, 4> types{
-      {{"Point", "Point"}, {"Segment", "LineString"}, {"Line", "LineString"}, {"Polygon", "Polygon"}}};
+  static constexpr std::array<std::array<const char*, 2>, 5> types{{{"Point", "Point"},
+                                                                     {"Segment", "LineString"},
+                                                                     {"Line", "LineString"},
+                                                                     {"Polygon", "Polygon"},
+                                                                     {"Region", "Polygon"}}};
   if (shape.kind == Shape::Kind::list) {
     const Wanted one = wanted_by(*shape.parts[0].shape);
     return one.type == "Point" ? Wanted{"MultiPoint", one.axes} : Wanted{};
   }
   for (const std::size_t axes : {2, 3}) {
     for (const auto& [name, type] : types) {
-      if (shape.name == name + std::to_string(axes) + "<double>") return {type, axes};
+      if (shape.name == name + std::to_string(axes) + "<double>") return {type, axes, shape.name.starts_with("Region")};
     }
   }
   return {};
@@ -94,9 +98,15 @@ Json value_of(const Json& geometry, const Shape& shape, const std::string& field
   if (wanted.type == "LineString" && coordinates.is_array() && coordinates.size() != 2 && !coordinates.empty())
     throw InvalidInput(field, "two positions, got " + std::to_string(coordinates.size()));
   if (wanted.type != "Polygon" || !coordinates.is_array() || coordinates.empty()) return coordinates;
+  if (wanted.holes) {
+    Json region = Json::object(), holes = Json::array();
+    for (std::size_t i = 1; i < coordinates.size(); ++i) holes.push_back(coordinates[i]);
+    region["outer"] = coordinates[0], region["holes"] = holes;
+    return region;
+  }
   if (coordinates.size() > 1)
     throw InvalidInput(
-        field, "a hole is not supported yet: ask about the outer ring and about each hole as polygons of their own");
+        field, "no hole: point_in_region and region_region take polygons with holes");
   return coordinates[0];
 }
 

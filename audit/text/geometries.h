@@ -17,7 +17,8 @@ Json geometries_of_geojson(const std::string& text);
 
 /// The input with these geometries as its fields, except those that are already given: in the order of the fields, or
 /// in any order if all fields accept different kinds. A point accepts a Point, a list of points a MultiPoint, a segment
-/// or line a LineString, a polygon a Polygon without holes or a MultiPolygon of one, in space with Z. Throws
+/// or line a LineString, a polygon a Polygon without holes or a MultiPolygon of one,
+/// in space with Z, and a region one with holes. Throws
 /// InvalidInput naming the field.
 Json input_of(const Operation& operation, const Json& geometries, const Json& given);
 

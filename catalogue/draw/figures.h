@@ -48,6 +48,12 @@ inline void draw(Drawing& drawing, const std::string& label, const Polygon2d& po
   for (const Point2d& p : polygon.vertices) figure.numbers.insert(figure.numbers.end(), {p.x, p.y});
   drawing.figures.push_back(std::move(figure));
 }
+/// Its rings; holes are named by their place.
+inline void draw(Drawing& drawing, const std::string& label, const Region2d& region, bool answer) {
+  draw(drawing, label, region.outer, answer);
+  for (std::size_t i = 0; i < region.holes.size(); ++i)
+    draw(drawing, label + ".holes[" + std::to_string(i) + "]", region.holes[i], answer);
+}
 inline void draw(Drawing& drawing, const std::string& label, const Circle2d& c, bool answer) {
   drawing.figures.push_back({Figure::Kind::circle, label, {c.center.x, c.center.y, c.radius}, answer});
 }

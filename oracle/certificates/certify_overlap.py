@@ -2,7 +2,7 @@
 """The checks of certify.py for two polygons, as in check_overlap.cpp."""
 
 from certify_reading import WRONG_KIND, expect, polygon
-from certify_rings import edge, expect_simple, meet
+from certify_rings import edges_of, expect_simple, meet, region
 
 
 def height(e, x):
@@ -10,17 +10,13 @@ def height(e, x):
     return ay + (x - ax) / (bx - ax) * (by - ay)
 
 
-def edges_of(ring):
-    return [edge(ring, i) for i in range(len(ring))]
+def spanning(edges, left, right):
+    return [e for e in edges if min(e[0][0], e[1][0]) <= left and max(e[0][0], e[1][0]) >= right]
 
 
-def spanning(ring, left, right):
-    return [e for e in edges_of(ring) if min(e[0][0], e[1][0]) <= left and max(e[0][0], e[1][0]) >= right]
-
-
-def expect_inside(ring, p):
+def expect_inside(edges, p):
     above = 0
-    for e in edges_of(ring):
+    for e in edges:
         expect(e[0][0] != p[0], "certificate: a vertex is straight above or below the point")
         if (e[0][0] < p[0]) == (e[1][0] < p[0]):
             continue
@@ -45,19 +41,15 @@ def expect_apart_in_slab(a, b, left, right):
 
 
 def expect_no_overlap(a, b, cuts):
-    for p in a + b:
+    for p, _ in a + b:
         expect(p[0] in cuts, "certificate: no cut at a vertex")
     for left, right in zip(cuts, cuts[1:]):
         expect(left < right, "certificate: the cuts do not ascend")
         expect_apart_in_slab(a, b, left, right)
 
 
-def check_polygon_polygon(claim):
-    claim.inputs("a", "b")
-    a = polygon(claim.input["a"], "a")
-    expect_simple(a, "a")
-    b = polygon(claim.input["b"], "b")
-    expect_simple(b, "b")
+def expect_contact(claim, a, b):
+    """a, b: all edges of either."""
     claim.answers("contact")
     contact = claim.word("contact")
     if contact == "overlapping":
@@ -72,9 +64,24 @@ def check_polygon_polygon(claim):
     expect_no_overlap(a, b, claim.list("cuts"))
     if contact == "touching":
         p = claim.pair("point")
-        on_both = all(any(meet(e, (p, p)) for e in edges_of(ring)) for ring in (a, b))
+        on_both = all(any(meet(e, (p, p)) for e in edges) for edges in (a, b))
         expect(on_both, "certificate: the point is not on both boundaries")
         return
-    for e in edges_of(a):
-        for f in edges_of(b):
+    for e in a:
+        for f in b:
             expect(not meet(e, f), "truth: the boundaries meet")
+
+
+def check_polygon_polygon(claim):
+    claim.inputs("a", "b")
+    a = polygon(claim.input["a"], "a")
+    expect_simple(a, "a")
+    b = polygon(claim.input["b"], "b")
+    expect_simple(b, "b")
+    expect_contact(claim, edges_of(a), edges_of(b))
+
+
+def check_region_region(claim):
+    claim.inputs("a", "b")
+    a, b = region(claim.input["a"], "a"), region(claim.input["b"], "b")
+    expect_contact(claim, edges_of(*a), edges_of(*b))

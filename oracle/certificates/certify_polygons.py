@@ -3,43 +3,53 @@
 
 from certify_lines import along, cross, minus, within
 from certify_reading import expect, point, polygon
-from certify_rings import edge, expect_no_edge_of_length_zero, expect_simple, side, vertex
+from certify_rings import edge, edges_of, expect_no_edge_of_length_zero, expect_simple, region, side, vertex
 from certify_sums import direction
 
 
-def expect_crossings(claim, ring, p):
+def expect_crossings(claim, edges_around, p):
     claim.facts("direction", "edges", "t")
     step, edges, parameters = claim.pair("direction"), claim.list("edges"), claim.list("t")
     expect(len(edges) == len(parameters), "certificate: a parameter for each edge")
-    ray, around = direction(step), [minus(v, p) for v in ring]
-    expect(all(cross(ray, v) != 0 for v in around), "certificate: the direction does not miss every vertex")
+    ray, around = direction(step), [(minus(a, p), minus(b, p)) for a, b in edges_around]
+    expect(all(cross(ray, a) != 0 for a, _ in around), "certificate: the direction does not miss every vertex")
     listed = set()
     for index, t in zip(edges, parameters):
-        i = vertex(index, ring)
+        i = vertex(index, edges_around)
         expect(i not in listed, "certificate: an edge is listed twice")
         listed.add(i)
-        on_line = side(edge(ring, i), along(p, t, step)) == 0
+        on_line = side(edges_around[i], along(p, t, step)) == 0
         expect(t > 0 and on_line, "certificate: a parameter is wrong")
-    for i in range(len(ring)):
-        a, b = edge(around, i)
+    for i, (a, b) in enumerate(around):
         start, end = cross(ray, a) > 0, cross(ray, b) > 0
         crossed = start != end and cross(a, b) != 0 and (cross(a, b) > 0) == end
         expect(crossed == (i in listed), "certificate: not the edges that the ray crosses")
     expect(claim.word("location") == ("inside" if len(listed) % 2 else "outside"), "truth: location is wrong")
 
 
-def check_point_in_polygon(claim):
-    claim.inputs("polygon", "point")
-    ring, p = polygon(claim.input["polygon"], "polygon"), point(claim.input["point"], "point")
+def expect_location(claim, edges, p):
+    """The location of a point among the edges of closed rings, by parity."""
     claim.answers("location")
     if claim.kind() == "crossings":
-        expect_crossings(claim, ring, p)
+        expect_crossings(claim, edges, p)
         return
     claim.expect_kind("on_edge"), claim.facts("edge", "t")
-    a, b = edge(ring, vertex(claim.single("edge"), ring))
+    a, b = edges[vertex(claim.single("edge"), edges)]
     t = claim.single("t")
     expect(within(t) and p == along(a, t, minus(b, a)), "certificate: the point is not there on the edge")
     expect(claim.word("location") == "boundary", "truth: location is wrong")
+
+
+def check_point_in_polygon(claim):
+    claim.inputs("polygon", "point")
+    ring = polygon(claim.input["polygon"], "polygon")
+    expect_location(claim, edges_of(ring), point(claim.input["point"], "point"))
+
+
+def check_point_in_region(claim):
+    claim.inputs("region", "point")
+    rings = region(claim.input["region"], "region")
+    expect_location(claim, edges_of(*rings), point(claim.input["point"], "point"))
 
 
 def expect_convex(ring, what):

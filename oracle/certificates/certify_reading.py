@@ -33,7 +33,7 @@ def binary64(value):
 
 NOT_FINITE = ("inf", "-inf", "nan")
 # The order of members within a shape is alphabetical, except for these.
-FIRST = ("origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity", "segment")
+FIRST = ("origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity", "segment", "outer")
 
 
 def rank(member):

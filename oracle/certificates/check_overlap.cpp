@@ -8,6 +8,9 @@
 namespace touchstone::certify {
 namespace {
 
+/// The edges of all rings of a shape.
+using Edges = std::vector<Ends>;
+
 /// y of the edge at x; the edge is not vertical.
 Rational height(const Ends& e, const Rational& x) {
   return Rational(e.a.y + (x - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y));
@@ -17,19 +20,18 @@ bool spans(const Ends& e, const Rational& left, const Rational& right) {
   return std::min(e.a.x, e.b.x) <= left && std::max(e.a.x, e.b.x) >= right;
 }
 
-std::vector<Ends> spanning(const Ring& ring, const Rational& left, const Rational& right) {
-  std::vector<Ends> found;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (spans(edge(ring, i), left, right)) found.push_back(edge(ring, i));
+Edges spanning(const Edges& edges, const Rational& left, const Rational& right) {
+  Edges found;
+  for (const Ends& e : edges) {
+    if (spans(e, left, right)) found.push_back(e);
   }
   return found;
 }
 
 /// Requires that an odd number of edges is above p, none of them through p, and no vertex straight above or below p.
-void expect_inside(const Ring& ring, const Pair& p) {
+void expect_inside(const Edges& edges, const Pair& p) {
   std::size_t above = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Ends e = edge(ring, i);
+  for (const Ends& e : edges) {
     expect(e.a.x != p.x, "certificate: a vertex is straight above or below the point");
     if ((e.a.x < p.x) == (e.b.x < p.x)) continue;
     const Rational y = height(e, p.x);
@@ -41,17 +43,14 @@ void expect_inside(const Ring& ring, const Pair& p) {
 
 bool on_edge(const Ends& e, const Pair& p) { return meet(e, {p, p}); }
 
-bool on_boundary(const Ring& ring, const Pair& p) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (on_edge(edge(ring, i), p)) return true;
-  }
-  return false;
+bool on_boundary(const Edges& edges, const Pair& p) {
+  return std::any_of(edges.begin(), edges.end(), [&p](const Ends& e) { return on_edge(e, p); });
 }
 
 /// Between two cuts no edge of a crosses one of b, so the middle line represents the entire slab: there the intervals
 /// of a and those of b, from one edge to the next, have no common inside.
-void expect_apart_in_slab(const Ring& a, const Ring& b, const Rational& left, const Rational& right) {
-  const std::vector<Ends> of_a = spanning(a, left, right), of_b = spanning(b, left, right);
+void expect_apart_in_slab(const Edges& a, const Edges& b, const Rational& left, const Rational& right) {
+  const Edges of_a = spanning(a, left, right), of_b = spanning(b, left, right);
   for (const Ends& e : of_a) {
     for (const Ends& f : of_b) {
       const int before = cmp(height(e, left), height(f, left)), after = cmp(height(e, right), height(f, right));
@@ -59,7 +58,7 @@ void expect_apart_in_slab(const Ring& a, const Ring& b, const Rational& left, co
     }
   }
   const Rational middle = (left + right) / 2;
-  const auto heights = [&middle](const std::vector<Ends>& edges) {
+  const auto heights = [&middle](const Edges& edges) {
     std::vector<Rational> found;
     for (const Ends& e : edges) found.push_back(height(e, middle));
     std::sort(found.begin(), found.end());
@@ -73,10 +72,10 @@ void expect_apart_in_slab(const Ring& a, const Ring& b, const Rational& left, co
   }
 }
 
-void expect_no_overlap(const Ring& a, const Ring& b, const std::vector<Rational>& cuts) {
-  for (const Ring* ring : {&a, &b}) {
-    for (const Pair& p : *ring) {
-      expect(std::find(cuts.begin(), cuts.end(), p.x) != cuts.end(), "certificate: no cut at a vertex");
+void expect_no_overlap(const Edges& a, const Edges& b, const std::vector<Rational>& cuts) {
+  for (const Edges* edges : {&a, &b}) {
+    for (const Ends& e : *edges) {
+      expect(std::find(cuts.begin(), cuts.end(), e.a.x) != cuts.end(), "certificate: no cut at a vertex");
     }
   }
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -85,12 +84,7 @@ void expect_no_overlap(const Ring& a, const Ring& b, const std::vector<Rational>
   }
 }
 
-void check_polygon_polygon(const Claim& claim) {
-  claim.inputs({"a", "b"});
-  const Ring a = polygon(claim.input["a"], "a");
-  expect_simple(a, "a");
-  const Ring b = polygon(claim.input["b"], "b");
-  expect_simple(b, "b");
+void check_contact(const Claim& claim, const Edges& a, const Edges& b) {
   claim.answers({"contact"});
   const std::string contact = claim.word("contact");
   if (contact == "overlapping") {
@@ -109,13 +103,28 @@ void check_polygon_polygon(const Claim& claim) {
     expect(on_boundary(a, p) && on_boundary(b, p), "certificate: the point is not on both boundaries");
     return;
   }
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) expect(!meet(edge(a, i), edge(b, j)), "truth: the boundaries meet");
+  for (const Ends& e : a) {
+    for (const Ends& f : b) expect(!meet(e, f), "truth: the boundaries meet");
   }
+}
+
+void check_polygon_polygon(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Ring a = polygon(claim.input["a"], "a");
+  expect_simple(a, "a");
+  const Ring b = polygon(claim.input["b"], "b");
+  expect_simple(b, "b");
+  check_contact(claim, edges_of({a}), edges_of({b}));
+}
+
+void check_region_region(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const std::vector<Ring> a = region(claim.input["a"], "a"), b = region(claim.input["b"], "b");
+  check_contact(claim, edges_of(a), edges_of(b));
 }
 
 }  // namespace
 
-Checks checks_of_overlap() { return {{"polygon_polygon", check_polygon_polygon}}; }
+Checks checks_of_overlap() { return {{"polygon_polygon", check_polygon_polygon}, {"region_region", check_region_region}}; }
 
 }  // namespace touchstone::certify

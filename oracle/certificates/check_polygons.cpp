@@ -12,22 +12,22 @@ namespace {
 /// Requires that the listed edges are those that the ray from the point in that direction crosses, at t: no vertex is
 /// on its line, so that an edge with its ends on different sides of the line meets it in one point, which is ahead or
 /// behind.
-void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
+void check_crossings(const Claim& claim, const std::vector<Ends>& ring, const Pair& p) {
   claim.facts({"direction", "edges", "t"});
   const Pair direction = claim.pair("direction");
   const std::vector<Rational> edges = claim.list("edges"), t = claim.list("t");
   expect(edges.size() == t.size(), "certificate: a parameter for each edge");
-  for (const Pair& v : ring) {
-    expect(sgn(cross(direction, v - p)) != 0, "certificate: the direction does not miss every vertex");
+  for (const Ends& e : ring) {
+    expect(sgn(cross(direction, e.a - p)) != 0, "certificate: the direction does not miss every vertex");
   }
   std::set<std::size_t> listed;
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const std::size_t i = vertex(edges[k], ring);
+    const std::size_t i = index_below(ring.size(), edges[k]);
     expect(listed.insert(i).second, "certificate: an edge is listed twice");
-    expect(sgn(t[k]) > 0 && side(edge(ring, i), along(p, t[k], direction)) == 0, "certificate: a parameter is wrong");
+    expect(sgn(t[k]) > 0 && side(ring[i], along(p, t[k], direction)) == 0, "certificate: a parameter is wrong");
   }
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Pair a = edge(ring, i).a - p, b = edge(ring, i).b - p;
+    const Pair a = ring[i].a - p, b = ring[i].b - p;
     const int from = sgn(cross(direction, a)), to = sgn(cross(direction, b));
     const bool crossed = from != to && sgn(cross(a, b)) == to;
     expect(crossed == (listed.count(i) == 1), "certificate: not the edges that the ray crosses");
@@ -35,17 +35,27 @@ void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
   expect(claim.word("location") == (listed.size() % 2 == 1 ? "inside" : "outside"), "truth: location is wrong");
 }
 
-void check_point_in_polygon(const Claim& claim) {
-  claim.inputs({"polygon", "point"});
-  const Ring ring = polygon(claim.input["polygon"], "polygon");
-  const Pair p = point(claim.input["point"], "point");
+/// The location of a point among the edges of closed rings, by parity.
+void check_location(const Claim& claim, const std::vector<Ends>& edges, const Pair& p) {
   claim.answers({"location"});
-  if (claim.kind() == "crossings") return check_crossings(claim, ring, p);
+  if (claim.kind() == "crossings") return check_crossings(claim, edges, p);
   claim.expect_kind("on_edge"), claim.facts({"edge", "t"});
-  const Ends e = edge(ring, vertex(claim.single("edge"), ring));
+  const Ends e = edges[index_below(edges.size(), claim.single("edge"))];
   const Rational t = claim.single("t");
   expect(sgn(t) >= 0 && t <= 1 && p == along(e.a, t, e.b - e.a), "certificate: the point is not there on the edge");
   expect(claim.word("location") == "boundary", "truth: location is wrong");
+}
+
+void check_point_in_polygon(const Claim& claim) {
+  claim.inputs({"polygon", "point"});
+  const Ring ring = polygon(claim.input["polygon"], "polygon");
+  check_location(claim, edges_of({ring}), point(claim.input["point"], "point"));
+}
+
+void check_point_in_region(const Claim& claim) {
+  claim.inputs({"region", "point"});
+  const std::vector<Ring> rings = region(claim.input["region"], "region");
+  check_location(claim, edges_of(rings), point(claim.input["point"], "point"));
 }
 
 /// Requires that the ring is not collinear, is simple, and has no turn against its orientation, the sign of the sum of
@@ -103,7 +113,9 @@ void check_point_in_convex_polygon(const Claim& claim) {
 }  // namespace
 
 Checks checks_of_polygons() {
-  return {{"point_in_polygon", check_point_in_polygon}, {"point_in_convex_polygon", check_point_in_convex_polygon}};
+  return {{"point_in_polygon", check_point_in_polygon},
+          {"point_in_region", check_point_in_region},
+          {"point_in_convex_polygon", check_point_in_convex_polygon}};
 }
 
 }  // namespace touchstone::certify

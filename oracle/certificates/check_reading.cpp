@@ -77,8 +77,8 @@ bool not_finite(const json& value) { return value == "inf" || value == "-inf" ||
 
 /// The rank of a member among those of its shape. They are in alphabetical order, except for these.
 std::pair<std::size_t, std::string> rank(const std::string& member) {
-  constexpr std::array first{"origin",       "min",      "vertices", "mass",   "inertia",
-                             "inverse_mass", "position", "velocity", "segment"};
+  constexpr std::array first{"origin",       "min",      "vertices", "mass",    "inertia",
+                             "inverse_mass", "position", "velocity", "segment", "outer"};
   const auto found = std::find(first.begin(), first.end(), member);
   return {static_cast<std::size_t>(found - first.begin()), member};
 }

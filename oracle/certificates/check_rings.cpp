@@ -18,7 +18,54 @@ bool turns_back(const Ends& e, const Ends& next) {
   return side(e, next.b) == 0 && sgn(dot(e.b - e.a, next.b - next.a)) < 0;
 }
 
+/// Edges of two rings that cross, or have a piece in common.
+bool cross_or_coincide(const Ring& a, const Ring& b) {
+  for (const Ends& e : edges_of({a})) {
+    for (const Ends& f : edges_of({b})) {
+      const int at_a = side(e, f.a), at_b = side(e, f.b);
+      if (at_a * at_b < 0 && side(f, e.a) * side(f, e.b) < 0) return true;
+      if (at_a != 0 || at_b != 0) continue;
+      const Pair v = e.b - e.a;
+      const Rational s = dot(f.a - e.a, v), t = dot(f.b - e.a, v);
+      if (std::max(Rational(0), std::min(s, t)) < std::min(dot(v, v), std::max(s, t))) return true;
+    }
+  }
+  return false;
+}
+
+/// By the edges above p, which is on none.
+bool within(const Ring& ring, const Pair& p) {
+  bool inside = false;
+  for (const Ends& e : edges_of({ring})) {
+    if ((e.a.x < p.x) != (e.b.x < p.x)) inside ^= (side(e, p) > 0) == (e.a.x > e.b.x);
+  }
+  return inside;
+}
+
+/// The middle of every piece of a ring between vertices of the other is inside the other, or outside.
+bool runs(const Ring& ring, const Ring& other, bool inside) {
+  for (const Ends& e : edges_of({ring})) {
+    const Pair v = e.b - e.a;
+    std::vector<Rational> cuts{Rational(0), Rational(1)};
+    for (const Pair& p : other) {
+      if (side(e, p) == 0) cuts.push_back(std::clamp(Rational(dot(p - e.a, v) / dot(v, v)), Rational(0), Rational(1)));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i] < cuts[i + 1] && within(other, along(e.a, (cuts[i] + cuts[i + 1]) / 2, v)) != inside) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
+
+std::vector<Ends> edges_of(const std::vector<Ring>& rings) {
+  std::vector<Ends> edges;
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back(edge(ring, i));
+  return edges;
+}
 
 Ends edge(const Ring& ring, std::size_t i) { return {ring[i], ring[(i + 1) % ring.size()]}; }
 
@@ -71,10 +118,32 @@ void expect_simple(const Ring& ring, const std::string& what) {
   }
 }
 
-std::size_t vertex(const Rational& index, const Ring& ring) {
-  expect(index.get_den() == 1 && sgn(index) >= 0 && index < static_cast<std::uint64_t>(ring.size()),
+std::size_t index_below(std::size_t count, const Rational& index) {
+  expect(index.get_den() == 1 && sgn(index) >= 0 && index < static_cast<std::uint64_t>(count),
          "certificate: not an index");
   return index.get_num().get_ui();
+}
+std::size_t vertex(const Rational& index, const Ring& ring) { return index_below(ring.size(), index); }
+
+std::vector<Ring> region(const json& value, const std::string& what) {
+  only(value, what, {"outer", "holes"});
+  expect(value["holes"].is_array(), what + ".holes: a list of rings");
+  std::vector<std::string> names{what + ".outer"};
+  std::vector<Ring> rings{polygon(value["outer"], names[0])};
+  for (const json& hole : value["holes"]) {
+    names.push_back(numbered(what + ".holes", rings.size() - 1));
+    rings.push_back(polygon(hole, names.back()));
+  }
+  for (std::size_t i = 0; i < rings.size(); ++i) expect_simple(rings[i], names[i]);
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    expect(!cross_or_coincide(rings[i], rings[0]) && runs(rings[i], rings[0], true),
+           names[i] + ": inside the outer ring, which it may touch in single points only");
+    for (std::size_t j = 1; j < i; ++j) {
+      expect(!cross_or_coincide(rings[i], rings[j]) && runs(rings[i], rings[j], false) && runs(rings[j], rings[i], false),
+             names[i] + ": outside hole " + std::to_string(j - 1) + ", which it may touch in single points only");
+    }
+  }
+  return rings;
 }
 
 }  // namespace touchstone::certify

@@ -12,8 +12,9 @@ namespace touchstone::certify {
 /// The vertices of a closed ring.
 using Ring = std::vector<Pair>;
 
-/// The edge from vertex i to the next.
+/// The edge from vertex i to the next; all edges, of several rings one after the other.
 Ends edge(const Ring& ring, std::size_t i);
+std::vector<Ends> edges_of(const std::vector<Ring>& rings);
 
 /// 1, 0, -1: p lies to the left of the directed line through the ends, on it, to the right.
 int side(const Ends& line, const Pair& p);
@@ -34,7 +35,14 @@ std::optional<std::pair<std::size_t, std::size_t>> defect(const Ring& ring);
 void expect_simple(const Ring& ring, const std::string& what);
 void expect_no_edge_of_length_zero(const Ring& ring, const std::string& what);
 
-/// A number of the certificate that is the index of a vertex.
+/// A number of the certificate that is the index of a vertex; of one of so many edges.
 std::size_t vertex(const Rational& index, const Ring& ring);
+std::size_t index_below(std::size_t count, const Rational& index);
+
+/// A region's rings, the outer one first. Requires that each is simple, and that they fit together: no two cross or run
+/// along each other, and with each edge cut at the vertices of the other ring, the middles of the pieces of a hole are
+/// inside the outer ring, and those of two holes outside the other one. So the boundary of a hole is nowhere beyond the
+/// outer ring; and a common inside of two holes would be bounded by what the boundaries have in common, which is points.
+std::vector<Ring> region(const json& value, const std::string& what);
 
 }  // namespace touchstone::certify

@@ -84,6 +84,12 @@ class GrowingLists {
     for (const Point2d& p : wavy_ring(n_ / share).vertices) ring.push_back({x + p.x, p.y});
     return ring;
   }
+  /// Such a ring, and a hole of the same form and a quarter of its size.
+  Json region(double x = 0, std::size_t share = 1) {
+    Json outer = ring(x, 2 * share), hole = Json::array();
+    for (const Point2d& p : wavy_ring(n_ / share / 2).vertices) hole.push_back({x + p.x / 4, p.y / 4});
+    return {{"outer", outer}, {"holes", Json::array({hole})}};
+  }
   Json convex_ring() {
     return list([this](std::size_t i) {
       const double u = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n_);
@@ -177,6 +183,14 @@ inline const std::map<std::string, std::function<Json(GrowingLists)>>& growing_q
       {"point_in_polygon",
        [](L l) -> Json {
          return {{"polygon", l.ring()}, {"point", {0.1, 0.2}}};
+       }},
+      {"point_in_region",
+       [](L l) -> Json {
+         return {{"region", l.region()}, {"point", {0.1, 0.2}}};
+       }},
+      {"region_region",
+       [](L l) -> Json {
+         return {{"a", l.region(0, 2)}, {"b", l.region(1, 2)}};
        }},
       {"point_in_convex_polygon",
        [](L l) -> Json {

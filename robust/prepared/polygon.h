@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/invalid_input.h"
 #include "geometry/polygons.h"
@@ -23,12 +24,12 @@ class Polygon {
   Polygon(Validated, Polygon2d ring);
 
   /// Without a last vertex that repeats the first.
-  const Polygon2d& ring() const { return ring_; }
-  const structures::RingTree& tree() const { return tree_; }
+  const Polygon2d& ring() const { return treed_.ring; }
+  const structures::RingTree& tree() const { return treed_.tree; }
+  const structures::TreedRing& treed() const { return treed_; }
 
  private:
-  Polygon2d ring_;
-  structures::RingTree tree_;
+  structures::TreedRing treed_;
 };
 
 /// A polygon that is simple, as polygon_polygon takes it. Its ring runs counter-clockwise, however it was given.
@@ -42,6 +43,20 @@ class SimplePolygon : public Polygon {
 class ConvexPolygon : public SimplePolygon {
  public:
   explicit ConvexPolygon(const Polygon2d& ring, const std::string& field = "polygon");
+};
+
+/// A region, as point_in_region and region_region take it: simple rings, with the inside of the region to their left,
+/// however they were given.
+class Region {
+ public:
+  explicit Region(const Region2d& region, const std::string& field = "region");
+
+  /// The outer ring, and then the holes in their order.
+  const std::vector<Polygon>& rings() const { return rings_; }
+  std::vector<const structures::TreedRing*> treed() const;
+
+ private:
+  std::vector<Polygon> rings_;
 };
 
 }  // namespace touchstone::robust

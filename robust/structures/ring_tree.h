@@ -139,4 +139,11 @@ class RingTree {
   std::vector<std::vector<PlaneBox>> levels_;
 };
 
+/// A ring with its tree.
+struct TreedRing {
+  explicit TreedRing(Polygon2d given) : ring(std::move(given)), tree(ring) {}
+  Polygon2d ring;
+  RingTree tree;
+};
+
 }  // namespace touchstone::robust::structures

@@ -90,6 +90,33 @@ def overlap(s, t):
     return len(s) > 2 and doubled_area(s) > 0
 
 
+def overlap_area(one, other):
+    """Twice the area that two simple rings have in common."""
+    total = Fraction(0)
+    for s in triangles(one):
+        for t in triangles(other):
+            part = s
+            for i in range(3):
+                part = clipped(part, t[i], t[(i + 1) % 3])
+            total += doubled_area(part)
+    return total
+
+
+def rings_of(region):
+    """Each with its share of the area: the outer ring adds, holes subtract."""
+    return [(1, vertices(region["outer"]))] + [(-1, vertices(hole)) for hole in region["holes"]]
+
+
+def truth_region_region(given):
+    """The areas of the rings' overlaps, those of a hole with a ring subtracted, those of two holes added."""
+    a, b = (rings_of(given[name]) for name in "ab")
+    margin = min(squared_distance(v, p, minus(q, p), Fraction(1)) for one, other in ((a, b), (b, a)) for _, ring in one
+                 for v in ring for _, far in other for p, q in zip(far, far[1:] + far[:1]))
+    if sum(s * t * overlap_area(one, other) for s, one in a for t, other in b) > 0:
+        return {"contact": "overlapping"}, margin
+    return {"contact": "touching" if margin == 0 else "disjoint"}, margin
+
+
 def truth_polygon_polygon(given):
     """The triangles of one clipped to those of the other; without a common area only a vertex on an edge can touch."""
     a, b = (vertices(given[name]) for name in "ab")
@@ -106,6 +133,15 @@ def truth_point_in_polygon(q):
     edges = list(zip(ring, ring[1:] + ring[:1]))
     margin = min(squared_distance(p, a, minus(b, a), Fraction(1)) for a, b in edges)
     inside = sum((a[0] > 0) != (b[0] > 0) and (cross(a, b) > 0) == (a[0] > 0) for a, b in edges) % 2 == 1
+    return {"location": "boundary" if margin == 0 else "inside" if inside else "outside"}, margin
+
+
+def truth_point_in_region(q):
+    """Ring by ring: inside the outer one and no hole, or on any of them."""
+    found = [truth_point_in_polygon({"polygon": ring, "point": q["point"]})
+             for ring in [q["region"]["outer"], *q["region"]["holes"]]]
+    (outer, *holes), margin = [truth["location"] for truth, _ in found], min(margin for _, margin in found)
+    inside = outer == "inside" and all(location == "outside" for location in holes)
     return {"location": "boundary" if margin == 0 else "inside" if inside else "outside"}, margin
 
 

@@ -18,7 +18,9 @@
 #include "robust/mixed/convex_distance.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
+#include "robust/polygons/point_in_region.h"
 #include "robust/polygons/polygon_polygon.h"
+#include "robust/polygons/region_region.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/point_mesh_distance.h"
@@ -32,7 +34,8 @@
 namespace touchstone::proptests::prepared_shapes_tests {
 namespace {
 
-using robust::ConvexPolygon, robust::ConvexSolid, robust::Polygon, robust::SimplePolygon, robust::Solid;
+using robust::ConvexPolygon, robust::ConvexSolid, robust::Polygon, robust::Region,
+    robust::SimplePolygon, robust::Solid;
 
 /// Vertices, middles of edges, both with their neighbours, and points level with vertices.
 std::vector<Point2d> near_points(const Polygon2d& ring, std::size_t step) {
@@ -142,6 +145,46 @@ TEST_CASE("prepared shapes: a square of many vertices holds what its coordinates
   }
 }
 
+TEST_CASE("prepared shapes: a region with holes of many vertices holds what its coordinates say") {
+  // [0, 300]^2 without the open insides of [100, 175]^2 and [175, 250]^2, which touch in a corner.
+  for (const bool clockwise : {false, true}) {
+    const Polygon2d ring = square_of_many_vertices(clockwise), other = square_of_many_vertices(!clockwise);
+    const auto smaller = [&other](double at, double size) {
+      Polygon2d made = other;
+      for (Point2d& p : made.vertices) p = {at + size / 300 * p.x, at + size / 300 * p.y};
+      return made;
+    };
+    const Region2d given{ring, {smaller(100, 75), smaller(175, 75)}};
+    const Region region(given);
+    CHECK(region.rings().size() == 3);
+    for (const double x : {-1.0, 0.0, 50.0, 100.0, std::nextafter(100.0, 101), 140.0, 175.0, 200.0, 250.0, 300.0})
+      for (const double y : {-1.0, 0.0, 50.0, 100.0, 140.0, 175.0, std::nextafter(175.0, 176), 200.0, 300.0}) {
+        Location expected = in_box({{0, 300, x}, {0, 300, y}});
+        for (const double low : {100.0, 175.0}) {
+          const Location in_hole = in_box({{low, low + 75, x}, {low, low + 75, y}});
+          if (in_hole == Location::boundary) expected = Location::boundary;
+          if (in_hole == Location::inside) expected = Location::outside;
+        }
+        INFO(x << " " << y);
+        CHECK(robust::point_in_region(region, {x, y}) == expected);
+        CHECK(robust::point_in_region(given, {x, y}) == expected);
+      }
+    const auto contact_with = [&](double at, double size) {
+      const Region2d square{smaller(at, size), {}};
+      const Contact found = robust::region_region(region, Region(square, "b"));
+      CHECK(robust::region_region(square, given) == found);
+      return found;
+    };
+    CHECK(contact_with(100, 75) == Contact::touching);
+    CHECK(contact_with(100, 37.5) == Contact::touching);
+    CHECK(contact_with(120, 37.5) == Contact::disjoint);
+    CHECK(contact_with(120, 75) == Contact::overlapping);
+    CHECK(contact_with(10, 37.5) == Contact::overlapping);
+    CHECK(contact_with(300, 75) == Contact::touching);
+    CHECK(contact_with(301, 75) == Contact::disjoint);
+  }
+}
+
 TEST_CASE("prepared shapes: a solid of many faces holds what its coordinates say") {
   const Meshd slab = slab_of_many_faces();
   REQUIRE(slab.faces.size() == 320);
@@ -223,6 +266,18 @@ TEST_CASE("prepared shapes: what breaks a rule is refused as the operations refu
   for (const Polygon2d& ring : {crossed, flat, two})
     CHECK(refusal_of([&] { SimplePolygon(ring, "a"); }) == refusal_of([&] { robust::polygon_polygon(ring, dented); }));
   CHECK(refusal_of([&] { robust::point_in_polygon(Polygon(dented), Point2d{NAN, 0}); }) == "point[0]: finite number");
+
+  const Region2d beyond{dented, {dented}}, of_crossed{crossed, {}}, of_infinite{dented, {infinite}};
+  for (const Region2d& region : {beyond, of_crossed, of_infinite}) {
+    const std::string said = refusal_of([&] { robust::point_in_region(region, Point2d{0, 0}); });
+    CHECK(said.substr(0, 6) == "region");
+    CHECK(refusal_of([&] { Region{region}; }) == said);
+    CHECK(refusal_of([&] { Region(region, "a"); }) ==
+          refusal_of([&] { robust::region_region(region, Region2d{dented, {}}); }));
+  }
+  CHECK(refusal_of([&] {
+          robust::point_in_region(Region(Region2d{dented, {}}), Point2d{0, NAN});
+        }) == "point[1]: finite number");
 
   Meshd open = solids::cube, infinite_mesh = solids::cube;
   open.faces.pop_back(), infinite_mesh.vertices[3].z = HUGE_VAL;
