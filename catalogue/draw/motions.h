@@ -19,6 +19,7 @@ inline Aabb2d moved(const Aabb2d& box, const Vector2d& v) { return {box.min + v,
 inline Aabb3d moved(const Aabb3d& box, const Vector3d& v) { return {box.min + v, box.max + v}; }
 inline Sphere3d moved(const Sphere3d& s, const Vector3d& v) { return {s.center + v, s.radius}; }
 inline Capsule3d moved(const Capsule3d& c, const Vector3d& v) { return {{c.segment.a + v, c.segment.b + v}, c.radius}; }
+inline Obb3d moved(const Obb3d& box, const Vector3d& v) { return {box.center + v, box.half_axes}; }
 inline Meshd moved(Meshd mesh, const Vector3d& v) {
   for (Point3d& p : mesh.vertices) p = p + v;
   return mesh;
@@ -33,6 +34,14 @@ inline std::vector<Point3d> outline(const Aabb3d& box, const Vector3d&) {
   for (const double x : {box.min.x, box.max.x})
     for (const double y : {box.min.y, box.max.y})
       for (const double z : {box.min.z, box.max.z}) corners.push_back({x, y, z});
+  return corners;
+}
+inline std::vector<Point3d> outline(const Obb3d& box, const Vector3d&) {
+  std::vector<Point3d> corners;
+  const auto& [u, v, w] = box.half_axes;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      for (const double z : {-1.0, 1.0}) corners.push_back(box.center + (x * u + y * v + z * w));
   return corners;
 }
 inline std::vector<Point3d> outline(const Meshd& mesh, const Vector3d&) {
@@ -59,6 +68,7 @@ inline Point2d middle_of(const Aabb2d& box) { return {box.min.x / 2 + box.max.x 
 inline Point3d middle_of(const Aabb3d& box) {
   return {box.min.x / 2 + box.max.x / 2, box.min.y / 2 + box.max.y / 2, box.min.z / 2 + box.max.z / 2};
 }
+inline Point3d middle_of(const Obb3d& box) { return box.center; }
 inline Point3d middle_of(const Sphere3d& s) { return s.center; }
 inline Point3d middle_of(const Capsule3d& c) { return middle_of(Aabb3d{c.segment.a, c.segment.b}); }
 inline Point3d middle_of(const Meshd& mesh) {

@@ -2,8 +2,9 @@
 """The checks of certify.py for convex solids that move along straight lines, as in check_swept_solids.cpp."""
 
 from certify_meshes import mesh, outward_planes
+from certify_obbs import obb, reach
 from certify_reading import WRONG_KIND, exact_value, expect, number
-from certify_space import box, box_holds, point_in_space
+from certify_space import box, box_holds, cross, point_in_space
 from certify_sums import direction, over_one
 
 
@@ -48,6 +49,28 @@ class MeshSolid:
 def check_swept_convex_polyhedra(claim):
     claim.inputs("a", "b", "velocity")
     a, b = MeshSolid(claim, "a"), MeshSolid(claim, "b")
+    prove_first_contact(claim, a, b, point_in_space(claim.input["velocity"], "velocity"))
+
+
+class ObbSolid:
+    """Which planes these are stands in check_swept_solids.cpp."""
+
+    def __init__(self, box):
+        self.box = box
+
+    def holds(self, p):
+        center, axes = self.box
+        way = [x - c for x, c in zip(p, center)]
+        normals = [cross(axes[k - 2], axes[k - 1]) for k in range(3)]
+        return all(abs(dot(normal, way)) <= abs(dot(normal, axis)) for normal, axis in zip(normals, axes))
+
+    def highest(self, normal):
+        return dot(normal, self.box[0]) + reach(self.box, normal)
+
+
+def check_swept_obb_obb(claim):
+    claim.inputs("a", "b", "velocity")
+    a, b = ObbSolid(obb(claim.input["a"], "a")), ObbSolid(obb(claim.input["b"], "b"))
     prove_first_contact(claim, a, b, point_in_space(claim.input["velocity"], "velocity"))
 
 

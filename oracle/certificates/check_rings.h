@@ -42,7 +42,8 @@ std::size_t index_below(std::size_t count, const Rational& index);
 /// A region's rings, the outer one first. Requires that each is simple, and that they fit together: no two cross or run
 /// along each other, and with each edge cut at the vertices of the other ring, the middles of the pieces of a hole are
 /// inside the outer ring, and those of two holes outside the other one. So the boundary of a hole is nowhere beyond the
-/// outer ring; and a common inside of two holes would be bounded by what the boundaries have in common, which is points.
+/// outer ring; and a common inside of two holes would be bounded by what the boundaries have in common, which is
+/// points.
 std::vector<Ring> region(const json& value, const std::string& what);
 
 }  // namespace touchstone::certify

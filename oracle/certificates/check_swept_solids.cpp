@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "oracle/certificates/check_meshes.h"
+#include "oracle/certificates/check_obbs.h"
 
 namespace touchstone::certify {
 namespace {
@@ -62,6 +63,32 @@ void check_swept_convex_polyhedra(const Claim& claim) {
   prove_first_contact(claim, a, b, {velocity.x, velocity.y, velocity.z});
 }
 
+/// All points between the planes of its faces: those that half axis k leads to are as far from the center as it leads
+/// along the cross product of the others.
+struct ObbSolid : Solid {
+  explicit ObbSolid(Obb of) : box(std::move(of)) {}
+  bool holds(const Coordinates& p) const override {
+    const Triple way = Triple{p[0], p[1], p[2]} - box.center;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Triple normal = cross(box.half_axes[(k + 1) % 3], box.half_axes[(k + 2) % 3]);
+      if (abs(dot(normal, way)) > abs(dot(normal, box.half_axes[k]))) return false;
+    }
+    return true;
+  }
+  Rational highest(const Coordinates& normal) const override {
+    const Triple n{normal[0], normal[1], normal[2]};
+    return Rational(dot(n, box.center) + box.reach(n));
+  }
+  Obb box;
+};
+
+void check_swept_obb_obb(const Claim& claim) {
+  claim.inputs({"a", "b", "velocity"});
+  const ObbSolid a(obb(claim.input["a"], "a")), b(obb(claim.input["b"], "b"));
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
+  prove_first_contact(claim, a, b, {velocity.x, velocity.y, velocity.z});
+}
+
 }  // namespace
 
 Rational dot(const Coordinates& p, const Coordinates& q) {
@@ -108,7 +135,9 @@ void prove_first_contact(const Claim& claim, const Solid& a, const Solid& b, con
 }
 
 Checks checks_of_swept_solids() {
-  return {{"swept_aabb_aabb", check_swept_aabb_aabb}, {"swept_convex_polyhedra", check_swept_convex_polyhedra}};
+  return {{"swept_aabb_aabb", check_swept_aabb_aabb},
+          {"swept_convex_polyhedra", check_swept_convex_polyhedra},
+          {"swept_obb_obb", check_swept_obb_obb}};
 }
 
 }  // namespace touchstone::certify

@@ -9,9 +9,9 @@
 #include "oracle/exact/numbers/decode.h"
 #include "oracle/truth.h"
 
-/// Areas in the plane by all of their edges, in integers of one unit: a vertical line that misses every vertex is inside
-/// between its first crossing and its second, its third and its fourth and so on. Slabs are what lies between adjacent
-/// cuts: inside a slab no edge of one area crosses an edge of the other.
+/// Areas in the plane by all of their edges, in integers of one unit: a vertical line that misses every vertex is
+/// inside between its first crossing and its second, its third and its fourth and so on. Slabs are what lies between
+/// adjacent cuts: inside a slab no edge of one area crosses an edge of the other.
 namespace touchstone::oracle {
 
 struct Arrangement {

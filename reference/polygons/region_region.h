@@ -10,17 +10,17 @@ namespace touchstone::reference {
 
 /// Decides whether two regions, polygons with holes, have common points, and common interior points.
 ///
-/// No page asks about holes; the tests are those of deck p. 18-19 by all rings: regions overlap where a vertex of one
-/// lies inside the other, otherwise where an edge of one crosses an edge of the other; a vertex on the other's boundary
-/// is a touch. a, b: as in reference/polygons/point_in_region.h, any unit of length, the same for both, and refused as
-/// there, a before b. `overlapping`: a common interior point (one inside the other and coincident regions included);
-/// `touching`: common points, all of them on both boundaries, as of a region and a polygon that fills its hole;
-/// `disjoint`: none, as of a region and what lies in its hole.
+/// No page of the deck asks this. The tests are those of deck p. 18-19 by all rings: regions overlap where a vertex of
+/// one lies inside the other, otherwise where an edge of one crosses an edge of the other; a vertex on the other's
+/// boundary is a touch. a, b: as in reference/polygons/point_in_region.h, any unit of length, the same for both, and
+/// refused as there, a before b. `overlapping`: a common interior point (one inside the other and coincident regions
+/// included); `touching`: common points, all of them on both boundaries, as of a region and a polygon that fills its
+/// hole; `disjoint`: none, as of a region and what lies in its hole.
 ///
 /// Where no vertex lies inside the other region and no edges cross, the tests cannot see an overlap, as in
 /// reference/polygons/polygon_polygon.h: such regions are `touching` even in exact arithmetic (cause: algorithm). Where
-/// edges of two outer rings cross in a point in which holes touch both, the tests see an overlap that the holes may have
-/// taken away.
+/// edges of two outer rings cross in a point in which holes touch both, the tests see an overlap that the holes may
+/// have taken away.
 ///
 /// Rounding: every decision is one of reference/polygons/point_in_polygon.h or a sign of reference/lines/orientation.h;
 /// the double version decides as the formula does in exact arithmetic where each of those is beyond its margin given

@@ -9,7 +9,7 @@ namespace touchstone::reference {
 /// Finds when a ball that moves along a straight line first has a common point with the faces of a mesh, by the formula
 /// of swept_sphere_triangle.h for one face after another.
 ///
-/// No page of the deck asks this: it is p. 23's first time of a step and p. 54's face, edges and corners, for each of
+/// No page of the deck asks this. It is p. 23's first time of a step and p. 54's face, edges and corners, for each of
 /// the faces. The least t counts, and of equal ones the first face. sphere, mesh: any unit of length, the same for
 /// both; velocity in that unit a step, of the ball, while the mesh rests; t counts in steps. The mesh is a list of
 /// triangles over a list of vertices, and nothing more: open or closed, of any number of parts, crossing itself. It is

@@ -18,10 +18,10 @@ Decided<Contact> stages::region_region::ask(const Region2d& a, const Region2d& b
 }
 
 /// Two regions have a common interior point exactly if they have one near a common point of their boundaries
-/// (robust/rings/meeting.cpp), or if the first vertex of a ring lies inside the other region. For a ring that runs inside
-/// the other region either lies there entirely, or it leaves a common point of the boundaries towards that inside. If no
-/// ring does either, then all that bounds a common inside is a piece of both boundaries, with both insides on one side,
-/// at the ends of the piece too.
+/// (robust/rings/meeting.cpp), or if the first vertex of a ring lies inside the other region. For a ring that runs
+/// inside the other region either lies there entirely, or it leaves a common point of the boundaries towards that
+/// inside. If no ring does either, then all that bounds a common inside is a piece of both boundaries, with both
+/// insides on one side, at the ends of the piece too.
 Decided<Contact> stages::region_region::of_prepared(const Region& a, const Region& b) {
   const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
   const auto of_a = a.treed(), of_b = b.treed();

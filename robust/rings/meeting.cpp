@@ -17,9 +17,9 @@ using structures::PlaneBox, structures::RingTree, structures::TreedRing;
 //   - two edges cross in the interior of both, and no other ring has a vertex there;
 //   - in a vertex of one that lies on the boundary of the other, the angles of all rings there (open cones of interior
 //   points near the vertex) have a common direction.
-// For an edge to each side of which something lies inside one area, and which crosses an edge of the other, crosses from
-// outside to inside. Holes that touch an edge from inside in its crossing with another may have nothing common left
-// there. So every decision is a turn of three input vertices: no point is ever constructed.
+// For an edge to each side of which something lies inside one area, and which crosses an edge of the other, crosses
+// from outside to inside. Holes that touch an edge from inside in its crossing with another may have nothing common
+// left there. So every decision is a turn of three input vertices: no point is ever constructed.
 class Meeting {
  public:
   Meeting(Rings a, Rings b, CommonEdge common) : a_(a), b_(b), common_(common) {}

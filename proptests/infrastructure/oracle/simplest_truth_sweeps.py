@@ -248,3 +248,25 @@ def truth_swept_convex_polyhedra(q):
             speed = -speed
     hit = {"relation": "hit", "t": str(first)} if first <= last else {"relation": "never"}
     return hit, abs(max(beyond)) / scale
+
+
+def truth_swept_obb_obb(q):
+    """b less a is a sum of segments, and so is that swept backwards, the velocity being one more: it is between two
+    planes for each pair of these, with the cross product as normal. Margin: how far the way between the centers is from
+    the nearest of these planes, or beyond the farthest."""
+    edges = [point(axis) for name in ("a", "b") for axis in q[name]["half_axes"]]
+    way, velocity = minus(point(q["b"]["center"]), point(q["a"]["center"])), point(q["velocity"])
+    first, last, beyond = Fraction(0), Fraction(1), []
+    for n in (cross(u, v) for u, v in combinations([*edges, velocity], 2)):
+        if not any(n):
+            continue
+        height, reach, speed = dot(n, way), sum(abs(dot(n, e)) for e in edges), dot(n, velocity)
+        above = abs(height - speed / 2) - reach - abs(speed) / 2
+        beyond.append(above * abs(above) / dot(n, n))
+        if speed:
+            times = [Fraction(height + side) / speed for side in (-reach, reach)]
+            first, last = max(first, min(times)), min(last, max(times))
+        elif abs(height) > reach:
+            last = Fraction(-1)
+    hit = {"relation": "hit", "t": str(first)} if first <= last else {"relation": "never"}
+    return hit, abs(max(beyond))
