@@ -22,7 +22,8 @@ def expect_crossings(claim, edges_around, p):
         expect(t > 0 and on_line, "certificate: a parameter is wrong")
     for i, (a, b) in enumerate(around):
         start, end = cross(ray, a) > 0, cross(ray, b) > 0
-        crossed = start != end and cross(a, b) != 0 and (cross(a, b) > 0) == end
+        expect(start == end or cross(a, b) != 0, "certificate: the point is on an edge")
+        crossed = start != end and (cross(a, b) > 0) == end
         expect(crossed == (i in listed), "certificate: not the edges that the ray crosses")
     expect(claim.word("location") == ("inside" if len(listed) % 2 else "outside"), "truth: location is wrong")
 

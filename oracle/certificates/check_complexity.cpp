@@ -215,13 +215,14 @@ json first_meeting(const Claim& claim, const Space& space, const Counted& counte
         if (claim.input["mesh"].contains("cut")) {
           Given places(claim, "triangles");
           const Rational first = places.next(), second = places.next();
+          places.expect_used();
           const auto find = [](const std::vector<std::size_t>& all, const Rational& place) {
             const auto found =
                 std::find_if(all.begin(), all.end(), [&](std::size_t n) { return place == Rational(n); });
             expect(found != all.end(), "certificate.triangles: none of the face");
             return *found;
           };
-          s = find(triangles[i], first), t = find(triangles[j], second), places.expect_used();
+          s = find(triangles[i], first), t = find(triangles[j], second);
         }
         expect_meeting(space, counted, s, t, weights);
         return {i, j};

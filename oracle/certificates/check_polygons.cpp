@@ -29,6 +29,7 @@ void check_crossings(const Claim& claim, const std::vector<Ends>& ring, const Pa
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Pair a = ring[i].a - p, b = ring[i].b - p;
     const int from = sgn(cross(direction, a)), to = sgn(cross(direction, b));
+    expect(from == to || sgn(cross(a, b)) != 0, "certificate: the point is on an edge");
     const bool crossed = from != to && sgn(cross(a, b)) == to;
     expect(crossed == (listed.count(i) == 1), "certificate: not the edges that the ray crosses");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polygons/point_in_region.h"
 
+#include "proptests/forward_error.h"
 #include "proptests/region_laws.h"
 #include "robust/polygons/point_in_polygon.h"
 
