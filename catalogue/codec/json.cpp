@@ -147,9 +147,9 @@ class Builder {
       path += (path.empty() ? "" : ".") + excerpt(key, most_of_a_key);
     };
     for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
-      const Json& outer = *open_[i];
+      const Json &outer = *open_[i], *const inner = open_[i + 1];
       if (outer.is_array()) path += "[" + std::to_string(outer.size() - 1) + "]";
-      else add(std::find_if(outer.begin(), outer.end(), [&](const Json& value) { return &value == open_[i + 1]; }).key());
+      else add(std::find_if(outer.begin(), outer.end(), [inner](const Json& value) { return &value == inner; }).key());
     }
     add(name);
     return path;

@@ -37,8 +37,8 @@ std::map<const Shape*, Draw> figures_of() {
 Draw figure_of(const Shape& shape) {
   static const std::map<const Shape*, Draw> figures =
       figures_of<Point2d, Vector2d, Segment2d, Line2d, ParametricLine2d, Ray2d, Polygon2d, Region2d, Circle2d, Aabb2d,
-                 Point3d, Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d, Capsule3d,
-                 Ray3d, Inertiad>();
+                 Point3d, Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d,
+                 Capsule3d, Ray3d, Inertiad>();
   const auto found = figures.find(&shape);
   return found == figures.end() ? nullptr : found->second;
 }

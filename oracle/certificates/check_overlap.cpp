@@ -125,6 +125,8 @@ void check_region_region(const Claim& claim) {
 
 }  // namespace
 
-Checks checks_of_overlap() { return {{"polygon_polygon", check_polygon_polygon}, {"region_region", check_region_region}}; }
+Checks checks_of_overlap() {
+  return {{"polygon_polygon", check_polygon_polygon}, {"region_region", check_region_region}};
+}
 
 }  // namespace touchstone::certify

@@ -139,7 +139,8 @@ std::vector<Ring> region(const json& value, const std::string& what) {
     expect(!cross_or_coincide(rings[i], rings[0]) && runs(rings[i], rings[0], true),
            names[i] + ": inside the outer ring, which it may touch in single points only");
     for (std::size_t j = 1; j < i; ++j) {
-      expect(!cross_or_coincide(rings[i], rings[j]) && runs(rings[i], rings[j], false) && runs(rings[j], rings[i], false),
+      expect(!cross_or_coincide(rings[i], rings[j]) && runs(rings[i], rings[j], false) &&
+                 runs(rings[j], rings[i], false),
              names[i] + ": outside hole " + std::to_string(j - 1) + ", which it may touch in single points only");
     }
   }

@@ -93,7 +93,7 @@ Region2d fitting_or_not(DrawStream& draws) {
   const double at = up_to(draws, 8), size = one_to(draws, 8);
   Region2d made{square(0, 0, 8), {}};
   switch (draws.below(8)) {
-    case 0: made.holes = {square(at, 1, size)}; break;                                 // within, along an edge, across it
+    case 0: made.holes = {square(at, 1, size)}; break;                                 // within, on an edge, across it
     case 1: made.holes = {triangle({0, 4}, {size, at}, {4, 1})}; break;                // a vertex on an edge, or beyond
     case 2: made.holes = {square(2, 2, 3), square(at - 1, at - 2, size)}; break;       // apart, nested, crossing
     case 3: made.holes = {square(1, 1, 3), square(4, at, 2)}; break;                   // a corner, a piece of an edge

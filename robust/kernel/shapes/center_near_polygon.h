@@ -33,8 +33,7 @@ class CenterNearPolygon {
     return kernel::gap_of_contact(times_of_change(), [this](const TimeOfStep& t) { return gap_around(t); });
   }
   FirstContact<double> first_contact() const {
-    const std::optional<SquaredGap> gap = gap_of_contact();
-    return gap ? hit(gap->least_zero()) : no_hit;
+    return kernel::first_contact(times_of_change(), [this](const TimeOfStep& t) { return gap_around(t); });
   }
 
  private:
