@@ -43,6 +43,9 @@ constexpr Naive naive_formulas[] = {{"orientation", 6, &NaiveLoops::orientation}
                                     {"sphere_aabb", 10, &NaiveLoops::sphere_and_box_in_space},
                                     {"ray_aabb", 8, &NaiveLoops::ray_and_box_in_plane},
                                     {"ray_aabb", 12, &NaiveLoops::ray_and_box_in_space},
+                                    {"sphere_obb", 16, &NaiveLoops::sphere_obb},
+                                    {"capsule_capsule", 14, &NaiveLoops::capsule_capsule},
+                                    {"obb_obb", 24, &NaiveLoops::obb_obb},
                                     {"ray_triangle", 15, &NaiveLoops::ray_triangle},
                                     {"segment_triangle", 15, &NaiveLoops::segment_triangle},
                                     {"triangle_triangle", 18, &NaiveLoops::triangle_triangle}};
@@ -212,9 +215,10 @@ struct EpickOf<Row, std::tuple<Meshd, Point3d>> {
   static void add(const std::string& group, const Asked& asked) { add_epick_beside<Meshd, Point3d>(group, asked); }
 };
 
-/// The enumerators of the tables: one for each alternative, or that of the shape that all rows share.
+/// The enumerators of the tables: one for each alternative, or that of the shape that all rows share. Rays on meshes
+/// have benchmarks of their own (mesh_rays.cpp).
 std::vector<std::vector<Word>> words_of_tables(const Operation& operation) {
-  if (operation.row().batch.decide == nullptr) return {};
+  if (operation.row().batch.decide == nullptr || operation.name() == "ray_mesh") return {};
   if (const SharedShape* const shape = shape_of(operation)) return {shape->question.words};
   std::vector<std::vector<Word>> found;
   for (const Question& zeros : operation.zeros_of_alternatives()) found.push_back(zeros.words);

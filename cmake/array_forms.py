@@ -119,17 +119,20 @@ def add_decision(parts, shapes, header, name, contract, overloads):
     return forms, [operand for _, operand in overloads[-1]]
 
 
-def add_prepared(parts, shapes, name, raw, overload):
-    """The decision of a shape that is validated once, and that shape; `raw` is the type of which it is made."""
-    shape, operand, others = overload
+def add_prepared(parts, shapes, name, raw, prepared, header):
+    """The decision of a shape that is validated once, and that shape, which is the first operand in C; `raw`: the operands
+    without it; `header`: what declares it."""
+    shape, operands = prepared
+    place = [kind for kind, _ in operands].index(shape)
+    operand, others = operands[place][1], operands[:place] + operands[place + 1:]
+    raw = raw[place][0]
     kind = f"touchstone_{snake_case(shape)}"
-    folder = "solid" if raw == "Meshd" else "polygon"
     of = "mesh" if raw == "Meshd" else "polygon"  # the field that errors name
     given, error = f"{shapes.in_c[raw]} {of}", "touchstone_error* error"
     in_c = ", ".join(f"{shapes.in_c[other]} {each}" for other, each in others)
-    passed = ", ".join(f"operand({each})" for _, each in others)
+    passed = ", ".join(f"{operand}->shape" if each == operand else f"operand({each})" for _, each in operands)
     function = f"int touchstone_{name}_prepared(const {kind}* {operand}, {in_c}, size_t count,"
-    parts["includes"].append(f'#include "robust/prepared/{folder}.h"')
+    parts["includes"].append(f'#include "robust/prepared/{header}"')
     add(parts,
         prepared_in_c=f"\ntypedef struct {kind} {kind};\nint {kind}_make({given}, {kind}** made, {error});\n"
                       f"void {kind}_free({kind}* shape);\n"
@@ -139,7 +142,7 @@ def add_prepared(parts, shapes, name, raw, overload):
                   f"  return answered(error, [&] {{ *made = new {kind}{{touchstone::robust::{shape}(operand({of}))}}; }});\n}}\n"
                   f"void {kind}_free({kind}* shape) {{ delete shape; }}\n"
                   f"{function} uint8_t* answers, {error}) {{\n"
-                  f"  return answered(error, [&] {{ batch::{name}({operand}->shape, {passed}, count, answers, limits()); }});\n}}\n",
+                  f"  return answered(error, [&] {{ batch::{name}({passed}, count, answers, limits()); }});\n}}\n",
         prepared_forms=f"  form({name}, {shape}, {kind}) \\\n")
 
 
@@ -174,7 +177,9 @@ def made(root):
         forms, operands = add_decision(parts, shapes, header, name, contract, overloads)
         prepared = declarations.prepared(declarations.text_of(path), name)
         if prepared:
-            add_prepared(parts, shapes, name, overloads[0][0][0], prepared)
+            header = next(file.name for file in sorted((root / "robust/prepared").glob("*.h"))
+                          if re.search(rf"^class {prepared[0]}\b[^;]*$", declarations.text_of(file), re.MULTILINE))
+            add_prepared(parts, shapes, name, overloads[0], prepared, header)
         upper, enumerators, joined = name.upper(), enumerations[enumeration], ", ".join(operands)
         help_text = contract.replace("\n", "\n    ")
         add(parts,

@@ -32,12 +32,12 @@ def enumeration(text, name):
 
 
 def prepared(text, name):
-    """(class, its operand, [(type, operand), ...]) of the overload of a decision that takes a shape of robust/prepared, or None."""
+    """(class, [(type, operand), ...]) of the overload of a decision that takes a shape of robust/prepared, or None."""
     for shape in re.findall(r"^class (\w+);", text, re.MULTILINE):
-        found = re.search(rf"void {name}\(const {shape}& (\w+), ([^)]*),[ \n]*std::size_t count,", text)
+        found = re.search(rf"void {name}\(([^)]*const {shape}& [^)]*),[ \n]*std::size_t count,", text)
         if found:
-            others = [re.fullmatch(r"const (\w+)& (\w+)", " ".join(each.split())) for each in found[2].split(",")]
-            return shape, found[1], [other.groups() for other in others]
+            operands = [re.fullmatch(r"const (\w+)& (\w+)", " ".join(each.split())) for each in found[1].split(",")]
+            return shape, [operand.groups() for operand in operands]
     return None
 
 

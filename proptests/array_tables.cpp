@@ -40,6 +40,12 @@ std::vector<Question> drawn(const Operation& operation, std::size_t count, bool 
   return questions;
 }
 
+void take_columns(const Operation& operation, Question& question, const Question& other) {
+  const std::vector<std::size_t> to = operation.row().batch.columns(question),
+                                 from = operation.row().batch.columns(other);
+  for (std::size_t k = 0; k < from.size(); ++k) question.numbers[to[k]] = other.numbers[from[k]];
+}
+
 std::vector<Table> tables(const Operation& operation, std::size_t count) {
   constexpr std::size_t rows_of_a_list = 75;
   std::vector<Table> made;
@@ -62,13 +68,13 @@ std::vector<Table> tables(const Operation& operation, std::size_t count) {
       Question question = questions[n];
       const Question& other = questions[(n + i) % questions.size()];
       const std::vector<std::size_t> others = columns_of(other);
-      for (std::size_t k = 0; k < others.size(); ++k) question.numbers[table.columns[k]] = other.numbers[others[k]];
+      take_columns(operation, question, other);
       // Every second one of the shape's own numbers: points on vertices, and between them.
       const std::size_t at = i % question.numbers.size();
       if (i % 2 == 1 && at + others.size() <= question.numbers.size())
         for (std::size_t k = 0; k < others.size(); ++k)
           question.numbers[table.columns[k]] = questions[n].numbers[at + k];
-      table.questions.push_back(std::move(question));
+      table.questions.push_back(refusal(operation, question).empty() ? std::move(question) : questions[n]);
     }
     made.push_back(std::move(table));
   }

@@ -31,6 +31,9 @@ struct Table {
 /// As many questions of all families in turn, those that are refused too or not.
 std::vector<Question> drawn(const Operation& operation, std::size_t count, bool valid);
 
+/// Gives a question the numbers that another has in its columns.
+void take_columns(const Operation& operation, Question& question, const Question& other);
+
 /// Tables of questions: where every argument has columns, one for each alternative; else one for each question, whose
 /// rows take their numbers from that one and from others in turn.
 std::vector<Table> tables(const Operation& operation, std::size_t count);

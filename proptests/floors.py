@@ -19,7 +19,7 @@ from layout import INCLUDE, MODULES
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MOST_FILES = 30
 # These have a file for every operation or every family of certificates, so they are as long as the catalogue is.
-LISTS = {"robust/mixed", "oracle/mixed", "robust/volumes", "oracle/volumes", "oracle/certificates"}
+LISTS = {"robust/mixed", "oracle/mixed", "robust/volumes", "oracle/volumes", "robust/batch", "oracle/certificates"}
 
 
 def library(root):

@@ -192,14 +192,20 @@ class Prepared {
   void (*release_)(Shape*);
 };
 
-/// Decides by the first of the operands if it is a prepared shape that the decision takes.
+/// Decides by a prepared shape if one of the operands is one that the decision takes.
 bool decided_of_prepared(const std::string& decision, const py::sequence& arrays, std::size_t count,
                          std::uint8_t* answers) {
-  const auto points = [&] { return arrays[py::slice(2, static_cast<py::ssize_t>(arrays.size()), 1)]; };
-#define TOUCHSTONE_DECIDED(name, Shape, shape)                                                                  \
-  if (decision == #name && py::isinstance<Prepared<shape>>(arrays[0])) {                                        \
-    py::cast<const Prepared<shape>&>(arrays[0]).decide(touchstone_##name##_prepared, points(), count, answers); \
-    return true;                                                                                                \
+  const auto is_array = [](const py::handle& operand) { return py::isinstance<py::buffer>(operand); };
+  std::size_t place = 0;
+  while (place < arrays.size() && is_array(arrays[place])) place += 2;
+  if (place >= arrays.size()) return false;
+  py::list others;
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+    if (i / 2 != place / 2) others.append(arrays[i]);
+#define TOUCHSTONE_DECIDED(name, Shape, shape)                                                                    \
+  if (decision == #name && py::isinstance<Prepared<shape>>(arrays[place])) {                                      \
+    py::cast<const Prepared<shape>&>(arrays[place]).decide(touchstone_##name##_prepared, others, count, answers); \
+    return true;                                                                                                  \
   }
   TOUCHSTONE_PREPARED_FORMS(TOUCHSTONE_DECIDED)
   return false;

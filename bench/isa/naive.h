@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/isa/naive_loops.h"
+#include "bench/isa/naive_solids.h"
 #include "bench/isa/naive_space.h"
 #include "robust/batch/isa/lanes.h"
 
@@ -10,8 +11,6 @@
 /// answers. With one lane they are a plain loop.
 namespace touchstone::robust::batch::isa {
 namespace {
-
-Lanes quotient(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
 
 struct NaiveOrientation {
   static constexpr std::size_t columns = 6;
@@ -100,7 +99,7 @@ struct NaiveRayBox {
   static Mask of(const Lanes* c) {
     Lanes first = same(0), last = same(__builtin_inf());
     for (std::size_t k = 0; k < n; ++k) {
-      const Lanes inverse = quotient(same(1), c[n + k]);
+      const Lanes inverse = same(1) / c[n + k];
       const Lanes s = (c[2 * n + k] - c[k]) * inverse, t = (c[3 * n + k] - c[k]) * inverse;
       first = greater(lesser(s, t), first);
       last = lesser(greater(s, t), last);
@@ -145,6 +144,9 @@ constexpr NaiveLoops loops_of_this_unit{.orientation = naive<NaiveOrientation>,
                                         .ray_triangle = naive<NaiveRayTriangle>,
                                         .segment_triangle = naive<NaiveSegmentTriangle>,
                                         .triangle_triangle = naive<NaiveTriangles>,
+                                        .sphere_obb = naive<NaiveSphereObb>,
+                                        .capsule_capsule = naive<NaiveCapsules>,
+                                        .obb_obb = naive<NaiveObbs>,
                                         .point_in_ring = naive_beside<NaiveRing>,
                                         .point_in_convex_ring = naive_beside<NaiveConvexRing>,
                                         .point_in_convex_solid = naive_beside<NaiveConvexSolid>,

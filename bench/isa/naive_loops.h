@@ -19,6 +19,7 @@ struct NaiveLoops {
   NaiveLoop *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
   NaiveLoop *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
   NaiveLoop *ray_triangle, *segment_triangle, *triangle_triangle;
+  NaiveLoop *sphere_obb, *capsule_capsule, *obb_obb;
   NaiveSharedLoop *point_in_ring, *point_in_convex_ring, *point_in_convex_solid, *point_in_solid;
 };
 

@@ -14,6 +14,7 @@ struct Arrow {
   explicit Arrow(const Lanes* c) : x(c[0]), y(c[1]), z(c[2]) {}
   Arrow(Lanes x, Lanes y, Lanes z) : x(x), y(y), z(z) {}
   friend Arrow operator-(const Arrow& a, const Arrow& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Arrow operator*(Lanes t, const Arrow& a) { return {t * a.x, t * a.y, t * a.z}; }
 };
 Lanes dot(const Arrow& a, const Arrow& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Arrow cross(const Arrow& a, const Arrow& b) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "catalogue/operation/row.h"
+#include "geometry/capsules.h"
 #include "geometry/rays.h"
 #include "geometry/triangles.h"
 #include "robust/batch/isa/columns.h"
@@ -37,6 +38,8 @@ TOUCHSTONE_COLUMNS(Plane3d, Planes)
 TOUCHSTONE_COLUMNS(Ray2d, Rays2)
 TOUCHSTONE_COLUMNS(Ray3d, Rays3)
 TOUCHSTONE_COLUMNS(Triangle3d, Triangles3)
+TOUCHSTONE_COLUMNS(Capsule3d, Capsules3)
+TOUCHSTONE_COLUMNS(Obb3d, Obbs3)
 #undef TOUCHSTONE_COLUMNS
 template <class T>
 inline constexpr bool is_column = !std::is_same_v<typename OperandOf<T>::type, T>;

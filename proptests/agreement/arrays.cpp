@@ -170,16 +170,21 @@ EACH_OPERATION("over arrays the first question that is refused is named") {
   // What the families break on purpose: a radius below 0, a normal of length 0, a polygon that is not convex.
   demand(operation.name() + ": arrays with a rule that is broken", [&]() -> std::string {
     for (const Question& bad : drawn(operation, 200, false)) {
-      const bool of_a_row = operation.row().batch.columns(bad).size() == bad.numbers.size();
+      const bool shares = operation.row().batch.columns(bad).size() != bad.numbers.size();
       Table with{{}, operation.row().batch.columns(bad)};
-      if (of_a_row) {
+      std::string expected = "questions[40]." + refusal(operation, bad);
+      if (shares) {  // what all rows share is refused before any row
+        Question of_row = table.questions[0], of_shape = bad;
+        take_columns(operation, of_row, bad), take_columns(operation, of_shape, table.questions[0]);
+        const std::string row = refusal(operation, of_row), shape = refusal(operation, of_shape);
+        expected = shape.empty() ? "questions[0]." + row : shape;
+        with.questions.assign(70, bad);
+      } else {
         if (bad.words != table.questions[0].words) continue;
         with = table;
         with.questions[40] = bad;
-      } else {
-        with.questions.assign(70, bad);
       }
-      const std::string found = refused_otherwise(with, (of_a_row ? "questions[40]." : "") + refusal(operation, bad));
+      const std::string found = refused_otherwise(with, expected);
       if (!found.empty()) return found;
     }
     return "";

@@ -27,8 +27,8 @@ try:
     from ._answers import Answers
     from ._columns import use_threads
     from ._decisions import *  # noqa: F403
-    from ._prepared import ConvexPolygon, ConvexSolid, Polygon, Solid
-    __all__ += ["Answers", "ConvexPolygon", "ConvexSolid", "Polygon", "Solid", "arrays", "use_threads", *_decisions.__all__]
+    from ._prepared import ConvexPolygon, ConvexSolid, Polygon, Solid, Surface
+    __all__ += ["Answers", "ConvexPolygon", "ConvexSolid", "Polygon", "Solid", "Surface", "arrays", "use_threads", *_decisions.__all__]
 except ModuleNotFoundError as missing:
     if missing.name != "numpy":
         raise

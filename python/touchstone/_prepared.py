@@ -8,7 +8,7 @@ from . import _touchstone
 from ._columns import MESH, POLYGON2, AnyShape, Prepared
 from ._errors import InvalidInput
 
-__all__ = ["ConvexPolygon", "ConvexSolid", "Polygon", "Solid"]
+__all__ = ["ConvexPolygon", "ConvexSolid", "Polygon", "Solid", "Surface"]
 
 
 def _parts(shape: AnyShape, value: Any, field: str) -> list[Any]:
@@ -64,3 +64,9 @@ class ConvexSolid(_OfMesh):
     """A convex solid for many calls of point_in_convex_polyhedron, like Solid."""
 
     taken_by, type_of_made = "point_in_convex_polyhedron", _touchstone.ConvexSolid
+
+
+class Surface(_OfMesh):
+    """A mesh, closed or not, for many calls of ray_mesh, like Solid."""
+
+    taken_by, type_of_made = "ray_mesh", _touchstone.Surface

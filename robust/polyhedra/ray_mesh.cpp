@@ -102,15 +102,32 @@ Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh,
                                         const std::optional<structures::FaceTree>& faces) {
   const kernel::ControlWord guard;
   FirstFace first(ray, mesh);
-  if (faces) faces->along(ray, [&first](Index face, const auto& stay) { first.meet(face, stay); });
+  if (faces) {
+    faces->any_along(ray, [&first](Index face, const auto& stay) {
+      first.meet(face, stay);
+      return false;
+    });
+  }
   return first.found();
+}
+
+bool meets_valid(const Ray3d& ray, const Meshd& mesh, const std::optional<structures::FaceTree>& faces) {
+  const kernel::ControlWord guard;
+  return faces && faces->any_along(ray, [&](Index face, const auto&) {
+    return ray_triangle_relation(ray, triangle_of_face(mesh, face)) != SegmentTriangleRelation::none;
+  });
+}
+PassageRelation relation(bool meets) { return meets ? PassageRelation::hit : PassageRelation::none; }
+
+void validate(const Ray3d& ray, const Meshd& mesh) {
+  validation::validate_numbers("ray", ray), validation::validate_numbers("mesh", mesh);
+  validation::validate("ray", ray), Surface::validate("mesh", mesh);
 }
 
 }  // namespace
 
 Decided<RayMesh<double>> stages::ray_mesh::ask(const Ray3d& ray, const Meshd& mesh) {
-  validation::validate_numbers("ray", ray), validation::validate_numbers("mesh", mesh);
-  validation::validate("ray", ray), Surface::validate("mesh", mesh);
+  validate(ray, mesh);
   return first_of_valid(ray, mesh, Surface::tree_of(mesh));
 }
 
@@ -119,6 +136,16 @@ RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh) { return stages::r
 RayMesh<double> ray_mesh(const Ray3d& ray, const Surface& surface) {
   validation::validate_all("ray", ray);
   return first_of_valid(ray, surface.mesh(), surface.tree()).answer;
+}
+
+PassageRelation ray_mesh_relation(const Ray3d& ray, const Meshd& mesh) {
+  validate(ray, mesh);
+  return relation(meets_valid(ray, mesh, Surface::tree_of(mesh)));
+}
+
+PassageRelation ray_mesh_relation(const Ray3d& ray, const Surface& surface) {
+  validation::validate_all("ray", ray);
+  return relation(meets_valid(ray, surface.mesh(), surface.tree()));
 }
 
 }  // namespace touchstone::robust

@@ -23,6 +23,10 @@ class Surface;  // robust/prepared/surface.h
 /// The same without the validation of its mesh, by its tree.
 RayMesh<double> ray_mesh(const Ray3d& ray, const Surface& surface);
 
+/// The decision alone, which costs less: it stops at any face that the ray meets.
+PassageRelation ray_mesh_relation(const Ray3d& ray, const Meshd& mesh);
+PassageRelation ray_mesh_relation(const Ray3d& ray, const Surface& surface);
+
 namespace stages {
 
 /// The latest stage that one of its decisions needed.

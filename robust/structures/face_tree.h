@@ -50,14 +50,14 @@ class FaceTree {
     float first = 0, last = endless;
   };
 
-  /// Calls visit(index, stay) for each face that the ray can meet, and for some others, in any order; stay() is the
-  /// face's Stay. Call while a kernel::ControlWord is in scope.
-  template <class Visit>
-  void along(const Ray3d& ray, const Visit& visit) const {
+  /// Returns whether wanted(index, stay) is true for a face that the ray can meet, or for one of some others, in any
+  /// order; stay() is the face's Stay. Stops at the first. Call while a kernel::ControlWord is in scope.
+  template <class Wanted>
+  bool any_along(const Ray3d& ray, const Wanted& wanted) const {
     const Slabs slabs(ray, greatest());
     if (!slabs.moderate) {
-      for (const Index face : order_) visit(face, [] { return Stay(); });
-      return;
+      const auto whole = [] { return Stay(); };
+      return std::any_of(order_.begin(), order_.end(), [&](Index face) { return wanted(face, whole); });
     }
     struct Node {
       std::size_t above, i;  // one more than a level, a node's index
@@ -70,10 +70,11 @@ class FaceTree {
       const Block& block = levels_[node.above - 1][node.i];
       for (unsigned met = block.lanes_on(slabs); met != 0; met &= met - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(met)), child = 8 * node.i + lane;
-        if (node.above == 1) visit(order_[child], [&] { return block.stay(slabs, lane); });
-        else left[size++] = {node.above - 1, child};
+        if (node.above > 1) left[size++] = {node.above - 1, child};
+        else if (wanted(order_[child], [&] { return block.stay(slabs, lane); })) return true;
       }
     }
+    return false;
   }
 
   /// Calls visit(index) for each face that may be nearest to a point, and for some others; visit returns an upper bound

@@ -8,12 +8,14 @@
 #include "oracle/mixed/capsule_capsule.h"
 #include "reference/mixed/capsule_capsule.h"
 #include "reference/standard/pair_of_segments.h"
+#include "robust/batch/capsule_capsule.h"
 #include "robust/mixed/capsule_capsule.h"
 
 namespace touchstone::catalogue::rows {
 
 struct capsule_capsule : signatures::capsule_capsule {
   TOUCHSTONE_STAGED_MODULES(capsule_capsule)
+  TOUCHSTONE_ARRAYS(capsule_capsule)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{.name = name,

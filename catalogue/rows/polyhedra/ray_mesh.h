@@ -12,6 +12,7 @@
 #include "catalogue/signatures/polyhedra/ray_mesh.h"
 #include "oracle/polyhedra/ray_mesh.h"
 #include "reference/polyhedra/ray_mesh.h"
+#include "robust/batch/ray_mesh.h"
 #include "robust/polyhedra/ray_mesh.h"
 #include "robust/prepared/surface.h"
 
@@ -20,7 +21,7 @@ namespace touchstone::catalogue::rows {
 struct ray_mesh : signatures::ray_mesh {
   TOUCHSTONE_STAGED_MODULES(ray_mesh)
   TOUCHSTONE_PREPARED(ray_mesh, Surface)
-  using decision = NoDecision;
+  TOUCHSTONE_ARRAYS(ray_mesh)
 
   static constexpr Metadata metadata{
       .name = name,
@@ -34,6 +35,12 @@ struct ray_mesh : signatures::ray_mesh {
       .cost = 60,
       .time = {.robust = Growth::linear, .oracle = Growth::linear, .ask = Growth::linear, .reference = Growth::linear},
       .list_length = 5};
+
+  struct decision {
+    static PassageRelation robust(const Question& q) {
+      return ::touchstone::robust::ray_mesh_relation(std::get<0>(q), std::get<1>(q));
+    }
+  };
 
   static void hard_cases(HardCases<Question>& add) {
     add("on_face_plane", [](DrawStream& c) -> Question {

@@ -9,12 +9,14 @@
 #include "oracle/volumes/obb_obb.h"
 #include "reference/standard/oriented_boxes.h"
 #include "reference/volumes/obb_obb.h"
+#include "robust/batch/obb_obb.h"
 #include "robust/volumes/obb_obb.h"
 
 namespace touchstone::catalogue::rows {
 
 struct obb_obb : signatures::obb_obb {
   TOUCHSTONE_STAGED_MODULES(obb_obb)
+  TOUCHSTONE_ARRAYS(obb_obb)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{.name = name,

@@ -7,12 +7,14 @@
 #include "catalogue/signatures/volumes/sphere_obb.h"
 #include "oracle/volumes/sphere_obb.h"
 #include "reference/volumes/sphere_obb.h"
+#include "robust/batch/sphere_obb.h"
 #include "robust/volumes/sphere_obb.h"
 
 namespace touchstone::catalogue::rows {
 
 struct sphere_obb : signatures::sphere_obb {
   TOUCHSTONE_STAGED_MODULES(sphere_obb)
+  TOUCHSTONE_ARRAYS(sphere_obb)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{.name = name,

@@ -165,19 +165,23 @@ def test_faces_that_are_none(faces):
 
 
 PREPARED = {"point_in_polygon": touchstone.Polygon, "point_in_convex_polygon": touchstone.ConvexPolygon,
-            "point_in_polyhedron": touchstone.Solid, "point_in_convex_polyhedron": touchstone.ConvexSolid}
+            "point_in_polyhedron": touchstone.Solid, "point_in_convex_polyhedron": touchstone.ConvexSolid,
+            "ray_mesh": touchstone.Surface}
 
 
 @pytest.mark.parametrize("name", PREPARED)
 def test_shapes_that_are_validated_once_answer_the_same(name):
     for questions in kinds_of(touchstone.draw(name, 300)):
-        shape, points = operands_of(name, questions)
-        once, out = PREPARED[name](shape), numpy.empty(len(questions), dtype=numpy.uint8)
-        expected = getattr(touchstone, name)(shape, points).numbers.tolist()
-        assert getattr(touchstone, name)(once, points, out=out).numbers is out and out.tolist() == expected
-        assert getattr(touchstone, name)(once, points[:1]).numbers.tolist() == expected[:1]
-        mask = getattr(touchstone, name.removeprefix("point_in_") + "_contains")
-        assert mask(once, points).tolist() == mask(shape, points).tolist()
+        raw, out = operands_of(name, questions), numpy.empty(len(questions), dtype=numpy.uint8)
+        place = 1 if name == "ray_mesh" else 0
+        once = [PREPARED[name](operand) if i == place else operand for i, operand in enumerate(raw)]
+        first = [operand if i == place else operand[:1] for i, operand in enumerate(once)]
+        expected = getattr(touchstone, name)(*raw).numbers.tolist()
+        assert getattr(touchstone, name)(*once, out=out).numbers is out and out.tolist() == expected
+        assert getattr(touchstone, name)(*first).numbers.tolist() == expected[:1]
+        asked_of = name.removeprefix("point_in_")
+        mask = getattr(touchstone, f"{name}_intersects" if asked_of == name else f"{asked_of}_contains")
+        assert mask(*once).tolist() == mask(*raw).tolist()
 
 
 def test_shapes_that_are_validated_once_keep_what_they_were_made_of():

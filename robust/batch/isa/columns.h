@@ -79,5 +79,16 @@ struct Rays3 {
 struct Triangles3 {
   Points3 a, b, c;
 };
+struct Capsules3 {
+  Segments3 segment;
+  Column radius;
+};
+struct HalfAxes3 {
+  Vectors3 u, v, w;
+};
+struct Obbs3 {
+  Points3 center;
+  HalfAxes3 half_axes;
+};
 
 }  // namespace touchstone::robust::batch

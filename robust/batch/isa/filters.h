@@ -39,6 +39,7 @@ struct Filters {
   Filter *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
   Filter *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
   Filter *segment_triangle, *ray_triangle, *triangle_triangle;
+  Filter *sphere_obb, *capsule_capsule, *obb_obb;
   Filter *point_in_ring, *point_in_convex_solid, *point_in_solid;
   /// Second stages, for the rows that a filter left; nullptr if there is none.
   SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *close_point_plane;

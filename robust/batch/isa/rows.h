@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 
+#include "geometry/capsules.h"
 #include "geometry/invalid_input.h"
 #include "geometry/rays.h"
 #include "geometry/triangles.h"
@@ -29,6 +30,11 @@ inline Plane3d row(const Planes& p, std::size_t i) { return {row(p.normal, i), r
 inline Ray2d row(const Rays2& r, std::size_t i) { return {row(r.origin, i), row(r.direction, i)}; }
 inline Ray3d row(const Rays3& r, std::size_t i) { return {row(r.origin, i), row(r.direction, i)}; }
 inline Triangle3d row(const Triangles3& t, std::size_t i) { return {row(t.a, i), row(t.b, i), row(t.c, i)}; }
+inline Capsule3d row(const Capsules3& c, std::size_t i) { return {row(c.segment, i), row(c.radius, i)}; }
+inline Obb3d row(const Obbs3& b, std::size_t i) {
+  const auto& [u, v, w] = b.half_axes;
+  return {row(b.center, i), {row(u, i), row(v, i), row(w, i)}};
+}
 
 /// Throws the error of a row, with the row's number before the field.
 [[noreturn]] void refuse_row(std::size_t i, const InvalidInput& refused);

@@ -8,6 +8,8 @@
 #include "robust/batch/isa/close_triangles.h"
 #include "robust/batch/isa/join_pairs.h"
 #include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/obbs.h"
+#include "robust/batch/isa/round_solids.h"
 #include "robust/batch/isa/solid.h"
 #include "robust/batch/isa/triangles.h"
 
@@ -29,6 +31,9 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .segment_triangle = filter<SegmentTriangle>,
                                        .ray_triangle = filter<RayTriangle>,
                                        .triangle_triangle = filter<TriangleTriangle>,
+                                       .sphere_obb = filter<SphereObb>,
+                                       .capsule_capsule = filter<CapsuleCapsule>,
+                                       .obb_obb = filter<ObbObb>,
                                        .point_in_ring = filter_beside<Ring>,
                                        .point_in_convex_solid = filter_beside<ConvexSolid>,
                                        .point_in_solid = filter_beside<Solid>,

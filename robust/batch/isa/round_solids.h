@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
+#pragma once
+
+#include "robust/batch/isa/vectors.h"
+
+/// Filters of round convex solids, as robust/kernel/enclosed/round_solids.h has them for one question: a guess of the
+/// nearest points, and certain signs that prove it. Not proved by machine.
+namespace touchstone::robust::batch::isa {
+namespace {
+
+/// The least absolute error that is allowed for where all numbers are at most 2^250: of a product of three of them that
+/// underflows, each has less.
+constexpr double least = 0x1p-500;
+
+/// Two cores: the displacements from a point of one to a point of the other are way - sum t_k edge_k, with t_k between
+/// -1 and 1 where edges are symmetric, otherwise between 0 and 1. Coordinates of the way and of edges are numbers of
+/// the input or differences of two.
+template <std::size_t n, bool symmetric>
+struct Cores {
+  InSpace way, edges[n];
+
+  /// The contact of the solids, `reach` being the sum of their radii, each of which is more than 0; t is the guess.
+  ///
+  /// A displacement shorter than the reach proves that they overlap, for any t_k in their intervals. If the way leads
+  /// farther along some direction than the edges and the reach together, they are disjoint; the direction is the
+  /// displacement as computed.
+  ///
+  /// In units of v, with `most` for the way's and the edges' magnitudes together on an axis: a displacement is off by
+  /// n + 2 <= 5 times most, so its square with a product and two sums by 13 times the square of most, and that of the
+  /// reach by 3 times itself. C = 16 v. Along the direction, the way goes through four operations and the edges through
+  /// four and at most three differences: 7 times direction and most, C = 16 v again. The gap less its
+  /// error is compared by its square: with one rounding, and 9 on the other side. C = 16 v.
+  ///
+  /// Nothing overflows where all magnitudes add up to 2^250 at most, which no infinite or NaN number does.
+  Verdict contact(Lanes reach, Lanes (&t)[n]) const {
+    constexpr int turns = 4;
+    InSpace most = magnitudes(way);
+    for (const InSpace& edge : edges) most = most + magnitudes(edge);
+    const Lanes inside = reach * reach, error = multiply_add(dot(most, most) + inside, same(16 * v), same(least));
+    const Mask moderate = not_below(same(0x1p250), most.x + most.y + most.z + reach) & not_below(reach, same(0x1p-250));
+    Mask near = 0, apart = 0;
+    for (int turn = 0; turn < turns && ((near | apart | ~moderate) & all_lanes) != all_lanes; ++turn) {
+      approach(t);
+      const InSpace between = displacement(t);
+      const Lanes square = dot(between, between);
+      Lanes gap = dot(between, way);
+      for (const InSpace& edge : edges) gap = gap - farthest(dot(between, edge));
+      gap = gap - multiply_add(dot(magnitudes(between), most), same(16 * v), same(least));
+      near |= above(inside - square, error);
+      apart |= above(gap, same(0)) & above(gap * gap, multiply_add(inside * square, same(1 + 16 * v), same(least)));
+    }
+    return {moderate & (near | apart), apart};
+  }
+
+ private:
+  /// A NaN becomes 1.
+  static Lanes moved(Lanes t) { return greater(lesser(t, same(1)), same(symmetric ? -1 : 0)); }
+  /// The greatest of t_k times a number.
+  static Lanes farthest(Lanes along) { return symmetric ? magnitude(along) : greater(along, same(0)); }
+
+  InSpace displacement(const Lanes (&t)[n]) const {
+    InSpace rest = way;
+    for (std::size_t k = 0; k < n; ++k) rest = rest - t[k] * edges[k];
+    return rest;
+  }
+
+  /// Moves each t_k to the foot of the perpendicular along its edge: the nearest point at once where edges are at right
+  /// angles.
+  void approach(Lanes (&t)[n]) const {
+    InSpace rest = displacement(t);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes next = moved(t[k] + dot(rest, edges[k]) / dot(edges[k], edges[k]));
+      rest = rest - (next - t[k]) * edges[k];
+      t[k] = next;
+    }
+  }
+};
+
+/// The determinant of the half axes goes through five operations: C = 16 v. Half axes that may be dependent are left to
+/// other stages.
+struct SphereObb {
+  static constexpr std::size_t columns = 16;
+  static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping
+  static Verdict of(const Lanes* c) {
+    const InSpace center(c), middle(c + 4), p(c + 7), q(c + 10), r(c + 13);
+    const Lanes radius = c[3], sizes = size_of(p) * size_of(q) * size_of(r);
+    Lanes t[] = {same(0), same(0), same(0)};
+    Verdict found = Cores<3, true>{center - middle, {p, q, r}}.contact(radius, t);
+    found.known &= above(magnitude(dot(cross(p, q), r)), multiply_add(sizes, same(16 * v), same(least)));
+    return found;
+  }
+};
+
+/// The guess begins with the point of b's line that is nearest to a's line. Radii that are 0, or not valid, are left to
+/// other stages.
+struct CapsuleCapsule {
+  static constexpr std::size_t columns = 14;
+  static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping
+  static Verdict of(const Lanes* c) {
+    const InSpace from(c), to(c + 3), other_from(c + 7), other_to(c + 10);
+    const Lanes radius = c[6], other_radius = c[13];
+    const Cores<2, false> cores{from - other_from, {from - to, other_to - other_from}};
+    const auto& [way, edges] = cores;
+    const Lanes aa = dot(edges[0], edges[0]), ab = dot(edges[0], edges[1]), bb = dot(edges[1], edges[1]);
+    const Lanes on_line = (aa * dot(edges[1], way) - ab * dot(edges[0], way)) / (aa * bb - ab * ab);
+    Lanes t[] = {same(0), greater(lesser(on_line, same(1)), same(0))};
+    Verdict found = cores.contact(radius + other_radius, t);
+    found.known &= above(lesser(radius, other_radius), same(0));
+    return found;
+  }
+};
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa
