@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Many rays on one mesh of a thousand to a million faces: robust::Surface, which finds the first face, t and point
-// correctly rounded, and the number of faces that are met; and CGAL's AABB_tree with the kernel Epick, which finds the
-// first face and counts in two calls. Processor time; trees are made before; `made` is how long ours takes to make.
+// correctly rounded, and the number of faces that are met; CGAL's AABB_tree with the kernel Epick, which finds the
+// first face and counts in two calls; and Embree in floats with its robust flag, which finds the first face. `any` is
+// whether there is one at all. Processor time; trees are made before; `made` is how long ours takes to make.
 //
 // bench/mesh_rays --verify compares the counts without timing.
 
@@ -18,6 +19,9 @@
 #include <string>
 #include <vector>
 
+#ifdef TOUCHSTONE_BENCH_EMBREE
+#include "bench/embree_peer.h"
+#endif
 #include "bench/globes.h"
 #include "catalogue/families/numbers.h"
 #include "robust/polyhedra/ray_mesh.h"
@@ -85,6 +89,9 @@ int main(int argc, char** argv) {
   const Rays rays = drawn_rays(verify ? 20000 : 4096);
   std::deque<Mesh> meshes;
   std::deque<robust::Surface> trees;
+#ifdef TOUCHSTONE_BENCH_EMBREE
+  std::deque<EmbreeMesh> by_embree;
+#endif
   std::size_t different = 0;
   const auto first_by_cgal = [](const Mesh& mesh, const auto& ray) {
     return mesh.tree.first_intersection(ray).has_value() ? 1U : 0U;
@@ -101,6 +108,14 @@ int main(int argc, char** argv) {
       }
       const std::string name = "ray_mesh_" + std::to_string(faces) + "/" + set;
       add(name + "/robust", rays.ours, [&tree](const auto& ray) { return robust::ray_mesh(ray, tree).faces_met; });
+      add(name + "/any", rays.ours, [&tree](const auto& ray) {
+        return robust::ray_mesh_relation(ray, tree) == touchstone::PassageRelation::hit ? 1U : 0U;
+      });
+#ifdef TOUCHSTONE_BENCH_EMBREE
+      const EmbreeMesh& embree = by_embree.emplace_back(mesh.ours);
+      add(name + "/embree", rays.ours, [&embree](const auto& ray) { return embree.first(ray) ? 1U : 0U; });
+      add(name + "/embree_any", rays.ours, [&embree](const auto& ray) { return embree.any(ray) ? 1U : 0U; });
+#endif
       add(name + "/epick_first", rays.theirs,
           [&mesh, first_by_cgal](const auto& ray) { return first_by_cgal(mesh, ray); });
       add(name + "/epick", rays.theirs, [&mesh, first_by_cgal](const auto& ray) {

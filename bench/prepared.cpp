@@ -38,6 +38,8 @@ struct Comparison {
   int questions, questions_of_raw;  ///< raw calls may be too slow for all of them
   std::function<int(int)> raw, prepared, cgal;
   std::function<void()> make;  ///< the prepared shape, from raw data
+  /// On two threads, where the operation takes them.
+  std::function<int(int)> raw_on_two = {}, prepared_on_two = {};
 };
 
 template <class Point>
@@ -123,7 +125,9 @@ Comparison two_solids(Index n, bool nested) {
             const auto parameters = CGAL::Polygon_mesh_processing::parameters::do_overlap_test_of_bounded_sides(true);
             return static_cast<int>(CGAL::Polygon_mesh_processing::do_intersect(in_a, in_b, parameters, parameters));
           },
-          [=] { benchmark::DoNotOptimize(robust::Solid(a)); }};
+          [=] { benchmark::DoNotOptimize(robust::Solid(a)); },
+          [=](int) { return meet(robust::polyhedron_polyhedron(a, b, 2)); },
+          [=](int) { return meet(robust::polyhedron_polyhedron(prepared_a, prepared_b, 2)); }};
 }
 
 /// Two stars, of which the second is smaller and off the first one's middle.
@@ -149,7 +153,7 @@ std::vector<std::function<Comparison()>> comparisons() {
 
 void add(const Comparison& made) {
   const auto timed = [&made](const char* name, int questions, const std::function<int(int)>& ask) {
-    benchmark::RegisterBenchmark((made.group + "/" + name).c_str(), [=](benchmark::State& state) {
+    return benchmark::RegisterBenchmark((made.group + "/" + name).c_str(), [=](benchmark::State& state) {
       int total = 0;
       for (auto _ : state)
         for (int i = 0; i < questions; ++i) total += ask(i);
@@ -160,11 +164,15 @@ void add(const Comparison& made) {
   timed("robust", made.questions_of_raw, made.raw), timed("prepared", made.questions, made.prepared);
   if (made.cgal) timed("epick", made.questions, made.cgal);
   timed("made", 1, [make = made.make](int) { return make(), 0; });
+  if (!made.raw_on_two) return;
+  timed("robust_2_threads", 1, made.raw_on_two)->UseRealTime();  // compare with its `Time`, not `CPU`
+  timed("prepared_2_threads", 1, made.prepared_on_two)->UseRealTime();
 }
 
 bool verified(const Comparison& made) {
   int wrong = 0, wrong_of_cgal = 0;
   for (int i = 0; i < made.questions_of_raw; ++i) wrong += made.prepared(i) != made.raw(i);
+  if (made.raw_on_two) wrong += (made.raw_on_two(0) != made.raw(0)) + (made.prepared_on_two(0) != made.raw(0));
   for (int i = 0; made.cgal && i < made.questions; ++i) wrong_of_cgal += made.cgal(i) != made.prepared(i);
   std::printf("%-50s prepared against raw %d differ, against CGAL %d\n", made.group.c_str(), wrong, wrong_of_cgal);
   return wrong + wrong_of_cgal == 0;

@@ -83,6 +83,15 @@ std::vector<Index> named_face_of_each(const Mesh<Real>& mesh) {
   return named;
 }
 
+/// The named face of which one triangle is a part.
+template <class Real>
+Index named_face_of(const Mesh<Real>& mesh, Index triangle) {
+  if (mesh.polygons.empty()) return triangle;
+  Index i = 0;
+  for (std::size_t left = triangle; left >= mesh.polygons[i].size() - 2; ++i) left -= mesh.polygons[i].size() - 2;
+  return i;
+}
+
 /// The corners of the named face of that number.
 template <class Real>
 std::vector<Index> corners_of_named(const Mesh<Real>& mesh, std::size_t face) {

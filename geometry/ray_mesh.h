@@ -55,14 +55,4 @@ Triangle3<Real> triangle_of_face(const Mesh<Real>& mesh, std::size_t face) {
   return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
 }
 
-namespace validation {
-
-/// For operations whose answers name triangles and their edges: a cut of polygons has edges that are not theirs.
-template <class Real>
-void validate_no_polygons(const std::string& field, const Mesh<Real>& mesh) {
-  if (!mesh.polygons.empty()) throw InvalidInput(field + ".faces", "triangles: no face of more than three corners");
-}
-
-}  // namespace validation
-
 }  // namespace touchstone

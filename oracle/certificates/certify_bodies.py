@@ -2,15 +2,11 @@
 """How certify.py reads bodies and what they do, as check_bodies.cpp does."""
 
 from certify_reading import expect, list_of_two, number, only
-from certify_space import cross, dot, list_of_three, point_in_space
+from certify_space import cross, dot, list_of_three, minus, point_in_space
 
 
 def plus(p, q):
     return tuple(x + y for x, y in zip(p, q))
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def times(t, p):

@@ -6,16 +6,12 @@ from itertools import product
 from certify_meshes import mesh, outward_planes
 from certify_obbs import at, greatest, obb
 from certify_reading import WRONG_KIND, exact_value, expect, number, only
-from certify_space import ball, box_holds, box_in_space, plane, point_in_space, triple, two_or_three
+from certify_space import ball, box_holds, box_in_space, minus, plane, point_in_space, triple, two_or_three
 from certify_surd import expect_distance
 
 
 def dot(p, q):
     return sum(x * y for x, y in zip(p, q))
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def is_lowest(low, high, slopes, x):

@@ -5,7 +5,7 @@ from collections import Counter
 
 from certify_polygon_faces import expect_cut
 from certify_reading import expect, only
-from certify_space import dot, point_in_space
+from certify_space import cross, dot, minus, point_in_space
 
 
 def corners(value, what, vertices):
@@ -50,19 +50,27 @@ def listed(value, what):
     return vertices, triangles, named
 
 
-def listed_triangles(value, what):
-    """Vertices and triangles: any number, and a face may use a vertex twice."""
-    vertices, triangles, _ = listed(value, what)
-    expect(not is_cut(value), what + ".faces: triangles: no face of more than three corners")
-    return vertices, triangles
+def part_of(vertices, corners, x):
+    """The place of a point of a face in it, with any number of corners."""
+    seen = [minus(x, vertices[corner]) for corner in corners]
+    if (0, 0, 0) in seen:
+        return "vertex"
+    on_edge = any(cross(v, w) == (0, 0, 0) and dot(v, w) <= 0 for v, w in zip(seen, seen[1:] + seen[:1]))
+    return "edge" if on_edge else "inside"
+
+
+def listed_faces(value, what):
+    """Vertices and triangles of any number of faces, of which one of three corners may use a vertex twice."""
+    vertices, triangles, named = listed(value, what)
+    if is_cut(value):
+        expect_cut(vertices, named, triangles, what)
+    return vertices, Triangles(triangles, named)
 
 
 def named_mesh(value, what):
     """Vertices, triangles, and the faces as they are named, which may have more than three corners."""
-    vertices, triangles, named = listed(value, what)
-    if is_cut(value):
-        expect_cut(vertices, named, triangles, what)
-    triangles = Triangles(triangles, named)
+    vertices, triangles = listed_faces(value, what)
+    named = triangles.named
     for i, face in zip(triangles.face_of, triangles):
         expect(len(set(face)) == 3, f"{what}.faces[{i}]: three different vertices")
     expect(len(named) >= 4, what + ": at least 4 faces")

@@ -2,7 +2,7 @@
 """How certify.py reads oriented boxes, and what it checks of them, as check_obbs.cpp does."""
 
 from certify_reading import WRONG_KIND, expect, only
-from certify_space import box_holds, box_in_space, dot, list_of_three, point_in_space, triple
+from certify_space import box_holds, box_in_space, dot, list_of_three, minus, point_in_space, triple
 from certify_triangles import points, weighted
 
 
@@ -29,10 +29,6 @@ def reach(box, normal):
 def greatest(coefficients, name):
     expect(len(coefficients) == 3, f"certificate.{name}: a list of three")
     return max(map(abs, coefficients))
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def check_point_in_obb(claim):

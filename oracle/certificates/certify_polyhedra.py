@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The checks of certify.py for polyhedra, one function for each operation, as in check_polyhedra.cpp."""
 
-from certify_meshes import height, mesh, outward_planes
+from certify_meshes import height, mesh, outward_planes, part_of
 from certify_reading import Claim, expect
 from certify_solids import expect_even, from_weights, index, proved_location
-from certify_space import cross, dot, exact_triple, point_in_space
+from certify_space import cross, dot, exact_triple, minus, point_in_space
 from certify_surd import exact_surd, expect_distance
 
 
@@ -43,10 +43,6 @@ def check_point_in_polyhedron(claim):
     expect(claim.word("location") == location, "truth: location is wrong")
 
 
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
-
-
 def along(start, t, step):
     return tuple(x + t * v for x, v in zip(start, step))
 
@@ -68,15 +64,6 @@ def nearest_in(corners, p):
         nearest = min(nearest, x, key=lambda y: dot(minus(y, p), minus(y, p)))
         over = over and dot(cross(normal, edge), minus(p, start)) >= 0
     return along(p, dot(minus(a, p), normal) / dot(normal, normal), normal) if over else nearest
-
-
-def part_of(vertices, corners, x):
-    """The place of a point of a face in it, with any number of corners."""
-    seen = [minus(x, vertices[corner]) for corner in corners]
-    if (0, 0, 0) in seen:
-        return "vertex"
-    on_edge = any(cross(v, w) == (0, 0, 0) and dot(v, w) <= 0 for v, w in zip(seen, seen[1:] + seen[:1]))
-    return "edge" if on_edge else "inside"
 
 
 def check_point_mesh_distance(claim):

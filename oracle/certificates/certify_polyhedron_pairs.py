@@ -5,7 +5,7 @@ written down."""
 from certify_meshes import mesh
 from certify_reading import WRONG_KIND, expect
 from certify_solids import expect_even, index, proved_location
-from certify_space import cross, dot, triple
+from certify_space import cross, dot, minus, triple
 
 
 def named(solid):
@@ -16,10 +16,6 @@ def named(solid):
 def box_around(solid):
     axes = list(zip(*(solid[0][i] for i in named(solid))))
     return [min(axis) for axis in axes], [max(axis) for axis in axes]
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def heights(polygon, half):

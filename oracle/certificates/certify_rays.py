@@ -4,11 +4,11 @@ check_passages.cpp.
 
 A line is (from, way, ends): the points from + t way with t >= 0, and t <= 1 where it ends."""
 
-from certify_meshes import listed_triangles
+from certify_meshes import listed_faces, part_of
 from certify_obbs import obb, reach
 from certify_reading import WRONG_KIND, Claim, expect, list_of_two, only
 from certify_solids import index
-from certify_space import ball_or_disc, box, cross, dot, exact_triple, plane, point_in_space, two_or_three
+from certify_space import ball_or_disc, box, cross, dot, exact_triple, minus, plane, point_in_space, two_or_three
 from certify_surd import exact_surd
 from certify_triangles import capsule_in_space, expect_nothing_before, points, weighted
 
@@ -63,10 +63,6 @@ def check_ray_plane(claim):
     claim.inputs("ray", "plane")
     line = ray_in_space(claim.input["ray"], "ray")
     prove_line_plane(claim, line, plane(claim.input["plane"], "plane"))
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def expect_apart(level, until, ray, corners):
@@ -128,7 +124,7 @@ def check_ray_triangle(claim):
 def check_ray_mesh(claim):
     claim.inputs("ray", "mesh")
     ray = ray_in_space(claim.input["ray"], "ray")
-    vertices, faces = listed_triangles(claim.input["mesh"], "mesh")
+    vertices, faces = listed_faces(claim.input["mesh"], "mesh")
     relation = claim.word("relation")
     expect(relation in ("none", "hit"), "truth: relation is wrong")
     claim.answers("relation", *(["first"] if relation == "hit" else []), "faces_met")
@@ -148,26 +144,23 @@ def check_ray_mesh(claim):
             expect_apart(plane, until, ray, corners_of(face))
     for proof in claim.proofs("met"):
         proof.expect_kind("common_part"), proof.facts("face", "on_ray", "weights", "before")
-        face = proof.single("face")
-        corners = corners_of(face)
-        first = proved_first(proof, ray, corners, 1)
-        met[first[0], face] = first, corners
+        first = proved_first(proof, ray, corners_of(proof.single("face")), 1)
+        met[first[0], faces.face_of[index(proof.single("face"), len(faces))]] = first
     expect(len(proved) == len(faces), "certificate: a face is left out")
     expect(relation == ("hit" if met else "none"), "truth: relation is wrong")
 
     def is_count(given, number):
         return type(given) is int and given == number
 
-    expect(is_count(claim.truth["faces_met"], len(met)), "truth: faces_met is wrong")
+    expect(is_count(claim.truth["faces_met"], len({face for _, face in met})), "truth: faces_met is wrong")
     if not met:
         return
     hit = Claim({"input": claim.input, "truth": claim.truth["first"], "certificate": claim.certificate})
     hit.answers("t", "point", "face", "part")
-    (_, face), (first, corners) = min(met.items(), key=lambda item: item[0])
+    (_, face), first = min(met.items(), key=lambda item: item[0])
     expect_first(hit, first)
     expect(is_count(hit.truth["face"], face), "truth: face is wrong")
-    part = "inside" if first[2] else "vertex" if first[1] in corners else "edge"
-    expect(hit.word("part") == part, "truth: part is wrong")
+    expect(hit.word("part") == part_of(vertices, faces.named[face], first[1]), "truth: part is wrong")
 
 
 def course(claim):

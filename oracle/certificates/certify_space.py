@@ -76,6 +76,10 @@ def triple(claim, name):
     return exact_triple(claim.certificate[name], "certificate." + name)
 
 
+def minus(p, q):
+    return tuple(x - y for x, y in zip(p, q))
+
+
 def dot(p, q):
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 

@@ -3,18 +3,14 @@
 
 from itertools import product
 
-from certify_meshes import listed_triangles
+from certify_meshes import listed_faces
 from certify_reading import WRONG_KIND, expect
-from certify_space import ball, box_holds, box_in_space, cross, dot, named, plane, point_in_space, triple
+from certify_space import ball, box_holds, box_in_space, cross, dot, minus, named, plane, point_in_space, triple
 from certify_solids import index
 from certify_surd import Surd, exact_surd
 from certify_triangles import capsule_in_space, points, weighted
 
 NO_PROOF = "certificate: the kind does not hold"
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def squared_gap(claim):
@@ -220,7 +216,7 @@ def check_swept_sphere_mesh(claim):
     claim.inputs("sphere", "velocity", "mesh")
     center, radius = ball(claim.input["sphere"], "sphere")
     velocity = point_in_space(claim.input["velocity"], "velocity")
-    vertices, faces = listed_triangles(claim.input["mesh"], "mesh")
+    vertices, faces = listed_faces(claim.input["mesh"], "mesh")
     relation = claim.word("relation")
     expect(relation in ("hit", "never"), "truth: relation is wrong")
     claim.answers("relation", *(["t", "face"] if relation == "hit" else []))
@@ -254,7 +250,8 @@ def check_swept_sphere_mesh(claim):
     if first:
         expect(exact_surd(claim.truth["t"], "truth.t").compared_with(first[0]) == 0, "truth: t is wrong")
         face = claim.truth["face"]
-        expect(type(face) is int and face == first[1], "truth: face is wrong")
+        named = faces.face_of[index(first[1], len(faces))]
+        expect(type(face) is int and face == named, "truth: face is wrong")
 
 
 def check_swept_capsule_capsule(claim):

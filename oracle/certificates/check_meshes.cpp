@@ -78,15 +78,25 @@ Mesh listed(const json& value, const std::string& what) {
 
 }  // namespace
 
-Mesh listed_triangles(const json& value, const std::string& what) {
+const char* part_of(const Mesh& mesh, std::size_t face, const Triple& x) {
+  const std::vector<std::size_t>& corners = mesh.named[face];
+  const char* part = "inside";
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Triple from = x - mesh.vertices[corners[k]], to = x - mesh.vertices[corners[(k + 1) % corners.size()]];
+    if (from == Triple{0, 0, 0}) return "vertex";
+    if (cross(from, to) == Triple{0, 0, 0} && sgn(dot(from, to)) <= 0) part = "edge";
+  }
+  return part;
+}
+
+Mesh listed_faces(const json& value, const std::string& what) {
   const Mesh found = listed(value, what);
-  expect(!is_cut(value), what + ".faces: triangles: no face of more than three corners");
+  if (is_cut(value)) expect_cut(found, what);
   return found;
 }
 
 Mesh mesh(const json& value, const std::string& what) {
-  const Mesh found = listed(value, what);
-  if (is_cut(value)) expect_cut(found, what);
+  const Mesh found = listed_faces(value, what);
   for (std::size_t i = 0; i < found.faces.size(); ++i) {
     const Face& f = found.faces[i];
     expect(f[0] != f[1] && f[1] != f[2] && f[2] != f[0],

@@ -24,8 +24,11 @@ struct Mesh {
 /// they are a valid triangulation, by check_polygon_faces.cpp.
 Mesh mesh(const json& value, const std::string& what);
 
-/// The same of any triangles: no number of faces is too small, and a face may use a vertex twice. No `cut`.
-Mesh listed_triangles(const json& value, const std::string& what);
+/// The same of any faces: no number of them is too small, and one of three corners may use a vertex twice.
+Mesh listed_faces(const json& value, const std::string& what);
+
+/// The place of a point of a named face in it.
+const char* part_of(const Mesh& mesh, std::size_t face, const Triple& x);
 
 /// Requires that the faces of the mesh are planar, and that its triangles are a valid triangulation of them.
 void expect_cut(const Mesh& mesh, const std::string& what);

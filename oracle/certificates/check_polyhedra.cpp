@@ -80,18 +80,6 @@ Triple nearest_in(const std::array<Triple, 3>& t, const Triple& p) {
   return over ? along(p, Rational(dot(t[0] - p, normal) / squared_length(normal)), normal) : nearest;
 }
 
-/// The place of a point of a face in it, with any number of corners.
-const char* part_of(const Mesh& mesh, std::size_t face, const Triple& x) {
-  const std::vector<std::size_t>& corners = mesh.named[face];
-  const char* part = "inside";
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Triple from = x - mesh.vertices[corners[k]], to = x - mesh.vertices[corners[(k + 1) % corners.size()]];
-    if (from == Triple{0, 0, 0}) return "vertex";
-    if (cross(from, to) == Triple{0, 0, 0} && sgn(dot(from, to)) <= 0) part = "edge";
-  }
-  return part;
-}
-
 void check_point_mesh_distance(const Claim& claim) {
   claim.inputs({"point", "mesh"});
   const Triple p = point_in_space(claim.input["point"], "point");

@@ -7,6 +7,7 @@
 
 #include "geometry/validation.h"
 #include "oracle/exact/solids/closed_mesh.h"
+#include "oracle/exact/solids/face_part.h"
 #include "oracle/exact/solids/nearest_on_surface.h"
 #include "oracle/exact/solids/polygon_faces.h"
 
@@ -23,7 +24,9 @@ PointAndSurface point_and_surface(const Point3<Number>& point, const Mesh<Number
 template <class Number>
 MeshPoint<Surd> mesh_point(const PointAndSurface& both, const Mesh<Number>& mesh, const NearPlace& near) {
   const Index face = named_face_of_each(mesh)[near.triangle];
-  return {in_space(both.actual(near.point)), face, both.part(corners_of_named(mesh, face), near.point)};
+  std::vector<Point3<Rational>> corners;
+  for (const Index i : corners_of_named(mesh, face)) corners.push_back(both.vertex(i));
+  return {in_space(both.actual(near.point)), face, face_part(corners, near.point)};
 }
 
 template <class Number>

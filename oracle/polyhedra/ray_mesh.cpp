@@ -2,11 +2,14 @@
 #include "oracle/polyhedra/ray_mesh.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_cloud.h"
+#include "oracle/exact/solids/face_part.h"
+#include "oracle/exact/solids/polygon_faces.h"
 #include "oracle/exact/solids/ray_part.h"
 
 namespace touchstone::oracle {
@@ -46,13 +49,18 @@ struct Cast {
     return *std::min_element(met.begin(), met.end(),
                              [](const Met& a, const Met& b) { return a.part.first_t() < b.part.first_t(); });
   }
-  RayMesh<Rational> answer() const {
+  /// corners_of(face): those of a named one.
+  template <class CornersOf>
+  RayMesh<Rational> answer(const std::vector<Index>& named, const CornersOf& corners_of) const {
     if (met.empty()) return {PassageRelation::none, {}, 0};
-    const auto& [face, part] = first();
+    const auto& [triangle, part] = first();
+    const Index face = named[triangle];
     const Point3<Rational> p = part.first_point();
-    const FacePart place = part.inside() ? FacePart::inside : part.at_corner() ? FacePart::vertex : FacePart::edge;
-    const FaceHit<Rational> hit{part.first_t(), {actual(p.x), actual(p.y), actual(p.z)}, face, place};
-    return {PassageRelation::hit, hit, static_cast<Index>(met.size())};
+    const FaceHit<Rational> hit{
+        part.first_t(), {actual(p.x), actual(p.y), actual(p.z)}, face, face_part(corners_of(face), p)};
+    std::set<Index> faces;
+    for (const Met& each : met) faces.insert(named[each.face]);
+    return {PassageRelation::hit, hit, static_cast<Index>(faces.size())};
   }
   Certificate certificate() const {
     const auto in_units = [this](const Rational& length) { return actual(length); };
@@ -71,7 +79,7 @@ template <class Number>
 Truth<RayMesh<Rational>> truth_of_ray_mesh(const Ray3<Number>& given, const Mesh<Number>& mesh) {
   validation::validate_numbers("ray", given), validation::validate_numbers("mesh", mesh);
   validation::validate("ray", given), validation::validate("mesh", mesh);
-  validation::validate_no_polygons("mesh", mesh);
+  validate_polygons("mesh", mesh);
   const auto& [o, v] = given;
   std::vector<Point3<Number>> points = mesh.vertices;
   points.push_back(o), points.push_back({v.x, v.y, v.z});
@@ -90,10 +98,15 @@ Truth<RayMesh<Rational>> truth_of_ray_mesh(const Ray3<Number>& given, const Mesh
     cast.ask(i, t);
     consider(squared_distance_to_touch(cast.ray.segment, t));
   }
-  const RayMesh<Rational> answer = cast.answer();
+  const std::vector<Index> named = named_face_of_each(mesh);
+  const RayMesh<Rational> answer = cast.answer(named, [&](Index face) {
+    std::vector<Point3<Rational>> ring;
+    for (const Index i : corners_of_named(mesh, face)) ring.push_back(exact(cloud[i]));
+    return ring;
+  });
   for (const auto& [face, part] : cast.met) {
     const Rational after(part.first_t() - answer.first->t);
-    if (face != answer.first->face) consider(Rational(after * after * Rational(dot(direction, direction))));
+    if (named[face] != answer.first->face) consider(Rational(after * after * Rational(dot(direction, direction))));
   }
   if (margin) *margin *= cloud.unit * cloud.unit;
   return {answer, margin, [cast = std::move(cast)] { return cast.certificate(); }};

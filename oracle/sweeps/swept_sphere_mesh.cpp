@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "geometry/validation.h"
+#include "oracle/exact/numbers/space.h"
+#include "oracle/exact/solids/polygon_faces.h"
 #include "oracle/sweeps/swept_sphere_triangle.h"
 
 namespace touchstone::oracle {
@@ -58,12 +60,13 @@ template <class Number>
 Truth<FirstFaceContact<Surd>> truth_swept_sphere_mesh(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                                       const Mesh<Number>& mesh) {
   validation::validate_all("sphere", sphere, "velocity", velocity, "mesh", mesh);
-  validation::validate_no_polygons("mesh", mesh);
+  validate_polygons("mesh", mesh);
   BallNearFaces q{
       exact(sphere.center), exact(sphere.radius), {exact(velocity.x), exact(velocity.y), exact(velocity.z)}, {}, {}};
   FirstFaceContact<Surd> first{HitRelation::never, std::nullopt, std::nullopt};
   std::optional<Rational> margin;
   const auto consider = [&margin](const Rational& square) { margin = margin ? std::min(*margin, square) : square; };
+  const std::vector<Index> named = named_face_of_each(mesh);
   bool at_once = false;
   for (Index i = 0; i < mesh.faces.size(); ++i) {
     const auto& [a, b, c] = triangle_of_face(mesh, i);
@@ -72,8 +75,9 @@ Truth<FirstFaceContact<Surd>> truth_swept_sphere_mesh(const Sphere3<Number>& sph
     const auto& [contact, depth, certificate] = q.truths.back();
     consider(*depth);
     if (!contact.t || (first.t && *first.t < *contact.t)) continue;
-    at_once = first.t && *first.t == *contact.t;
-    if (!at_once) first = {HitRelation::hit, contact.t, i};
+    const bool tie = first.t && *first.t == *contact.t;
+    at_once = tie && (at_once || named[i] != named[*first.face]);
+    if (!tie) first = {HitRelation::hit, contact.t, i};
   }
   if (first.t && sgn(*first.t) == 0) {
     margin.reset();
@@ -83,6 +87,7 @@ Truth<FirstFaceContact<Surd>> truth_swept_sphere_mesh(const Sphere3<Number>& sph
   } else if (at_once) {
     margin = 0;
   }
+  if (first.face) first.face = named[*first.face];
   return {std::move(first), std::move(margin), [q = std::move(q)] { return q.certificate(); }};
 }
 

@@ -16,11 +16,13 @@ namespace touchstone::reference {
 /// `vertex` if two are.
 ///
 /// ray, mesh: any unit of length, the same for both; t is in units of the direction's length. The mesh is a list of
-/// triangles over a list of vertices, and nothing more: open or closed, of any number of parts, crossing itself; faces
+/// faces over a list of vertices, and nothing more: open or closed, of any number of parts, crossing itself; faces
 /// turn either way and are met from both sides; vertices that no face names are not met. Closed sets: the origin,
 /// edges and vertices belong to them, so a ray through an edge that two faces share, or a vertex of six, meets all of
-/// them. Each face is decided as by ray_triangle.h. `face` is the least index of the faces that have the first common
-/// point, `part` the place of the point in that face. `faces_met` is the number of faces that have any point in common
+/// them. Each triangle is decided as by ray_triangle.h; a face of more corners is the polygon that they bound, and is
+/// cut into triangles first. `face` is the least index of the faces that have the first common point, as the mesh names
+/// them. `part` is `vertex` where the point is a corner of that face, else `edge` where it is on an edge of it, between
+/// two corners that the face names one after the other, and otherwise `inside`. `faces_met` is the number of faces that have any point in common
 /// with the ray, also those along it: what Embree's filter functions, trimesh's intersects_id and libigl's
 /// ray_mesh_intersect list, if neither rounding nor a convention leaves out a face. It is not the number of crossings
 /// of a surface: that is the same only where no edge, no vertex and no face along the ray is met. A mesh without faces
@@ -31,15 +33,16 @@ namespace touchstone::reference {
 /// at the first t of what they have in common; if the origin is in the face that is 0, `inside`. Refused by robust and
 /// oracle with field and rule, the first that applies: NaN or infinity in the ray (ray.origin[c], ray.direction[c],
 /// "finite number"), or in the mesh (mesh.vertices[i][c], "finite number"); a direction of length 0 ("ray.direction",
-/// "nonzero direction"); a face that names no vertex (mesh.faces[i][k], "index of a vertex"); faces of more than three
-/// corners (mesh.faces, "triangles: no face of more than three corners"), because the edges of a cut are not theirs. t
-/// and the point are infinite if the exact ones are beyond the range of doubles.
+/// "nonzero direction"); a face that names no vertex (mesh.faces[i][k], "index of a vertex"). Faces of more than three
+/// corners are refused by the rules of docs/meshes.md before everything else. t and the point are infinite if the exact
+/// ones are beyond the range of doubles.
 ///
-/// In exact arithmetic the formula misses faces without area and those in whose plane the ray lies (cause: algorithm).
-/// It is right about all others.
+/// In exact arithmetic the formula misses faces without area and those in whose plane the ray lies, takes a diagonal of
+/// the cut of a face for an edge, and passes over a bridge within a face (cause: algorithm). It is right about all
+/// others.
 ///
-/// Margin: the least squared distance of the origin from a face, or of the ray from an edge, or of the first point from
-/// the one at which the ray first meets another face.
+/// Margin: the least squared distance of the origin from a triangle, or of the ray from an edge of one, diagonals of
+/// cuts included, or of the first point from the one at which the ray first meets another face.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with X, Y and Z the sums of the magnitudes of the coordinates of e, f
 /// and s on each axis, taken exactly, the products of rise, ca, ab and bc are among those of T = |v.x| Y Z + |v.y| Z X
@@ -55,6 +58,8 @@ template <class Real>
 RayMesh<Real> ray_mesh(const Ray3<Real>& ray, const Mesh<Real>& mesh) {
   RayMesh<Real> found{PassageRelation::none, std::nullopt, 0};
   const Real zero(0);
+  const std::vector<Index> named = named_face_of_each(mesh);
+  std::optional<Index> last;
   for (Index i = 0; i < mesh.faces.size(); ++i) {
     const Point3<Real>&a = mesh.vertices[mesh.faces[i].a], &b = mesh.vertices[mesh.faces[i].b],
           &c = mesh.vertices[mesh.faces[i].c];
@@ -64,11 +69,13 @@ RayMesh<Real> ray_mesh(const Ray3<Real>& ray, const Mesh<Real>& mesh) {
     const auto behind = [&](const Real& value) { return !(rise > zero ? value >= zero : value <= zero); };
     if (rise == zero || behind(ca) || behind(ab) || behind(bc) || behind(height)) continue;
     const Real t = Real(height / rise);
-    found.relation = PassageRelation::hit, ++found.faces_met;
+    found.relation = PassageRelation::hit;
+    if (last != named[i]) ++found.faces_met;
+    last = named[i];
     if (found.first && !(t < found.first->t)) continue;
     const int zeros = (ca == zero) + (ab == zero) + (bc == zero);
     const FacePart part = zeros == 0 ? FacePart::inside : zeros == 1 ? FacePart::edge : FacePart::vertex;
-    found.first = FaceHit<Real>{t, ray.origin + t * ray.direction, i, part};
+    found.first = FaceHit<Real>{t, ray.origin + t * ray.direction, named[i], part};
   }
   return found;
 }

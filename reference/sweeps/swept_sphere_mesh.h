@@ -25,14 +25,16 @@ namespace touchstone::reference {
 /// span; radius 0 is a point; a velocity of 0 is valid. Refused by robust and oracle with field and rule, the first
 /// that applies: NaN or infinity (sphere.center[c], sphere.radius, velocity[c], mesh.vertices[i][c], "finite number");
 /// a negative radius ("sphere.radius", "radius >= 0"); a face that names no vertex (mesh.faces[i][k], "index of a
-/// vertex"); faces of more than three corners (mesh.faces, "triangles: no face of more than three corners").
+/// vertex"). A face of more than three corners is the polygon that they bound: it is cut into triangles first, and
+/// refused by the rules of docs/meshes.md before everything else.
 ///
 /// In exact arithmetic the formula is always right, as it is for each face. (Roots are then exact to 9000 digits: where
 /// two faces are met at one irrational time, which different polynomials have, the judge may blame the formula.)
 ///
-/// Margin: with a hit at the start the least |d^2 - r^2| of the named face and those before it, d being the distance of
-/// the center from a face; otherwise the least of the margins that swept_sphere_triangle.h has for the faces, or 0 if
-/// the named face is not the only one that is met at t, which includes edges and corners that faces share.
+/// Margin: with a hit at the start the least |d^2 - r^2| of the triangles up to the first that is met, d being the
+/// distance of the center from one; otherwise the least of the margins that swept_sphere_triangle.h has for the
+/// triangles, or 0 if the named face is not the only one that is met at t, which includes edges and corners that faces
+/// share. A face of more corners counts as the triangles of its cut.
 ///
 /// Rounding: no bound is given, as for one face; where two faces are met within what is rounded, either may be named.
 /// ulps: 53 roundings behind t, as in swept_sphere_triangle.h.
@@ -44,6 +46,7 @@ FirstFaceContact<Real> swept_sphere_mesh(const Sphere3<Real>& sphere, const Vect
     const FirstContact<Real> contact = swept_sphere_triangle(sphere, velocity, triangle_of_face(mesh, i));
     if (contact.t && !(first.t && *first.t <= *contact.t)) first = {HitRelation::hit, contact.t, i};
   }
+  if (first.face) first.face = named_face_of(mesh, *first.face);
   return first;
 }
 

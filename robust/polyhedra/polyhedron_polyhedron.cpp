@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
 #include "robust/kernel/filters/space_box.h"
+#include "robust/kernel/machine/parallel.h"
 #include "robust/kernel/shapes/valid.h"
 #include "robust/kernel/solids/closed_mesh.h"
 #include "robust/kernel/solids/common_interior.h"
@@ -192,23 +194,36 @@ bool common_interior_near(const Meshd& mesh, const Face& f, const Searched& a, c
 
 /// If no faces have a common point, each part of one that shares vertices is inside or outside of the other as any
 /// vertex of it is.
-Decided<PolyhedronPolyhedron> of_many_faces(const Searched& a, const Searched& b) {
+Decided<PolyhedronPolyhedron> of_many_faces(const Searched& a, const Searched& b, std::size_t threads) {
   Stage latest = Stage::filter;
   std::array<Index, 2> meeting{};
+  std::mutex one_at_a_time;
   const auto meet = [&](Index f, Index g) {
-    meeting = {f, g};
     const auto common =
         stages::triangle_triangle::ask(triangle(a.mesh, a.mesh.faces[f]), triangle(b.mesh, b.mesh.faces[g]));
-    return common.noting(latest) != TriangleTriangleRelation::none;
+    const bool met = common.answer != TriangleTriangleRelation::none;
+    if (!met && common.stage == Stage::filter) return false;
+    const std::lock_guard lock(one_at_a_time);
+    common.noting(latest);
+    if (met) meeting = {f, g};
+    return met;
+  };
+  const auto of_both = [threads](const auto& of_a, const auto& of_b) {
+    in_parallel(threads, 2, [&](std::size_t i) { i == 0 ? of_a() : of_b(); });
   };
   // Surfaces that cross mostly do so in a slab of few faces, which is found before trees are made.
   const auto meet_in_slab = [&] {
     const SpaceBox slab = slab_of_both(a.box, b.box);
-    const std::vector<Index> in_a = faces_near(a.mesh, slab), in_b = faces_near(b.mesh, slab);
+    std::vector<Index> in_a, in_b;
+    of_both([&] { in_a = faces_near(a.mesh, slab); }, [&] { in_b = faces_near(b.mesh, slab); });
     return !in_a.empty() && !in_b.empty() &&
-           structures::FaceTree(a.mesh, in_a).any_pair(structures::FaceTree(b.mesh, in_b), meet);
+           structures::FaceTree(a.mesh, in_a).any_pair(structures::FaceTree(b.mesh, in_b), meet, threads);
   };
-  const bool met = (!(a.prepared() && b.prepared()) && meet_in_slab()) || a.tree().any_pair(b.tree(), meet);
+  const auto meet_in_trees = [&] {
+    of_both([&] { a.tree(); }, [&] { b.tree(); });
+    return a.tree().any_pair(b.tree(), meet, threads);
+  };
+  const bool met = (!(a.prepared() && b.prepared()) && meet_in_slab()) || meet_in_trees();
   const Searched* within = nullptr;  // has a vertex inside of the other
   std::optional<Index> inside;
   for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
@@ -239,13 +254,16 @@ constexpr std::size_t many_faces = 1024;
 
 }  // namespace
 
-Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a, const Meshd& b) {
+Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a, const Meshd& b,
+                                                                 std::size_t threads) {
+  if (threads == 0) threads = threads_of_machine();
+  if (a.faces.size() + b.faces.size() < many_faces) threads = 1;
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
-  kernel::validate_closed("a", a), kernel::validate_closed("b", b);
+  in_parallel(threads, 2, [&](std::size_t i) { kernel::validate_closed(i == 0 ? "a" : "b", i == 0 ? a : b); });
   Stage latest = Stage::filter;
   const SpaceBox box_of_a = SpaceBox::around(a), box_of_b = SpaceBox::around(b);
   if (!box_of_a.meets(box_of_b)) return {{Contact::disjoint, PolyhedraStep::bounding_volumes}, latest};
-  if (a.faces.size() + b.faces.size() >= many_faces) return of_many_faces({a, box_of_a}, {b, box_of_b});
+  if (a.faces.size() + b.faces.size() >= many_faces) return of_many_faces({a, box_of_a}, {b, box_of_b}, threads);
   const bool inside = any_vertex_inside(a, b, latest) || any_vertex_inside(b, a, latest);
   const PolyhedraStep step = inside ? PolyhedraStep::vertex_inside : PolyhedraStep::edge_against_face;
   if (!inside && !any_faces_meet(a, b, latest)) return {{Contact::disjoint, step}, latest};
@@ -253,13 +271,15 @@ Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a,
   return {{contact, step}, Stage::exact};
 }
 
-PolyhedronPolyhedron polyhedron_polyhedron(const Solid& a, const Solid& b) {
+PolyhedronPolyhedron polyhedron_polyhedron(const Solid& a, const Solid& b, std::size_t threads) {
   if (!a.box().meets(b.box())) return {Contact::disjoint, PolyhedraStep::bounding_volumes};
-  return of_many_faces(Searched(a), Searched(b)).answer;
+  return of_many_faces(Searched(a), Searched(b), threads == 0 ? threads_of_machine() : threads).answer;
 }
+PolyhedronPolyhedron polyhedron_polyhedron(const Solid& a, const Solid& b) { return polyhedron_polyhedron(a, b, 1); }
 
-PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b) {
-  return stages::polyhedron_polyhedron::ask(a, b).answer;
+PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b, std::size_t threads) {
+  return stages::polyhedron_polyhedron::ask(a, b, threads).answer;
 }
+PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b) { return polyhedron_polyhedron(a, b, 1); }
 
 }  // namespace touchstone::robust

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "geometry/validation.h"
 #include "robust/kernel/filters/control_word.h"
@@ -18,10 +19,11 @@
 namespace touchstone::robust {
 namespace {
 
-/// The first of the faces that were met.
+/// The first of the faces that were met. Until the end, `face` is a triangle.
 class FirstFace {
  public:
-  FirstFace(const Ray3d& ray, const Meshd& mesh) : ray_(ray), mesh_(mesh) {}
+  FirstFace(const Ray3d& ray, const Meshd& mesh, const std::vector<Index>& named)
+      : ray_(ray), mesh_(mesh), named_(named) {}
 
   /// Only what the filter of the decision does not know goes on to the other stages at once. stay() bounds t.
   template <class Stay>
@@ -46,8 +48,9 @@ class FirstFace {
     for (std::size_t i = 0; i < waiting_; ++i) {
       const auto [face, first] = hits_[i];
       if (first <= least_last_) measure(face, triangle_of_face(mesh_, face));
-      else ++found_.faces_met;  // later than another
+      else count(face);  // later than another
     }
+    if (!named_.empty()) name_faces();
     return {found_, latest_};
   }
 
@@ -72,11 +75,30 @@ class FirstFace {
                            : FacePart::edge);
   }
 
+  void count(Index face) {
+    ++found_.faces_met;
+    if (!named_.empty()) met_.push_back(named_[face]);
+  }
+  /// A face of up to four corners names no bridge, so that what is inside of a triangle of its cut is inside of it.
+  void name_faces() {
+    std::sort(met_.begin(), met_.end());
+    found_.faces_met = static_cast<Index>(std::unique(met_.begin(), met_.end()) - met_.begin());
+    if (!found_.first) return;
+    auto& [t, point, face, part] = *found_.first;
+    const Triangle3d triangle = triangle_of_face(mesh_, face);
+    face = named_[face];
+    std::vector<Point3d> corners;
+    for (const Index i : mesh_.polygons[face]) corners.push_back(mesh_.vertices[i]);
+    if (corners.size() == 3 || part == FacePart::vertex || (part == FacePart::inside && corners.size() == 4)) return;
+    note(Stage::exact);
+    part = kernel::first_part_in(corners, ray_, triangle);
+  }
+
   void note(Stage stage) {
     if (latest_ < stage) latest_ = stage;
   }
   void add(Index face, double t, const Point3d& point, FacePart part) {
-    found_.relation = PassageRelation::hit, ++found_.faces_met;
+    found_.relation = PassageRelation::hit, count(face);
     if (!found_.first || is_before(face, t)) found_.first = {t, point, face, part};
   }
   /// Rounding keeps the order of different numbers, or makes them equal.
@@ -91,6 +113,8 @@ class FirstFace {
 
   const Ray3d& ray_;
   const Meshd& mesh_;
+  const std::vector<Index>& named_;
+  std::vector<Index> met_;  ///< named faces, where any has more than three corners
   RayMesh<double> found_{PassageRelation::none, {}, 0};
   Stage latest_ = Stage::filter;
   std::array<Hit, 16> hits_;
@@ -98,10 +122,10 @@ class FirstFace {
   float least_last_ = std::numeric_limits<float>::infinity();
 };
 
-Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh,
+Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh, const std::vector<Index>& named,
                                         const std::optional<structures::FaceTree>& faces) {
   const kernel::ControlWord guard;
-  FirstFace first(ray, mesh);
+  FirstFace first(ray, mesh, named);
   if (faces) {
     faces->any_along(ray, [&first](Index face, const auto& stay) {
       first.meet(face, stay);
@@ -128,14 +152,14 @@ void validate(const Ray3d& ray, const Meshd& mesh) {
 
 Decided<RayMesh<double>> stages::ray_mesh::ask(const Ray3d& ray, const Meshd& mesh) {
   validate(ray, mesh);
-  return first_of_valid(ray, mesh, Surface::tree_of(mesh));
+  return first_of_valid(ray, mesh, Surface::named_of(mesh), Surface::tree_of(mesh));
 }
 
 RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh) { return stages::ray_mesh::ask(ray, mesh).answer; }
 
 RayMesh<double> ray_mesh(const Ray3d& ray, const Surface& surface) {
   validation::validate_all("ray", ray);
-  return first_of_valid(ray, surface.mesh(), surface.tree()).answer;
+  return first_of_valid(ray, surface.mesh(), surface.named(), surface.tree()).answer;
 }
 
 PassageRelation ray_mesh_relation(const Ray3d& ray, const Meshd& mesh) {

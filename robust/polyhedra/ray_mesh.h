@@ -15,8 +15,8 @@ namespace touchstone::robust {
 /// sorts the faces into a tree; for many rays on one mesh keep a robust::Surface. Right for all finite doubles in every
 /// floating-point environment, and every number correctly rounded (infinite if the exact one is beyond the range). NaN
 /// and infinities throw InvalidInput, which names the field and "finite number"; so do a direction of length 0
-/// ("nonzero direction"), a face that names no vertex, and faces of more than three corners. Contract:
-/// reference/polyhedra/ray_mesh.h.
+/// ("nonzero direction"), a face that names no vertex, and a face of more than three corners that is no planar polygon.
+/// Contract: reference/polyhedra/ray_mesh.h.
 RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh);
 
 class Surface;  // robust/prepared/surface.h

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "geometry/ray_mesh.h"
 #include "geometry/validation.h"
+#include "robust/kernel/solids/polygon_faces.h"
 
 namespace touchstone::robust {
 namespace {
@@ -18,7 +18,7 @@ Meshd valid_faces(const std::string& field, Meshd mesh) {
 
 void Surface::validate(const std::string& field, const Meshd& mesh) {
   validation::validate_numbers(field, mesh), validation::validate(field, mesh);
-  validation::validate_no_polygons(field, mesh);
+  kernel::validate_polygons(field, mesh);
 }
 
 std::optional<structures::FaceTree> Surface::tree_of(const Meshd& mesh) {
@@ -26,7 +26,11 @@ std::optional<structures::FaceTree> Surface::tree_of(const Meshd& mesh) {
   return structures::FaceTree(mesh);
 }
 
+std::vector<Index> Surface::named_of(const Meshd& mesh) {
+  return mesh.polygons.empty() ? std::vector<Index>() : named_face_of_each(mesh);
+}
+
 Surface::Surface(Meshd mesh, const std::string& field)
-    : mesh_(valid_faces(field, std::move(mesh))), tree_(tree_of(mesh_)) {}
+    : mesh_(valid_faces(field, std::move(mesh))), named_(named_of(mesh_)), tree_(tree_of(mesh_)) {}
 
 }  // namespace touchstone::robust

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
@@ -24,11 +25,16 @@ class Surface {
   /// None without faces.
   const std::optional<structures::FaceTree>& tree() const { return tree_; }
 
+  /// For each triangle the face of which it is a part, where a face has more than three corners; else empty.
+  const std::vector<Index>& named() const { return named_; }
+
   static void validate(const std::string& field, const Meshd& mesh);
   static std::optional<structures::FaceTree> tree_of(const Meshd& mesh);
+  static std::vector<Index> named_of(const Meshd& mesh);
 
  private:
   Meshd mesh_;
+  std::vector<Index> named_;
   std::optional<structures::FaceTree> tree_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +15,7 @@
 #include "geometry/rays.h"
 #include "robust/kernel/filters/processor.h"
 #include "robust/kernel/filters/strict_math.h"
+#include "robust/kernel/machine/parallel.h"
 
 namespace touchstone::robust::structures {
 
@@ -29,11 +31,25 @@ class FaceTree {
   FaceTree(const Meshd& mesh, std::vector<Index> faces);
 
   /// Returns whether `wanted` is true for a face here and one there, by their indices in the meshes, whose boxes meet.
-  /// Stops at the first.
+  /// Stops at the first; on several threads, which call `wanted` at the same time, soon after one.
   template <class Wanted>
-  bool any_pair(const FaceTree& other, const Wanted& wanted) const {
-    const int top = static_cast<int>(levels_.size()) - 1, other_top = static_cast<int>(other.levels_.size()) - 1;
-    return any_pair(top, 0, other, other_top, 0, wanted);
+  bool any_pair(const FaceTree& other, const Wanted& wanted, std::size_t threads = 1) const {
+    const NodePair top{levels_.size() - 1, 0, other.levels_.size() - 1, 0};
+    if (threads <= 1) return any_pair(top, other, wanted);
+    std::vector<NodePair> pairs{top}, below;
+    for (int level = 0; level < 12 && pairs.size() < 64 * threads; ++level, pairs.swap(below)) {
+      below.clear();
+      const auto keep = [&below](const NodePair& pair) {
+        below.push_back(pair);
+        return false;
+      };
+      for (const NodePair& pair : pairs) pair.of_faces() ? keep(pair) : any_below(pair, other, keep);
+    }
+    std::atomic<bool> found{false};
+    in_parallel(threads, pairs.size(), [&](std::size_t n) {
+      if (any_pair(pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); })) found = true;
+    });
+    return found;
   }
 
   /// Returns whether `wanted` is true for a face whose box meets the ray to +x. Stops at the first. Call while a
@@ -287,22 +303,32 @@ class FaceTree {
     }
   };
 
-  /// Node i of a level has the children 8 i to 8 i + 7 of the one below; the nodes of level 0 are faces.
-  template <class Wanted>
-  bool any_pair(int level, std::size_t i, const FaceTree& other, int other_level, std::size_t j,
-                const Wanted& wanted) const {
-    if (level == 0 && other_level == 0) return wanted(order_[i], other.order_[j]);
+  /// A node here and one there. Node i of a level has the children 8 i to 8 i + 7 of the one below; the nodes of level 0
+  /// are faces.
+  struct NodePair {
+    std::size_t level, i, other_level, j;
+    bool of_faces() const { return level == 0 && other_level == 0; }
+  };
+
+  /// Opens the node of the higher level: returns whether visit(pair) is true for a child of it, and the other, whose
+  /// boxes meet. Stops at the first.
+  template <class Visit>
+  bool any_below(const NodePair& pair, const FaceTree& other, const Visit& visit) const {
+    const auto& [level, i, other_level, j] = pair;
     const bool here = level >= other_level;
     const Block& whole = here ? other.block(other_level, j) : block(level, i);
-    const Block& parts = here ? levels_[static_cast<std::size_t>(level - 1)][i]
-                              : other.levels_[static_cast<std::size_t>(other_level - 1)][j];
+    const Block& parts = here ? levels_[level - 1][i] : other.levels_[other_level - 1][j];
     for (unsigned met = parts.lanes_met_by(whole, (here ? j : i) % 8); met != 0; met &= met - 1) {
       const std::size_t child = 8 * (here ? i : j) + static_cast<std::size_t>(std::countr_zero(met));
-      if (here ? any_pair(level - 1, child, other, other_level, j, wanted)
-               : any_pair(level, i, other, other_level - 1, child, wanted))
+      if (visit(here ? NodePair{level - 1, child, other_level, j} : NodePair{level, i, other_level - 1, child}))
         return true;
     }
     return false;
+  }
+  template <class Wanted>
+  bool any_pair(const NodePair& pair, const FaceTree& other, const Wanted& wanted) const {
+    if (pair.of_faces()) return wanted(order_[pair.i], other.order_[pair.j]);
+    return any_below(pair, other, [&](const NodePair& below) { return any_pair(below, other, wanted); });
   }
   template <class Wanted>
   bool any_along_x(std::size_t level, std::size_t block, const std::array<float, 3>& p, const Wanted& wanted) const {
@@ -312,7 +338,7 @@ class FaceTree {
     }
     return false;
   }
-  const Block& block(int level, std::size_t i) const { return levels_[static_cast<std::size_t>(level)][i / 8]; }
+  const Block& block(std::size_t level, std::size_t i) const { return levels_[level][i / 8]; }
   void sort_faces(const Meshd& mesh);
 
   std::vector<Index> order_;                ///< the indices of the faces

@@ -10,6 +10,7 @@
 #include "robust/kernel/filters/control_word.h"
 #include "robust/kernel/filters/ordered_bits.h"
 #include "robust/kernel/shapes/center_near_polygon.h"
+#include "robust/kernel/solids/polygon_faces.h"
 #include "robust/prepared/surface.h"
 #include "robust/sweeps/swept_sphere_triangle.h"
 
@@ -70,7 +71,9 @@ Decided<FirstFaceContact<double>> first_face_on_way(const Sphere3d& sphere, cons
   const kernel::ControlWord guard;
   FirstFaceOnWay first(sphere, velocity, mesh);
   if (faces) faces->on_way({sphere.center, velocity}, sphere.radius, [&first](Index face) { return first.meet(face); });
-  return first.found();
+  Decided<FirstFaceContact<double>> found = first.found();
+  if (found.answer.face) found.answer.face = named_face_of(mesh, *found.answer.face);
+  return found;
 }
 
 }  // namespace
@@ -78,7 +81,7 @@ Decided<FirstFaceContact<double>> first_face_on_way(const Sphere3d& sphere, cons
 Decided<FirstFaceContact<double>> stages::swept_sphere_mesh::ask(const Sphere3d& sphere, const Vector3d& velocity,
                                                                  const Meshd& mesh) {
   validation::validate_all("sphere", sphere, "velocity", velocity, "mesh", mesh);
-  validation::validate_no_polygons("mesh", mesh);
+  kernel::validate_polygons("mesh", mesh);
   return first_face_on_way(sphere, velocity, mesh, Surface::tree_of(mesh));
 }
 

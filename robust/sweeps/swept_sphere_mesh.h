@@ -18,7 +18,8 @@ namespace touchstone::robust {
 /// faces into a tree; for many balls and one mesh keep a robust::Surface. Right for all finite doubles in every
 /// floating-point environment, and t correctly rounded; the face is the one that is met first without rounding. NaN and
 /// infinities throw InvalidInput, which names the field and "finite number"; so do a negative radius ("radius >= 0"), a
-/// face that names no vertex, and faces of more than three corners. Contract: reference/sweeps/swept_sphere_mesh.h.
+/// face that names no vertex, and a face of more than three corners that is no planar polygon. Contract:
+/// reference/sweeps/swept_sphere_mesh.h.
 FirstFaceContact<double> swept_sphere_mesh(const Sphere3d& sphere, const Vector3d& velocity, const Meshd& mesh);
 
 class Surface;  // robust/prepared/surface.h

@@ -174,8 +174,10 @@ struct ray_mesh : signatures::ray_mesh {
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd mesh = solid_of_polygons(c);
-      const Point3d p = some_vertex(mesh, c);
-      return through(c, p, mesh);
+      const Point3d p = c.coin()   ? between_vertices(mesh, c)
+                        : c.coin() ? on_a_face_plane(mesh, c)
+                                   : some_vertex(mesh, c);
+      return through(c, p, c.one_in(6) ? with_broken_polygons(mesh, c) : mesh);
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_solid(c);

@@ -187,8 +187,8 @@ struct swept_sphere_mesh : signatures::swept_sphere_mesh {
     });
     add.unscaled("polygons", [](DrawStream& c) -> Question {
       const Meshd mesh = solid_of_polygons(c);
-      const Point3d p = some_vertex(mesh, c);
-      return towards(c, p, mesh);
+      const Point3d p = c.coin() ? between_vertices(mesh, c) : some_vertex(mesh, c);
+      return towards(c, p, c.one_in(6) ? with_broken_polygons(mesh, c) : mesh);
     });
     add.unscaled("named_solid", [](DrawStream& c) -> Question {
       const Meshd& mesh = named_solid(c);

@@ -58,15 +58,6 @@ std::vector<NearPlace> PointAndSurface::nearest() const {
   return found;
 }
 
-FacePart PointAndSurface::part(const std::vector<Index>& corners, const Point3<Rational>& x) const {
-  if (std::any_of(corners.begin(), corners.end(), [&](Index i) { return vertex(i) == x; })) return FacePart::vertex;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Hull edge{vertex(corners[k]), vertex(corners[(k + 1) % corners.size()])};
-    if (sgn(nearest_pair(edge, {x}).squared_distance) == 0) return FacePart::edge;
-  }
-  return FacePart::inside;
-}
-
 const NearPlace& first_of(const std::vector<NearPlace>& places) {
   return *std::min_element(places.begin(), places.end(), [](const NearPlace& a, const NearPlace& b) {
     return std::tie(a.point.x, a.point.y, a.point.z) < std::tie(b.point.x, b.point.y, b.point.z);

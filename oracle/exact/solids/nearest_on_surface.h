@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "geometry/ray_mesh.h"
 #include "oracle/exact/numbers/space.h"
 #include "oracle/exact/shapes/nearest_pair.h"
 #include "oracle/exact/shapes/whole_cloud.h"
@@ -28,8 +27,6 @@ struct PointAndSurface {
   /// The points of all triangles that are as near as the surface, in the order of the triangles. A triangle whose box
   /// is farther away is left out; each other one is solved by nearest_pair.h, and must be no nearer.
   std::vector<NearPlace> nearest() const;
-  /// The place of a point of a face in it, by its corners.
-  FacePart part(const std::vector<Index>& corners, const Point3<Rational>& x) const;
 
   Rational unit;
   Point3<Rational> point;

@@ -26,13 +26,6 @@ bool RayPart::inside() const {
          !zero(cross(triangle_.b - triangle_.a, triangle_.c - triangle_.a));
 }
 
-bool RayPart::at_corner() const {
-  const auto& [x, y, z] = first_point();
-  for (const Point3<Integer>* p : {&triangle_.a, &triangle_.b, &triangle_.c})
-    if (x == Rational(p->x) && y == Rational(p->y) && z == Rational(p->z)) return true;
-  return false;
-}
-
 Rational RayPart::squared_distance_to_touch() const {
   return oracle::squared_distance_to_touch(ray_.segment, triangle_);
 }

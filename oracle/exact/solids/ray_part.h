@@ -34,7 +34,6 @@ class RayPart {
   Point3<Rational> first_point() const { return point_at(ray_.segment, common_.first.t); }
   /// True if all three weights of the first point are positive, and the triangle has an area.
   bool inside() const;
-  bool at_corner() const;
 
   /// For the margin: squared_distance_to_touch of the cut ray.
   Rational squared_distance_to_touch() const;

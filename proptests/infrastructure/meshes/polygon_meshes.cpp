@@ -200,7 +200,8 @@ std::string complaint_of_other_cut(const Operation& operation, const Question& q
 
 TEST_CASE("polygon meshes: any valid cut gives the same truth and the same answer of robust") {
   for (const char* name : {"polyhedron_complexity", "point_in_polyhedron", "point_in_convex_polyhedron",
-                           "polyhedron_polyhedron", "swept_convex_polyhedra", "convex_distance"}) {
+                           "polyhedron_polyhedron", "swept_convex_polyhedra", "convex_distance", "point_mesh_distance",
+                           "ray_mesh", "swept_sphere_mesh"}) {
     CAPTURE(name);
     const Operation& operation = *catalogue::find_operation(name);
     int compared = 0;

@@ -4,7 +4,7 @@ import itertools
 from fractions import Fraction
 
 from simplest_truth_polyhedra import cross, truth_point_in_polyhedron
-from simplest_truth_reading import Root, dot, minus, number, point, triangles
+from simplest_truth_reading import Root, dot, minus, named_triangles, number, point
 from simplest_truth_volumes import contact_with_obb, gap_to_box, way_from_box
 
 
@@ -93,22 +93,26 @@ def truth_closest_point_on_triangle(q):
     return closest(p, [clamped(p, a, b), clamped(p, b, c), clamped(p, c, a), *foot_on_face(p, a, b, c)])
 
 
+def place_in(ring, x):
+    """Returns whether a point of a face is a corner of it, on an edge or inside."""
+    on_edge = any(clamped(x, a, b) == x for a, b in zip(ring, ring[1:] + ring[:1]))
+    return "vertex" if x in ring else "edge" if on_edge else "inside"
+
+
 def truth_point_mesh_distance(q):
     """The nearest of all feet on edges and faces, the least of these by coordinates, and then by face. Location and
     margin are as in point_in_polyhedron; a triangle whose box is farther away than that is left out."""
-    p, vertices, named = point(q["point"]), [point(v) for v in q["mesh"]["vertices"]], q["mesh"]["faces"]
+    p, vertices = point(q["point"]), [point(v) for v in q["mesh"]["vertices"]]
     location, margin = truth_point_in_polyhedron(q)
     found = []
-    for face, corners in zip([i for i, ring in enumerate(named) for _ in ring[2:]], triangles(q["mesh"])):
+    for face, corners in named_triangles(q["mesh"]):
         a, b, c = (vertices[k] for k in corners)
         if sum(max(0, min(on_axis) - x, x - max(on_axis)) ** 2 for x, *on_axis in zip(p, a, b, c)) > margin:
             continue
         feet = [clamped(p, a, b), clamped(p, b, c), clamped(p, c, a), *foot_on_face(p, a, b, c)]
         found += [(square(p, x), x, face) for x in feet]
     least, x, face = min(found)
-    ring = [vertices[k] for k in named[face]]
-    on_edge = any(clamped(x, a, b) == x for a, b in zip(ring, ring[1:] + ring[:1]))
-    part = "vertex" if x in ring else "edge" if on_edge else "inside"
+    part = place_in([vertices[k] for k in q["mesh"]["faces"][face]], x)
     return {**location, "nearest": {"point": [str(n) for n in x], "face": face, "part": part},
             "squared_distance": str(least), "distance": Root(least, 1),
             "signed_distance": Root(least, -1 if location["location"] == "inside" else 1)}, margin

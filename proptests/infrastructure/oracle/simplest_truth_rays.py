@@ -5,8 +5,9 @@ in the other shape, cut by one inequality after the other.
 A line is (start, way, last): the last t is 1, or a ray has none."""
 from fractions import Fraction
 
+from simplest_truth_mixed import place_in
 from simplest_truth_polyhedra import cross
-from simplest_truth_reading import ENDLESS, cut, cut_to_zero, dot, minus, number, point
+from simplest_truth_reading import ENDLESS, cut, cut_to_zero, dot, minus, named_triangles, number, point
 
 
 def line_of(q):
@@ -107,23 +108,23 @@ def truth_ray_triangle(q):
 
 
 def truth_ray_mesh(q):
-    """Face by face. Margin: that of each, and the squared distances of the first point from the first of the others."""
+    """Triangle by triangle. Margin: that of each, and the squared distances of the first point from the first of other
+    faces."""
     (start, way, last), vertices = line_of(q), [point(p) for p in q["mesh"]["vertices"]]
     met, margins = [], []
-    for i, face in enumerate(q["mesh"]["faces"]):
-        corners = [vertices[k] for k in face]
-        interval, inside, margin = in_triangle((start, way, last), corners)
+    for face, corners in named_triangles(q["mesh"]):
+        interval, _, margin = in_triangle((start, way, last), [vertices[k] for k in corners])
         margins.append(margin)
         if interval is not None:
-            met.append((interval[0], i, inside, corners))
+            met.append((interval[0], face))
     if not met:
         return {"relation": "none", "faces_met": 0}, min(margins, default=None)
-    t, face, inside, corners = min(met)
-    margins += [(other - t) ** 2 * dot(way, way) for other, i, _, _ in met if i != face]
-    at_corner = tuple(x + t * v for x, v in zip(start, way)) in corners
-    part = "inside" if inside else "vertex" if at_corner else "edge"
+    t, face = min(met)
+    margins += [(other - t) ** 2 * dot(way, way) for other, i in met if i != face]
+    x = tuple(p + t * v for p, v in zip(start, way))
+    part = place_in([vertices[k] for k in q["mesh"]["faces"][face]], x)
     first = {"t": str(t), "point": written(start, t, way), "face": face, "part": part}
-    return {"relation": "hit", "first": first, "faces_met": len(met)}, min(margins)
+    return {"relation": "hit", "first": first, "faces_met": len({face for _, face in met})}, min(margins)
 
 
 def of_box(q):

@@ -20,6 +20,11 @@ def triangles(mesh):
     return mesh.get("cut", mesh["faces"])
 
 
+def named_triangles(mesh):
+    """Returns (face, triangle) for each triangle: the place of the face of which it is a part."""
+    return zip((i for i, face in enumerate(mesh["faces"]) for _ in face[2:]), triangles(mesh))
+
+
 def minus(p, q):
     return tuple(x - y for x, y in zip(p, q))
 

@@ -6,7 +6,7 @@ from math import lcm
 
 from simplest_truth_mixed import clamped, foot_on_face
 from simplest_truth_polyhedra import cross
-from simplest_truth_reading import dot, minus, number, point, triangles
+from simplest_truth_reading import dot, minus, named_triangles, number, point, triangles
 
 
 class FirstRoot:
@@ -186,19 +186,21 @@ def is_before(one, other):
 
 
 def truth_swept_sphere_mesh(q):
-    """Face by face. Margin: that of each, or 0 if another face is met at once; at the start, of the named face and of
-    those before it at rest."""
+    """Triangle by triangle. Margin: that of each, or 0 if another face is met at once; at the start, of the triangles up to
+    the first that is met at rest."""
     first, face, margins, at_once = None, None, [], False
     ball, vertices = {"sphere": q["sphere"], "velocity": q["velocity"]}, q["mesh"]["vertices"]
-    questions = [ball | {"triangle": [vertices[k] for k in named]} for named in q["mesh"]["faces"]]
+    faces = [face for face, _ in named_triangles(q["mesh"])]
+    questions = [ball | {"triangle": [vertices[k] for k in corners]} for corners in triangles(q["mesh"])]
     for i, question in enumerate(questions):
         answer, margin = truth_swept_sphere_triangle(question)
         margins.append(margin)
         t = answer.get("t")
         if t is None or first is not None and is_before(first, t):
             continue
-        at_once = first is not None and not is_before(t, first)
-        if not at_once:
+        tie = first is not None and not is_before(t, first)
+        at_once = tie and (at_once or faces[i] != faces[face])
+        if not tie:
             first, face = t, i
     if first is None:
         return {"relation": "never"}, min(margins, default=None)
@@ -206,7 +208,7 @@ def truth_swept_sphere_mesh(q):
         rest = [question | {"velocity": [0, 0, 0]} for question in questions[: face + 1]]
         margins = [truth_swept_sphere_triangle(question)[1] for question in rest]
     margin = 0 if at_once and first != "0" else min(margins)
-    return {"relation": "hit", "t": first, "face": face}, margin
+    return {"relation": "hit", "t": first, "face": faces[face]}, margin
 
 
 def truth_swept_capsule_capsule(q):

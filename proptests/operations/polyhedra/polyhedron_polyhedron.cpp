@@ -7,6 +7,7 @@
 #include "proptests/solids.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/prepared/solid.h"
 #include "robust/sweeps/swept_convex_polyhedra.h"
 
 namespace touchstone::proptests::polyhedron_polyhedron_tests {
@@ -27,6 +28,12 @@ constexpr Worked<Row> worked;
 
 Meshd turned_over(const Meshd& mesh) {
   return with_each_face(mesh, [](Face& f) { std::swap(f.b, f.c); });
+}
+/// 16 x 16 cubes: 1,152 faces.
+Meshd layer_of_cubes() {
+  std::vector<catalogue::LatticePoint> cells;
+  for (std::int64_t i = 0; i < 256; ++i) cells.push_back({i % 16, i / 16, 0});
+  return cube_surface(cells);
 }
 /// x to y, y to z, z to x.
 Meshd turned(Meshd mesh) {
@@ -174,12 +181,17 @@ TEST_CASE("polyhedron_polyhedron: huge, subnormal, and an ulp apart") {
   CHECK(equal(catalogue::ask_oracle<Row>(far).answer, inside));
 }
 
-TEST_CASE("polyhedron_polyhedron: meshes of many faces, in trees") {
-  // Layers of 16 x 16 cubes: 1,152 faces each.
-  std::vector<catalogue::LatticePoint> cells;
-  for (std::int64_t i = 0; i < 256; ++i) cells.push_back({i % 16, i / 16, 0});
-  const Meshd layer = cube_surface(cells);
-  const auto answer = [](const Meshd& a, const Meshd& b) { return robust::polyhedron_polyhedron(a, b); };
+TEST_CASE("polyhedron_polyhedron: meshes of many faces, in trees, on any number of threads") {
+  const Meshd layer = layer_of_cubes();
+  const auto answer = [](const Meshd& a, const Meshd& b) {
+    const PolyhedronPolyhedron alone = robust::polyhedron_polyhedron(a, b);
+    const robust::Solid one(a), other(b);
+    for (const std::size_t threads : {0U, 2U, 3U, 8U}) {
+      CHECK(equal(robust::polyhedron_polyhedron(a, b, threads), alone));
+      CHECK(equal(robust::polyhedron_polyhedron(one, other, threads), alone));
+    }
+    return alone;
+  };
   CHECK(equal(answer(layer, shifted(layer, {193, 0, 0})), apart));
   CHECK(equal(answer(layer, shifted(layer, {192, 0, 0})), touching));
   CHECK(equal(answer(layer, shifted(layer, {5, 7, 3})), inside));
@@ -200,6 +212,21 @@ TEST_CASE("polyhedron_polyhedron: meshes are refused by the first rule that they
   const Meshd four{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {0, 2, 1}}};
   refused<Row>({cube, four}, "b.faces[0]",
                "closed: the edge from vertex 0 to vertex 2 must be in an even number of faces");
+  Meshd open = layer_of_cubes(), not_finite = open;
+  open.faces.pop_back(), not_finite.vertices.back().x = infinity;
+  for (const std::size_t threads : {1U, 2U}) {
+    const auto complaint = [threads](const Meshd& a, const Meshd& b) {
+      try {
+        robust::polyhedron_polyhedron(a, b, threads);
+      } catch (const InvalidInput& refused) {
+        return refused.field().substr(0, 2);
+      }
+      return std::string("none");
+    };
+    CHECK(complaint(open, open) == "a.");
+    CHECK(complaint(layer_of_cubes(), open) == "b.");
+    CHECK(complaint(open, not_finite) == "b.");
+  }
 }
 
 }  // namespace touchstone::proptests::polyhedron_polyhedron_tests

@@ -68,6 +68,7 @@ struct FaceBound {
 }  // namespace
 
 LAW("ray_mesh: the order of the faces changes the index alone", ray, mesh) {
+  if (!mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   const auto last = static_cast<Index>(mesh.faces.size() - 1);
   auto back = only(mesh, {mesh.faces.rbegin(), mesh.faces.rend()});
@@ -83,6 +84,7 @@ LAW("ray_mesh: the order of the faces changes the index alone", ray, mesh) {
 }
 
 LAW("ray_mesh: the named face alone is met at the same point, and no other before it", ray, mesh) {
+  if (!mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   if (answer.relation == Hit::none) return answer.faces_met == 0 && !answer.first;
   auto expected = answer;
@@ -91,6 +93,7 @@ LAW("ray_mesh: the named face alone is met at the same point, and no other befor
 }
 
 LAW("ray_mesh: of two meshes together as many faces are met as of both, and the first of the two is first", ray, mesh) {
+  if (!mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   const auto half = mesh.faces.begin() + static_cast<std::ptrdiff_t>(mesh.faces.size() / 2);
   const auto a = ask(Row::Question{ray, only(mesh, {mesh.faces.begin(), half})});
@@ -103,7 +106,7 @@ LAW("ray_mesh: of two meshes together as many faces are met as of both, and the 
 }
 
 LAW("ray_mesh: faces behind the origin change nothing; one at the origin is first, and counts", ray, mesh) {
-  if (!on_small_lattice(asked)) return true;
+  if (!on_small_lattice(asked) || !mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   const auto& [o, v] = ray;
   const auto count = static_cast<Index>(mesh.vertices.size());
@@ -122,6 +125,7 @@ ROBUST_LAW("ray_mesh: each face is met where ray_triangle meets it, also by a tr
   const robust::Surface surface(mesh);
   robust::ray_mesh({ray.origin, -1.0 * ray.direction}, surface);
   if (!equal(robust::ray_mesh(ray, surface), answer)) return false;
+  if (!mesh.polygons.empty()) return true;
   Index met = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto one = robust::ray_triangle(ray, triangle(mesh, i));
@@ -134,6 +138,14 @@ ROBUST_LAW("ray_mesh: each face is met where ray_triangle meets it, also by a tr
     if (one.location && (one.location == Location::inside) != (first->part == inside)) return false;
   }
   return met == answer.faces_met;
+}
+
+LAW("ray_mesh: a face of more corners is met where the triangles of its cut are", ray, mesh) {
+  const auto answer = ask(asked), of_cut = ask(Row::Question{ray, only(mesh, mesh.faces)});
+  if (!answer.first) return !of_cut.first;
+  return of_cut.first->t == answer.first->t && equal(of_cut.first->point, answer.first->point) &&
+         answer.first->face == named_face_of_each(mesh)[of_cut.first->face] && answer.faces_met <= of_cut.faces_met &&
+         (answer.first->part == vertex) == (of_cut.first->part == vertex);
 }
 
 ROBUST_LAW("ray_mesh: from inside a closed mesh a ray in general position meets an odd number of faces", ray, mesh) {
@@ -204,6 +216,35 @@ TEST_CASE("ray_mesh: of faces at the same t the least index counts; others may d
          "rounding");
 }
 
+TEST_CASE("ray_mesh: faces of more than three corners worked by hand; margin: to the edges of the cut") {
+  // An L of three squares of side 2, and a wall on one of its edges; then one with a slit from (2, 2) to (1, 1).
+  const std::vector<Index> corners{0, 1, 2, 3, 4, 5}, slit{0, 1, 2, 3, 6, 3, 4, 5};
+  const Meshd plain{{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 2, 0}, {2, 4, 0}, {0, 4, 0}, {0, 0, 9}},
+                    {{3, 5, 0}, {3, 4, 5}, {0, 1, 3}, {1, 2, 3}, {0, 1, 6}},
+                    {corners, {0, 1, 6}}};
+  const auto down = [](double x, double y) { return Ray3d{{x, y, 2}, {0, 0, -1}}; };
+  const auto first = [](double x, double y, FacePart part) {
+    return hit(2, {Rational(x), Rational(y), 0}, 0, part, 1);
+  };
+  worked({down(1, 2), plain}, first(1, 2, inside), Rational(1, 2));
+  worked({down(1, 1), plain}, first(1, 1, inside), 0, "algorithm");  // on a diagonal
+  worked({down(3, 1), plain}, first(3, 1, inside), 0, "algorithm");
+  worked({down(4, 1), plain}, first(4, 1, edge), 0);
+  worked({down(2, 3), plain}, first(2, 3, edge), 0);
+  worked({down(2, 2), plain}, first(2, 2, vertex), 0);
+  worked({down(3, 3), plain}, none, 1);
+  // Along it, from one arm across the notch, and from within it.
+  worked({{{3, 5, 0}, {0, -1, 0}}, plain}, hit(3, {3, 2, 0}, 0, edge, 2), 0, "algorithm");
+  worked({{{1, 1, 0}, {1, 1, 0}}, plain}, hit(0, {1, 1, 0}, 0, inside, 1), 0, "algorithm");
+  Meshd cut_in = plain;
+  cut_in.vertices[6] = {1, 1, 0};
+  cut_in.faces = {{0, 1, 6}, {1, 3, 6}, {1, 2, 3}, {3, 4, 5}, {3, 5, 6}, {5, 0, 6}};
+  cut_in.polygons = {slit};
+  worked({down(1, 1), cut_in}, first(1, 1, vertex), 0);
+  worked({down(1.5, 1.5), cut_in}, first(1.5, 1.5, edge), 0);
+  worked({down(0.5, 0.5), cut_in}, first(0.5, 0.5, inside), 0, "algorithm");
+}
+
 TEST_CASE("ray_mesh: the ends of the range") {
   // As in the middle of the range: t = 1 through vertex 1 of all eight faces.
   const Rational far(exact(12 * (huge / 16)));
@@ -220,8 +261,11 @@ TEST_CASE("ray_mesh: what is refused, and by which rule first") {
   refused<Row>({still, with_vertex(flat, {0, infinity, 0})}, "mesh.vertices[6][1]", "finite number");
   refused<Row>({still, only(flat, {{0, 1, 6}})}, "ray.direction", "nonzero direction");
   refused<Row>({ray, only(flat, {{0, 1, 2}, {0, 6, 1}})}, "mesh.faces[1][1]", "index of a vertex");
-  const Meshd square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {{0, 1, 2, 3}}};
-  refused<Row>({ray, square}, "mesh.faces", "triangles: no face of more than three corners");
+  Meshd square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 3}}, {{0, 1, 2, 3}}};
+  refused<Row>({still, square}, "ray.direction", "nonzero direction");
+  refused<Row>({ray, square}, "mesh.cut", "a cut of the faces into triangles");
+  square.vertices[3].z = 1;
+  refused<Row>({ray, square}, "mesh.faces[0]", "planar");
 }
 
 CONTRACT("ray_mesh: the formula in double keeps its contract", ray, mesh) {

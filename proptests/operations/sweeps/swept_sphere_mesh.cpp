@@ -38,6 +38,7 @@ Meshd gate(double left, double right) {
 VELOCITIES_LAW("swept_sphere_mesh", 1)
 
 LAW("swept_sphere_mesh: the order of the faces changes the index alone", sphere, velocity, mesh) {
+  if (!mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   auto back = only(mesh, {mesh.faces.rbegin(), mesh.faces.rend()});
   for (Face& f : back.faces) f = {f.b, f.a, f.c};
@@ -50,6 +51,7 @@ LAW("swept_sphere_mesh: the order of the faces changes the index alone", sphere,
 
 LAW("swept_sphere_mesh: the named face alone is met at the same time, and no face without it earlier", sphere, velocity,
     mesh) {
+  if (!mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   if (!answer.t) return true;
   const auto alone = ask(Row::Question{sphere, velocity, only(mesh, {mesh.faces[*answer.face]})});
@@ -61,6 +63,7 @@ LAW("swept_sphere_mesh: the named face alone is met at the same time, and no fac
 
 LAW("swept_sphere_mesh: of two meshes together the first is met, and of both at once the one listed first", sphere,
     velocity, mesh) {
+  if (!mesh.polygons.empty()) return true;
   const auto answer = ask(asked);
   const auto half = static_cast<Index>(mesh.faces.size() / 2);
   const auto middle = mesh.faces.begin() + static_cast<std::ptrdiff_t>(half);
@@ -72,6 +75,12 @@ LAW("swept_sphere_mesh: of two meshes together the first is met, and of both at 
   return same.t == answer.t && *same.face + (in_a ? 0 : half) == *answer.face && (!other.t || *other.t >= *answer.t);
 }
 
+LAW("swept_sphere_mesh: a face of more corners is met when the triangles of its cut are", sphere, velocity, mesh) {
+  const auto answer = ask(asked), of_cut = ask(Row::Question{sphere, velocity, only(mesh, mesh.faces)});
+  if (!answer.t) return !of_cut.t;
+  return of_cut.t == answer.t && *answer.face == named_face_of_each(mesh)[*of_cut.face];
+}
+
 ROBUST_LAW("swept_sphere_mesh: each face is met when swept_sphere_triangle meets it, also by a tree asked before",
            sphere, velocity, mesh) {
   const auto answer = ask(asked);
@@ -81,7 +90,7 @@ ROBUST_LAW("swept_sphere_mesh: each face is met when swept_sphere_triangle meets
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const auto one = robust::swept_sphere_triangle(sphere, velocity, triangle_of_face(mesh, i));
     if (one.t && (!answer.t || *one.t < *answer.t)) return false;
-    if (answer.face == i && one.t != answer.t) return false;
+    if (mesh.polygons.empty() && answer.face == i && one.t != answer.t) return false;
   }
   return true;
 }
@@ -104,6 +113,21 @@ TEST_CASE("swept_sphere_mesh: edges and corners belong to all of their faces: th
          0);
   worked({{{-6, 4, 4}, 2}, {8, 0, 0}, box}, at(Rational(1, 2), 8), 0);
   worked({{{6, 6, 6}, 2}, {8, 0, 0}, box}, at(Rational(1, 2), 10), 0);
+}
+
+TEST_CASE("swept_sphere_mesh: faces of more than three corners; margin: of the triangles, 0 where another face is met") {
+  // The box by its six squares, of which number 4 is x = 0. The triangles of one are no other faces.
+  Meshd squares = box;
+  squares.polygons.clear();
+  for (Index i = 0; i < 12; i += 2) {
+    const auto& [a, b, c] = box_faces[i];
+    const Face& other = box_faces[i + 1];
+    squares.polygons.push_back({a, b, c, other.c});
+    REQUIRE((other.a == a && other.b == c));
+  }
+  worked({{{-6, 4, 4}, 2}, {8, 0, 0}, squares}, at(Rational(1, 2), 4), 4);  // over the diagonal y = z
+  worked({{{-2, -4, -4}, 3}, {2, 4, 4}, squares}, at(Rational(1, 2), 0), 0);
+  worked({{{-1, 3, 5}, 2}, {5, 0, 0}, squares}, at(Rational(0), 4), 3);
 }
 
 TEST_CASE("swept_sphere_mesh: at the start the least face in contact; margin: of it and those before it") {
@@ -150,8 +174,9 @@ TEST_CASE("swept_sphere_mesh: what is refused, and by which rule first") {
                "finite number");
   refused<Row>({negative, {0, 0, 0}, only(right_angle, {{0, 1, 6}})}, "sphere.radius", "radius >= 0");
   refused<Row>({ball, {0, 0, 0}, only(right_angle, {{0, 1, 2}, {0, 6, 1}})}, "mesh.faces[1][1]", "index of a vertex");
-  const Meshd square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {{0, 1, 2, 3}}};
-  refused<Row>({ball, {0, 0, 1}, square}, "mesh.faces", "triangles: no face of more than three corners");
+  const Meshd square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 1, 3}}, {{0, 1, 2, 3}}};
+  refused<Row>({negative, {0, 0, 1}, square}, "sphere.radius", "radius >= 0");
+  refused<Row>({ball, {0, 0, 1}, square}, "mesh.cut", "a cut of the faces into triangles");
 }
 
 }  // namespace touchstone::proptests::swept_sphere_mesh_tests

@@ -5,6 +5,7 @@
 
 #include "robust/kernel/integers/integers.h"
 #include "robust/kernel/integers/rounding.h"
+#include "robust/kernel/shapes/face_part.h"
 
 namespace touchstone::robust::kernel {
 namespace {
@@ -60,6 +61,21 @@ bool RayPart::at_corner() const {
     return d * to.x == n * direction_.x && d * to.y == n * direction_.y && d * to.z == n * direction_.z;
   };
   return at(triangle_.a) || at(triangle_.b) || at(triangle_.c);
+}
+
+FacePart first_part_in(const std::vector<Point3d>& corners, const Ray3d& ray, const Triangle3d& triangle) {
+  const auto& [o, v] = ray;
+  Polygon3d points{{o, {v.x, v.y, v.z}, triangle.a, triangle.b, triangle.c}};
+  points.vertices.insert(points.vertices.end(), corners.begin(), corners.end());
+  const auto [at, exponent] = integers_of(points);
+  const Vector direction = at[1] - Point{0, 0, 0};
+  const auto& [n, d] = clipped({at[0], at[0] + direction}, {at[2], at[3], at[4]}, 1, Clipped::ray()).first;
+  const auto coordinate = [&n = n, &d = d](const mpz_class& from, const mpz_class& displacement) {
+    return mpz_class(d * from + n * displacement);
+  };
+  const Point first{coordinate(at[0].x, direction.x), coordinate(at[0].y, direction.y),
+                    coordinate(at[0].z, direction.z)};
+  return face_part({first, d}, {at.begin() + 5, at.end()});
 }
 
 }  // namespace touchstone::robust::kernel

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "geometry/ray_mesh.h"
 #include "geometry/rays.h"
 #include "robust/kernel/shapes/triangle_clip.h"
 
@@ -31,5 +34,9 @@ class RayPart {
   int exponent_;
   Clipped part_;
 };
+
+/// The place of the first common point of a ray and a triangle, which there is, in a face with these corners that has
+/// the triangle as a part.
+FacePart first_part_in(const std::vector<Point3d>& corners, const Ray3d& ray, const Triangle3d& triangle);
 
 }  // namespace touchstone::robust::kernel

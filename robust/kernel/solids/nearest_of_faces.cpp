@@ -10,6 +10,7 @@
 
 #include "robust/kernel/enclosed/enclosed_nearest.h"
 #include "robust/kernel/filters/ordered_bits.h"
+#include "robust/kernel/shapes/face_part.h"
 #include "robust/kernel/shapes/nearest_points.h"
 
 namespace touchstone::robust::kernel {
@@ -100,19 +101,12 @@ class NearestOfFaces {
     return false;
   }
 
-  Index named(Index face) const {
-    Index i = 0;
-    if (mesh_.polygons.empty()) return face;
-    for (std::size_t left = face; left >= mesh_.polygons[i].size() - 2; ++i) left -= mesh_.polygons[i].size() - 2;
-    return i;
-  }
-
   /// An edge is certain only if the third corner is not on its line. A face of more corners may name an edge within a
   /// triangle of its cut, where it runs along a bridge.
   Perhaps<PointMeshDistance<double>> enclosed(Index face) const {
     const filters::Parts at = parts(face);
     const auto closest = closest_point(at);
-    const Index name = named(face);
+    const Index name = named_face_of(mesh_, face);
     if (!closest || (!mesh_.polygons.empty() && mesh_.polygons[name].size() > 3)) return std::nullopt;
     const auto& [x, square, distance] = *closest;
     const std::array of{FacePart::vertex, FacePart::edge, FacePart::inside};
@@ -122,26 +116,13 @@ class NearestOfFaces {
 
   PointMeshDistance<double> exact(Index face) const {
     const auto& [a, b, c] = triangle(face);
-    const Index name = named(face);
+    const Index name = named_face_of(mesh_, face);
     Polygon3d points{{point_, a, b, c}};
     for (const Index i : corners_of_named(mesh_, name)) points.vertices.push_back(mesh_.vertices[i]);
     const auto [at, exponent] = integers_of(points);
     const QuotientPoint x = nearest_on_triangle(at[0], {at[1], at[2], at[3]});
     const auto [nearest, square, distance] = closest_point(at[0], x, exponent);
-    return {{}, {nearest, name, part(x, {at.begin() + 4, at.end()})}, square, distance, distance};
-  }
-  static FacePart part(const QuotientPoint& x, const std::vector<IntegerPoint>& ring) {
-    FacePart found = FacePart::inside;
-    const mpz_class zero = 0;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const auto &from = ring[k], &to = ring[(k + 1) % ring.size()];
-      const Vector3<mpz_class> edge = to - from, seen{x.n.x - x.d * from.x, x.n.y - x.d * from.y, x.n.z - x.d * from.z};
-      if (dot(seen, seen) == zero) return FacePart::vertex;
-      const Vector3<mpz_class> aside = cross(seen, edge);
-      const mpz_class along = dot(seen, edge);
-      if (dot(aside, aside) == zero && along >= zero && along <= x.d * dot(edge, edge)) found = FacePart::edge;
-    }
-    return found;
+    return {{}, {nearest, name, face_part(x, {at.begin() + 4, at.end()})}, square, distance, distance};
   }
 
   const Point3d& point_;
