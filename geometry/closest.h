@@ -41,7 +41,7 @@ enum class ConvexRelation { apart, meeting };
 constexpr auto words_of(ConvexRelation) { return as_words("apart", "meeting"); }
 constexpr auto plain_false(ConvexRelation) { return ConvexRelation::apart; }
 
-/// relation `apart`: a point of each of two convex solids, as near to each other as any. `meeting`: no points; both
+/// relation `apart`: a point of each of two convex shapes, as near to each other as any. `meeting`: no points; both
 /// numbers are 0.
 template <class Real>
 struct ConvexDistance {

@@ -10,8 +10,8 @@
 #include "catalogue/operation/row.h"
 #include "geometry/closest.h"
 
-/// The hook `as_open_sets` of most rows: the answer for open sets if closed ones only touch; and all hooks of rows that
-/// decide the contact of two solids, one or both of which have a radius.
+/// The hook `as_open_sets` of most rows: the answer for open sets if closed ones only touch; `as_near` of two rows; and
+/// all hooks of rows that decide the contact of two solids, one or both of which have a radius.
 namespace touchstone::catalogue {
 
 /// Open shapes that touch are disjoint.
@@ -45,6 +45,15 @@ std::optional<truth_t<Row>> apart_if_touching(const truth_t<Row>& truth, const t
   const auto margin = ask_oracle<Row>(question).margin;
   if (!margin || sgn(*margin) != 0) return std::nullopt;
   return truth_t<Row>{ConvexRelation::apart, {}, {}, {}, {}};
+}
+
+/// The hook `as_near` of two convex shapes: there is another answer where both truth and answer have points.
+template <class Row>
+std::optional<truth_t<Row>> as_near_to_answer(const typename Row::Question& question, const truth_t<Row>& truth,
+                                              const ConvexDistance<double>& answer) {
+  const auto& [a, b] = question;
+  if (!truth.on_a || !answer.on_a) return std::nullopt;
+  return as_near(a, b, truth, *answer.on_a);
 }
 
 /// Radii lose their sign.

@@ -135,10 +135,15 @@ def none_before(points, x, direction):
     return all(dot(direction, minus(p, x)) >= 0 for p in points)
 
 
-def check_convex_distance(claim):
-    """Why no other nearest pair is nearer to the first vertex of a stands in check_closest.cpp."""
+def corners_of(claim, name):
+    return hull(claim.input[name], name, 3, 3)
+
+
+def check_distance_of(read, claim):
+    """Checks two hulls, which `read` reads. Why no other nearest pair is nearer to the first vertex of a stands in
+    check_closest.cpp."""
     claim.inputs("a", "b")
-    a, b = convex_solid(claim, "a"), convex_solid(claim, "b")
+    a, b = read(claim, "a"), read(claim, "b")
     relation = claim.word("relation")
     expect(relation in ("apart", "meeting"), "truth: relation is wrong")
     if relation == "apart":
@@ -162,6 +167,14 @@ def check_convex_distance(claim):
     expect(proved, "certificate: a pair nearer to the first vertex of a may be as near")
     expect_position(claim, "on_a", x), expect_position(claim, "on_b", y)
     expect_distance(claim, dot(minus(x, y), minus(x, y)))
+
+
+def check_convex_distance(claim):
+    check_distance_of(convex_solid, claim)
+
+
+def check_triangle_triangle_distance(claim):
+    check_distance_of(corners_of, claim)
 
 
 KINDS = {"disjoint": ("nearest_points",), "touching": ("tangent", "no_interior"), "overlapping": ("near_points",)}

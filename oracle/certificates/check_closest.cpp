@@ -162,9 +162,12 @@ bool none_before(const Hull& hull, const Position& x, const Position& direction)
   return std::all_of(hull.begin(), hull.end(), [&](const Position& p) { return sgn(dot(direction, p - x)) >= 0; });
 }
 
-void check_convex_distance(const Claim& claim) {
+Hull corners_of(const Claim& claim, const char* name) { return hull(claim.input[name], name, 3, 3); }
+
+/// Checks two hulls, which `read` reads.
+void check_distance_of(Hull (*read)(const Claim&, const char*), const Claim& claim) {
   claim.inputs({"a", "b"});
-  const Hull a = convex_solid(claim, "a"), b = convex_solid(claim, "b");
+  const Hull a = read(claim, "a"), b = read(claim, "b");
   const std::string relation = claim.word("relation");
   const bool apart = relation == "apart";
   expect(apart || relation == "meeting", "truth: relation is wrong");
@@ -192,6 +195,9 @@ void check_convex_distance(const Claim& claim) {
   expect_position(claim, "on_a", x), expect_position(claim, "on_b", y);
   expect_distance(claim, dot(x - y, x - y));
 }
+
+void check_convex_distance(const Claim& claim) { check_distance_of(convex_solid, claim); }
+void check_triangle_triangle_distance(const Claim& claim) { check_distance_of(corners_of, claim); }
 
 /// A round convex solid: all that is no farther from its core than a radius. A core that counts as a solid by itself, a
 /// box, or a triangle that a round solid meets, has none.
@@ -325,6 +331,7 @@ Checks checks_of_closest() {
           {"closest_point_on_obb", check_closest_point_on_obb},
           {"segment_segment_distance", check_segment_segment_distance},
           {"convex_distance", check_convex_distance},
+          {"triangle_triangle_distance", check_triangle_triangle_distance},
           {"sphere_triangle", contact("sphere", round_ball, "triangle", round_triangle)},
           {"sphere_capsule", contact("sphere", round_ball, "capsule", round_capsule)},
           {"capsule_capsule", contact("a", round_capsule, "b", round_capsule)},

@@ -9,8 +9,6 @@
 namespace touchstone::oracle {
 namespace {
 
-std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
-
 Truth<ConvexDistance<Surd>> meeting(const Motion& m, const Meeting& found) {
   std::vector<Rational> on_a, on_b;
   for (std::size_t i = 0; i < m.a.size(); ++i) on_a.push_back(found.value(static_cast<int>(i)));
@@ -28,12 +26,11 @@ Truth<ConvexDistance<Surd>> apart(const Motion& m, const IntegerSolid& a, const 
   const auto in_units = [&m](const Point3<Rational>& p) {
     return in_space({Rational(p.x * m.unit), Rational(p.y * m.unit), Rational(p.z * m.unit)});
   };
+  std::vector<Rational> first = multiplier(a.hull(), b.hull(), on_a, displacement);
+  for (Rational& coordinate : first) coordinate *= m.unit;
   const Rational square(dot(displacement, displacement) * m.unit * m.unit);
-  auto truth =
-      truth_of_distance(ConvexDistance<Surd>{ConvexRelation::apart, in_units(on_a), in_units(on_b), {}, {}}, square,
-                        {{"on_a", a.weights(on_a)},
-                         {"on_b", b.weights(on_b)},
-                         {"first", listed(m.unit * multiplier(a, b, on_a, displacement))}});
+  auto truth = truth_of_distance(ConvexDistance<Surd>{ConvexRelation::apart, in_units(on_a), in_units(on_b), {}, {}},
+                                 square, {{"on_a", a.weights(on_a)}, {"on_b", b.weights(on_b)}, {"first", first}});
   truth.margin = Rational(distance(m) * m.unit);
   return truth;
 }

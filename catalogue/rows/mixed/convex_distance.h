@@ -195,17 +195,9 @@ struct convex_distance : signatures::convex_distance {
   }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static std::optional<ConvexDistance<TrueNumber>> as_near(const Question& question,
-                                                           const ConvexDistance<TrueNumber>& truth,
-                                                           const ConvexDistance<double>& answer) {
-    const auto& [a, b] = question;
-    if (!truth.on_a || !answer.on_a) return std::nullopt;
-    return ::touchstone::oracle::as_near(a, b, truth, *answer.on_a);
-  }
-
   static Hooks<convex_distance> hooks() {
     return {.as_open_sets = apart_if_touching<convex_distance>,
-            .as_near = as_near,
+            .as_near = as_near_to_answer<convex_distance>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/coplanar_draws.h"
 #include "catalogue/families/meshes/triangle_orbits.h"
 #include "catalogue/families/reported_triangles.h"
-#include "catalogue/families/triangle_draws.h"
+#include "catalogue/families/triangles/triangle_pairs.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/signatures/polyhedra/triangle_triangle.h"
 #include "oracle/polyhedra/triangle_triangle.h"
@@ -30,7 +29,7 @@ struct triangle_triangle : signatures::triangle_triangle {
       .cost = 17};
 
   static void hard_cases(HardCases<Question>& add) {
-    add("crossing", crossing);
+    add("crossing", crossing_triangles);
     add("small_lattice", [](DrawStream& c) -> Question {
       return {triangle_of(c, small_lattice_point), triangle_of(c, small_lattice_point)};
     });
@@ -49,49 +48,18 @@ struct triangle_triangle : signatures::triangle_triangle {
       return {{p, lattice_point_in_space(c), lattice_point_in_space(c)},
               {lattice_point_in_space(c), lattice_point_in_space(c), p}};
     });
-    add("common_edge", [](DrawStream& c) -> Question {
-      // Along one line; the edges may share all of it, a part, an end or nothing.
-      const LatticePlane edge = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3), l = small_integer(c, 3);
-      const Point3d p = lattice_point_in_space(c);
-      return {{edge.at(i, 0), edge.at(j, 0), p}, {edge.at(k, 0), lattice_point_in_space(c), edge.at(l, 0)}};
-    });
-    add("corner_on", [](DrawStream& c) -> Question {
-      // On a face, an edge or a corner, or near them in their plane.
-      const LatticePlane plane = LatticePlane::of(c);
-      const Triangle3d t = plane.triangle(c);
-      const Point3d p = plane.point(c);
-      return {t, {lattice_point_in_space(c), p, lattice_point_in_space(c)}};
-    });
-    add("edge_on_edge", [](DrawStream& c) -> Question {
-      const LatticePlane cross = LatticePlane::of(c);
-      const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3), l = small_integer(c, 3);
-      const Point3d p = lattice_point_in_space(c);
-      return {{cross.at(i, 0), cross.at(j, 0), p}, {cross.at(0, k), cross.at(0, l), lattice_point_in_space(c)}};
-    });
+    add("common_edge", edges_on_a_line);
+    add("corner_on", corner_on_triangle);
+    add("edge_on_edge", edge_on_edge);
     add("no_area", [](DrawStream& c) -> Question {
       const LatticePlane plane = LatticePlane::of(c);
       return {plane.triangle_without_area(c), plane.triangle(c)};
     });
-    add("needles", [](DrawStream& c) -> Question {
-      // Thousands of millions long, a few units wide, across each other.
-      const double length = power_of_two(c, 30, 41);
-      const auto unit = [&c] { return small_integer(c, 3); };
-      const double ay = unit(), az = unit(), by = unit(), bz = unit(), cx = unit(), cz = unit();
-      const Triangle3d t{{-length, ay, az}, {length, by, 0}, {length, 0, bz}};
-      return {t, {{cx, -length, cz}, {unit(), length, 0}, {0, length, unit()}}};
-    });
-    add("corner_rounded_onto", [](DrawStream& c) -> Question {
-      const Triangle3d t = triangle_of(c, ordinary_point_in_space);
-      return {t, {rounded_onto(t, c), ordinary_point_in_space(c), ordinary_point_in_space(c)}};
-    });
-    add("long_coplanar", [](DrawStream& c) -> Question {
-      const LongPlane plane = LongPlane::of(c);
-      const auto point = [&plane](DrawStream& draws) { return plane.point(draws); };
-      return {triangle_of(c, point), triangle_of(c, point)};
-    });
+    add("needles", crossing_needles);
+    add("corner_rounded_onto", corner_rounded_onto);
+    add("long_coplanar", long_coplanar);
     add("stretched", [](DrawStream& c) -> Question {
-      Question question = crossing(c);
+      Question question = crossing_triangles(c);
       auto& [a, b] = question;
       Stretch{c}(a, b);
       return question;
@@ -100,9 +68,9 @@ struct triangle_triangle : signatures::triangle_triangle {
       return {triangle_of(c, huge_or_small_point), triangle_of(c, huge_or_small_point)};
     });
     add("reported", [](DrawStream& c) -> Question { return reported_triangles(c); });
-    add("coplanar_at_edge", coplanar<&CoplanarDraws::triangle_at_edge>);
-    add("coplanar_within", coplanar<&CoplanarDraws::triangle_within>);
-    add("coplanar_in_any_order", coplanar<&CoplanarDraws::other_triangle>);
+    add("coplanar_at_edge", coplanar_triangles<&CoplanarDraws::triangle_at_edge>);
+    add("coplanar_within", coplanar_triangles<&CoplanarDraws::triangle_within>);
+    add("coplanar_in_any_order", coplanar_triangles<&CoplanarDraws::other_triangle>);
   }
 
   /// Without edges they have nothing in common where a plane has one on either side and not both within itself: then
@@ -142,20 +110,6 @@ struct triangle_triangle : signatures::triangle_triangle {
             .domain_at = domain_at,
             .domain_weight = domain_weight,
             .laws = {.maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1}}}};
-  }
-
- private:
-  template <auto other>
-  static Question coplanar(DrawStream& c) {
-    CoplanarDraws draws(c);
-    const Triangle3d t = draws.triangle();
-    return in_either_order(c, t, (draws.*other)());
-  }
-
-  /// Triangles around one point, or near it, in two planes.
-  static Question crossing(DrawStream& c) {
-    const LatticePlane plane = LatticePlane::of(c), other = LatticePlane::of(c);
-    return {plane.triangle(c), LatticePlane{plane.origin, other.u, other.v}.triangle(c)};
   }
 };
 

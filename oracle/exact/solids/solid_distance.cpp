@@ -189,6 +189,12 @@ IntegerSolid::IntegerSolid(const ConvexMesh& mesh, const std::vector<std::array<
   }
 }
 
+Hull IntegerSolid::hull() const {
+  Hull points;
+  for (const IntegerPoint& p : vertices) points.push_back(rational_point(p));
+  return points;
+}
+
 bool IntegerSolid::holds(const Point& p) const {
   return std::all_of(planes.begin(), planes.end(),
                      [&p](const IntegerPlane& plane) { return sgn(height_over(plane, p)) <= 0; });
@@ -297,13 +303,17 @@ Point first_nearest(const IntegerSolid& a, const IntegerSolid& b, const Vector& 
 }
 
 /// The multiplier for the lowest vertices, plus enough of the displacement to satisfy the conditions of all others.
-Vector multiplier(const IntegerSolid& a, const IntegerSolid& b, const Point& on_a, const Vector& displacement) {
+std::vector<Rational> multiplier(const Hull& a, const Hull& b, const Point& on_a, const Vector& displacement) {
   const Point on_b = on_a + minus(displacement);
-  const Vector from_first = on_a - rational_point(a.vertices[0]);
-  const Integer unit = denominator_of({on_a.x, on_a.y, on_a.z, on_b.x, on_b.y, on_b.z});
-  const auto displacements_to = [](const IntegerSolid& solid, const Point& from) {
+  const Vector from_first = on_a - a[0];
+  std::vector<Rational> numbers;
+  const auto displacements_to = [&numbers](const Hull& hull, const Point& from) {
     std::vector<Vector> displacements;
-    for (const IntegerPoint& p : solid.vertices) displacements.push_back(rational_point(p) - from);
+    for (const Point& p : hull) {
+      displacements.push_back(p - from);
+      const auto& [x, y, z] = displacements.back();
+      numbers.insert(numbers.end(), {x, y, z});
+    }
     return displacements;
   };
   const auto level = [&displacement](std::vector<Vector> displacements) {
@@ -312,7 +322,8 @@ Vector multiplier(const IntegerSolid& a, const IntegerSolid& b, const Point& on_
     return displacements;
   };
   const std::vector<Vector> to_a = displacements_to(a, on_a), to_b = displacements_to(b, on_b);
-  const Vector g = multiplier_of_lowest(level(to_a), level(to_b), from_first, unit), h = from_first - g;
+  const Vector g = multiplier_of_lowest(level(to_a), level(to_b), from_first, denominator_of(numbers)),
+               h = from_first - g;
   Rational steps;
   const auto hold_off = [&](const std::vector<Vector>& displacements, const Vector& part) {
     for (const Vector& to : displacements) {
@@ -321,7 +332,8 @@ Vector multiplier(const IntegerSolid& a, const IntegerSolid& b, const Point& on_
     }
   };
   hold_off(to_a, g), hold_off(to_b, h);
-  return g + steps * displacement;
+  const Vector found = g + steps * displacement;
+  return {found.x, found.y, found.z};
 }
 
 }  // namespace touchstone::oracle

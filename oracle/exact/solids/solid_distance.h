@@ -22,6 +22,7 @@ struct IntegerSolid {
   IntegerSolid(const ConvexMesh& mesh, const std::vector<std::array<Integer, 3>>& at);
   /// A point, or the segment between two: no solid, and without planes.
   explicit IntegerSolid(std::vector<Point3<Integer>> ends);
+  Hull hull() const;
   bool holds(const Point3<Rational>& p) const;
   /// Weights of all vertices, for a point of the surface.
   std::vector<Rational> weights(const Point3<Rational>& p) const;
@@ -42,9 +43,9 @@ Point3<Rational> nearest_to(const Point3<Rational>& point, const IntegerSolid& a
 /// The one nearest to a's first vertex.
 Point3<Rational> first_nearest(const IntegerSolid& a, const IntegerSolid& b, const Vector3<Rational>& displacement);
 
-/// A vector g with g . (p - on_a) >= 0 for all vertices p of a, and h . (p - on_b) >= 0 for those of b, h = on_a - a's
-/// first vertex - g: the conditions of Karush, Kuhn and Tucker for on_a.
-Vector3<Rational> multiplier(const IntegerSolid& a, const IntegerSolid& b, const Point3<Rational>& on_a,
-                             const Vector3<Rational>& displacement);
+/// A vector g with g . (p - on_a) >= 0 for all points p of a, and h . (p - on_b) >= 0 for those of b, h = on_a - a's
+/// first point - g: the conditions of Karush, Kuhn and Tucker for on_a. Those of a certificate.
+std::vector<Rational> multiplier(const Hull& a, const Hull& b, const Point3<Rational>& on_a,
+                                 const Vector3<Rational>& displacement);
 
 }  // namespace touchstone::oracle

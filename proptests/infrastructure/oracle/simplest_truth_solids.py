@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The second truths of the distance and of the overlap of two convex solids, for simplest_truth.py."""
+"""The second truths of the distance of two convex solids, or of two triangles, and of the overlap of two solids, for
+simplest_truth.py."""
 from fractions import Fraction
 from itertools import combinations
 from math import lcm
@@ -86,6 +87,47 @@ def truth_convex_distance(q):
     square = dot(way, way)
     return {"relation": "apart", "on_a": [str(n) for n in x], "on_b": [str(n) for n in minus(x, way)],
             "squared_distance": str(square), "distance": Root(square, 1)}, margin
+
+
+def level_sides(corners, way):
+    """The half-spaces that bound, in their plane across the way, a triangle or a segment; of one point, none."""
+    edges = [minus(q, p) for p, q in combinations(corners, 2) if p != q]
+    if edges and not any(cross(edges[0], edges[-1])):
+        edges = [max(edges, key=lambda edge: dot(edge, edge))]
+    ways = [cross(way, edge) for edge in edges] + (edges if len(edges) == 1 else [])
+    return {(n, max(dot(n, p) for p in corners)) for across in ways for n in (across, minus((0, 0, 0), across))}
+
+
+def squared_depth(ways):
+    """How far the origin is from the planes that have all points of a hull, which holds it, on one side."""
+    squares = []
+    for p, q, r in combinations(ways, 3):
+        normal = cross(minus(q, p), minus(r, p))
+        heights = [dot(normal, minus(x, p)) for x in ways]
+        if any(normal) and (min(heights) == 0 or max(heights) == 0):
+            squares.append(Fraction(dot(normal, p) ** 2, dot(normal, normal)))
+    return min(squares, default=Fraction(0))
+
+
+def truth_triangle_triangle_distance(q):
+    """As truth_convex_distance, in integers, and of the corners alone that are as far along the shortest displacement;
+    the margin is the squared distance, or how deep the origin is in the difference."""
+    a, b = ([point(p) for p in q[name]] for name in "ab")
+    scale = lcm(*(x.denominator for p in a + b for x in p))
+    a, b = ([tuple(int(x * scale) for x in p) for p in corners] for corners in (a, b))
+    ways = [minus(p, r) for p in a for r in b]
+    way = shortest(ways)
+    square = dot(way, way) / Fraction(scale) ** 2
+    if not square:
+        return {"relation": "meeting", "squared_distance": "0", "distance": "0"}, squared_depth(ways) / scale**2
+    lowest = min(dot(way, p) for p in a)
+    of_a = [p for p in a if dot(way, p) == lowest]
+    of_b = [p for p in (plus(r, (1, way)) for r in b) if dot(way, p) == lowest]
+    single = [part[0] for part in (of_a, of_b) if len(set(part)) == 1]
+    x = single[0] if single else first_in((way, lowest), sorted(level_sides(of_a, way) | level_sides(of_b, way)), a[0])
+    on_a, on_b = ([str(Fraction(n) / scale) for n in p] for p in (x, minus(x, way)))
+    return {"relation": "apart", "on_a": on_a, "on_b": on_b, "squared_distance": str(square),
+            "distance": Root(square, 1)}, square
 
 
 def contact_with_convex(ends, radius, mesh):

@@ -77,9 +77,24 @@ bool with_normal(const std::vector<Point3d>& a, const Used& of_a, const std::vec
   return sided(cross(v, w));
 }
 
+/// True if the displacements of four guessed corners certainly span a tetrahedron around the origin: the volumes that
+/// it spans with each face are signed alike. So the hulls have a common point.
+bool certainly_meeting(const Meshd& a, const Meshd& b, const std::vector<Corners>& corners) {
+  if (corners.size() != 4) return false;
+  const auto at = [&](std::size_t k) {
+    return filters::sized_between(b.vertices[corners[k].of_b], a.vertices[corners[k].of_a]);
+  };
+  const auto volume = [&](std::size_t i, std::size_t j, std::size_t k) { return dot(at(i), cross(at(j), at(k))); };
+  const auto first = volume(1, 2, 3), second = volume(0, 3, 2), third = volume(0, 1, 3), fourth = volume(0, 2, 1);
+  return (first.positive() && second.positive() && third.positive() && fourth.positive()) ||
+         (first.negative() && second.negative() && third.negative() && fourth.negative());
+}
+
 /// The answer, if certain signs tell that the guessed corners span the nearest parts of the solids, with nearest points
-/// in their interiors, that are the only ones; and all numbers are certain. The coordinates are `moderate`.
+/// in their interiors, that are the only ones, and all numbers are certain; or that they meet. The coordinates are
+/// `moderate`.
 Perhaps<ConvexDistance<double>> certain_distance(const Meshd& a, const Meshd& b, const std::vector<Corners>& corners) {
+  if (certainly_meeting(a, b, corners)) return ConvexDistance<double>{ConvexRelation::meeting, {}, {}, 0, 0};
   Used of_a, of_b;
   for (const auto& [i, j] : corners)
     if (!of_a.add(i) || !of_b.add(j)) return std::nullopt;
@@ -222,6 +237,10 @@ ConvexDistance<double> answer_of(const Meshd& a, const std::vector<Index>& of_a,
 
 bool moderate_pair(const Meshd& a, const Meshd& b) { return all_moderate(a) && all_moderate(b); }
 
+std::vector<Corners> guessed(const Meshd& a, const Meshd& b) {
+  return moderate_pair(a, b) ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b);
+}
+
 /// The nearest parts, and all vertices on their levels; no vertices if the hulls meet.
 struct NearestLevels {
   Nearest nearest;
@@ -246,6 +265,12 @@ NearestLevels nearest_levels(const Meshd& a, const Meshd& b, std::vector<Corners
       return {std::move(nearest), std::move(lowest), std::move(highest)};
     corners = std::move(nearest.corners), corners.push_back({lowest[0], highest[0]});
   }
+}
+
+ConvexDistance<double> exact_distance(const Meshd& a, const Meshd& b, std::vector<Corners> corners) {
+  const auto [nearest, of_a, of_b] = nearest_levels(a, b, std::move(corners));
+  if (of_a.empty()) return {ConvexRelation::meeting, {}, {}, 0, 0};
+  return answer_of(a, of_a, b, of_b, nearest);
 }
 
 /// 0, or of a magnitude in [2^-30, 1]: `moderate`. NaN if the greatest is not finite, or 0.
@@ -288,20 +313,23 @@ bool certainly_apart(const Meshd& a, const Meshd& b, const Vector3d& direction, 
 
 }  // namespace
 
+Perhaps<ConvexDistance<double>> certain_distance(const Meshd& a, const Meshd& b) {
+  if (!moderate_pair(a, b)) return std::nullopt;
+  return certain_distance(a, b, guessed(a.vertices, b.vertices));
+}
+
+ConvexDistance<double> exact_distance(const Meshd& a, const Meshd& b) { return exact_distance(a, b, guessed(a, b)); }
+
 ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
-  const bool moderate = moderate_pair(a, b);
-  std::vector<Corners> corners = moderate ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b);
-  if (moderate) {
+  std::vector<Corners> corners = guessed(a, b);
+  if (moderate_pair(a, b)) {
     if (const auto certain = certain_distance(a, b, corners)) return *certain;
   }
-  const auto [nearest, of_a, of_b] = nearest_levels(a, b, std::move(corners));
-  if (of_a.empty()) return {ConvexRelation::meeting, {}, {}, 0, 0};
-  return answer_of(a, of_a, b, of_b, nearest);
+  return exact_distance(a, b, std::move(corners));
 }
 
 Separation separation_of_solids(const Meshd& a, const Meshd& b) {
-  const auto [nearest, of_a, of_b] =
-      nearest_levels(a, b, moderate_pair(a, b) ? guessed(a.vertices, b.vertices) : guessed_near_one(a, b));
+  const auto [nearest, of_a, of_b] = nearest_levels(a, b, guessed(a, b));
   return {weighted(nearest, nearest.on_a) - weighted(nearest, nearest.on_b), nearest.total, nearest.exponent, of_a,
           of_b};
 }
