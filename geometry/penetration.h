@@ -1,10 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
+#include "geometry/polyhedra.h"
 #include "geometry/space.h"
 #include "geometry/words.h"
 
 namespace touchstone {
+
+/// True for a mesh of one, two or three vertices and no face. Where an operation takes it, it stands for the hull of
+/// these: a triangle, a segment or a point; three that lie on a line are a segment, and those that coincide one point.
+template <class Real>
+bool is_simplex(const Mesh<Real>& mesh) {
+  return named_faces(mesh) == 0 && !mesh.vertices.empty() && mesh.vertices.size() <= 3;
+}
+
+/// Both sides of the triangle of its vertices, the last of which is repeated where there are fewer than three.
+template <class Real>
+std::vector<Face> sides_of_simplex(const Mesh<Real>& mesh) {
+  const auto last = static_cast<Index>(mesh.vertices.size() - 1), second = std::min<Index>(1, last);
+  return {{0, second, last}, {0, last, second}};
+}
 
 /// The part of a convex solid that lies farthest along a direction: its points on that level are one vertex, an edge or
 /// a face.

@@ -12,6 +12,7 @@
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"
 #include "geometry/rays.h"
+#include "geometry/penetration.h"
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
@@ -129,7 +130,15 @@ inline void draw(Drawing& drawing, const std::string& label, const Capsule3d& ca
     drawing.space.push_back({SpaceFigure::Kind::sphere, label, {p.x, p.y, p.z, radius}, {}, answer});
   drawing.notes.push_back(label + ": radius " + decimal(radius));
 }
+/// A mesh without faces stands for a point, a segment or a triangle, where an operation takes it.
 inline void draw(Drawing& drawing, const std::string& label, const Meshd& mesh, bool answer) {
+  if (is_simplex(mesh)) {
+    const auto& p = mesh.vertices;
+    if (p.size() == 1) draw(drawing, label, p[0], answer);
+    else if (p.size() == 2) draw(drawing, label, Segment3d{p[0], p[1]}, answer);
+    else draw(drawing, label, Triangle3d{p[0], p[1], p[2]}, answer);
+    return;
+  }
   SpaceFigure figure{SpaceFigure::Kind::mesh, label, coordinates_of(mesh.vertices), {}, answer};
   for (const Face& face : mesh.faces) figure.faces.push_back({face.a, face.b, face.c});
   drawing.space.push_back(std::move(figure));

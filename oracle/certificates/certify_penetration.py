@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The check of certify.py for penetration, as in check_penetration.cpp."""
 
-from certify_meshes import Triangles, mesh, outward_planes
+from fractions import Fraction
+
+from certify_meshes import Triangles, listed_triangles, mesh, outward_planes
 from certify_reading import expect, number, only
 from certify_solids import index
 from certify_space import cross, dot, list_of_three
@@ -82,6 +84,30 @@ def nearest_face(claim, a, b):
     return found
 
 
+def last_across(claim, a, b):
+    """Why it is the truth's stands in check_penetration.cpp."""
+    expect(weighted(claim, "on_a", a) == weighted(claim, "on_b", b), "certificate: two points that are not the same")
+    line = normal = none = (0, 0, 0)
+    for vertices in (a, b):
+        for vertex in vertices:
+            span = minus(vertex, vertices[0])
+            expect(dot(normal, span) == 0, "certificate: the differences have an inside")
+            if not any(line):
+                line = span
+            elif not any(normal):
+                normal = cross(line, span)
+    found = none
+    one = Fraction(1)
+    for axis in ((one, 0, 0), (0, one, 0), (0, 0, one)):
+        if any(found):
+            break
+        if any(normal):
+            found = tuple(dot(axis, normal) * n for n in normal)
+        else:
+            found = cross(line, cross(axis, line)) if any(line) else axis
+    return Reach(a, b, found)
+
+
 def shortest_displacement(claim, a, b):
     x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
     expect(x != y, "certificate: no direction")
@@ -103,10 +129,22 @@ def expect_coordinates(claim, name, direction, rational, squared):
         expect_root(f"{name}[{k}]", value[k], n * rational, n * n * squared, sign_of(n))
 
 
+def core(value, what):
+    """Vertices and triangles of a solid, or one to three vertices without a face, whose hull it is."""
+    if isinstance(value, dict) and value.get("faces") == [] and "cut" not in value:
+        found = listed_triangles(value, what)
+        if 1 <= len(found[0]) <= 3:
+            return found
+    return mesh(value, what)
+
+
 def check_penetration(claim):
     claim.inputs("a", "b", "radius_a", "radius_b")
-    (a, faces_of_a), (b, faces_of_b) = mesh(claim.input["a"], "a"), mesh(claim.input["b"], "b")
-    outward_planes(a, faces_of_a, "a"), outward_planes(b, faces_of_b, "b")
+    cores = [(*core(claim.input[name], name), name) for name in ("a", "b")]
+    for vertices, faces, name in cores:
+        if faces:
+            outward_planes(vertices, faces, name)
+    a, b = (vertices for vertices, _, _ in cores)
     radii = 0
     for name in ("radius_a", "radius_b"):
         radius = number(claim.input[name], name)
@@ -117,6 +155,9 @@ def check_penetration(claim):
     if meeting:
         claim.facts("face", "of_a", "of_b", "faces")
         found = nearest_face(claim, a, b)
+    elif claim.kind() == "common_point":
+        claim.facts("on_a", "on_b")
+        found = last_across(claim, a, b)
     else:
         claim.expect_kind("nearest_points"), claim.facts("on_a", "on_b")
         found = shortest_displacement(claim, a, b)

@@ -100,6 +100,32 @@ Reach nearest_face(const Claim& claim, const std::vector<Triple>& a, const std::
   return found;
 }
 
+/// The cores have the point that the weights give, and no three differences between vertices of one are independent: the
+/// translations that leave a common point lie in a plane or on a line through the origin. Those off it may be as short
+/// as any, so that each direction at a right angle to it is as deep as any: 0. The last of these in lexicographic order
+/// is the part of an axis, of the first that has one.
+Reach last_across(const Claim& claim, const std::vector<Triple>& a, const std::vector<Triple>& b) {
+  expect(weighted(claim, "on_a", a) == weighted(claim, "on_b", b), "certificate: two points that are not the same");
+  const Triple none{0, 0, 0};
+  Triple line = none, normal = none;
+  for (const std::vector<Triple>* vertices : {&a, &b}) {
+    for (const Triple& vertex : *vertices) {
+      const Triple span = vertex - vertices->front();
+      expect(sgn(dot(normal, span)) == 0, "certificate: the differences have an inside");
+      if (line == none) line = span;
+      else if (normal == none) normal = cross(line, span);
+    }
+  }
+  Triple found = none;
+  for (const Triple& axis : {Triple{1, 0, 0}, Triple{0, 1, 0}, Triple{0, 0, 1}}) {
+    if (!(found == none)) break;
+    found = !(normal == none) ? along(none, dot(axis, normal), normal)
+            : line == none    ? axis
+                              : cross(line, cross(axis, line));
+  }
+  return {a, b, found};
+}
+
 /// Along the displacement between the points that the weights give.
 Reach shortest_displacement(const Claim& claim, const std::vector<Triple>& a, const std::vector<Triple>& b) {
   const Triple x = weighted(claim, "on_a", a), y = weighted(claim, "on_b", b);
@@ -127,10 +153,22 @@ void expect_coordinates(const Claim& claim, const std::string& name, const Tripl
                 Rational(numbers[k] * numbers[k] * squared), sgn(numbers[k]));
 }
 
+/// The mesh is a solid, or one to three vertices without a face, whose hull is the core.
+Mesh core(const json& value, const std::string& what) {
+  const bool without_faces =
+      value.is_object() && value.contains("faces") && value["faces"] == json::array() && !value.contains("cut");
+  if (without_faces) {
+    const Mesh found = listed_triangles(value, what);
+    if (!found.vertices.empty() && found.vertices.size() <= 3) return found;
+  }
+  return mesh(value, what);
+}
+
 void check_penetration(const Claim& claim) {
   claim.inputs({"a", "b", "radius_a", "radius_b"});
-  const Mesh a = mesh(claim.input["a"], "a"), b = mesh(claim.input["b"], "b");
-  outward_planes(a, "a"), outward_planes(b, "b");
+  const Mesh a = core(claim.input["a"], "a"), b = core(claim.input["b"], "b");
+  if (!a.faces.empty()) outward_planes(a, "a");
+  if (!b.faces.empty()) outward_planes(b, "b");
   Rational radii;
   for (const char* name : {"radius_a", "radius_b"}) {
     const Rational radius = number(claim.input[name], name);
@@ -138,14 +176,16 @@ void check_penetration(const Claim& claim) {
     radii += radius;
   }
   claim.answers({"contact", "depth", "direction", "translation", "feature"});
-  const bool meeting = claim.kind() == "difference_hull";
+  const bool meeting = claim.kind() == "difference_hull", flat = claim.kind() == "common_point";
   if (meeting) {
     claim.facts({"face", "of_a", "of_b", "faces"});
   } else {
-    claim.expect_kind("nearest_points"), claim.facts({"on_a", "on_b"});
+    if (!flat) claim.expect_kind("nearest_points");
+    claim.facts({"on_a", "on_b"});
   }
-  const Reach found =
-      meeting ? nearest_face(claim, a.vertices, b.vertices) : shortest_displacement(claim, a.vertices, b.vertices);
+  const Reach found = meeting ? nearest_face(claim, a.vertices, b.vertices)
+                      : flat  ? last_across(claim, a.vertices, b.vertices)
+                              : shortest_displacement(claim, a.vertices, b.vertices);
   const Rational of_cores(found.height * found.height / found.square);
   const int core_sign = sgn(found.height);
   const int sign = core_sign >= 0 ? sgn(Rational(radii + of_cores)) : sgn(Rational(radii * radii - of_cores));

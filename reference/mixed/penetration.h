@@ -41,20 +41,32 @@ Point3<Real> mean_of_vertices(const Mesh<Real>& mesh) {
   return mesh.vertices[0] + Real(Real(1) / Real(static_cast<int>(mesh.vertices.size()))) * sum;
 }
 
+/// Those of a solid, or both sides of a triangle.
 template <class Real>
 std::vector<OutwardFace<Real>> outward_faces(const Mesh<Real>& mesh) {
+  const bool flat = is_simplex(mesh);
   const Point3<Real> inside = mean_of_vertices(mesh);
   std::vector<OutwardFace<Real>> faces;
-  for (const Face& f : mesh.faces) {
+  for (const Face& f : flat ? sides_of_simplex(mesh) : mesh.faces) {
     const Point3<Real>& p = mesh.vertices[f.a];
     const Vector3<Real> normal = cross(mesh.vertices[f.b] - p, mesh.vertices[f.c] - p);
-    faces.push_back({p, dot(normal, inside - p) > Real(0) ? Real(-1) * normal : normal});
+    if (flat && dot(normal, normal) == Real(0)) continue;
+    faces.push_back({p, !flat && dot(normal, inside - p) > Real(0) ? Real(-1) * normal : normal});
   }
   return faces;
 }
 
+/// Those of a solid; or those of a triangle or a segment, without normals.
 template <class Real>
 std::vector<OutwardEdge<Real>> outward_edges(const Mesh<Real>& mesh, const std::vector<OutwardFace<Real>>& faces) {
+  if (is_simplex(mesh)) {
+    const Vector3<Real> none{Real(0), Real(0), Real(0)};
+    std::vector<OutwardEdge<Real>> edges;
+    for (std::size_t to = 1; to < mesh.vertices.size(); ++to)
+      for (std::size_t from = 0; from < to; ++from)
+        edges.push_back({mesh.vertices[from], mesh.vertices[to] - mesh.vertices[from], none, none});
+    return edges;
+  }
   std::map<std::pair<Index, Index>, std::size_t> face_at;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const Face& f = mesh.faces[i];
@@ -80,7 +92,22 @@ bool makes_face(const OutwardEdge<Real>& of_a, const OutwardEdge<Real>& of_b) {
   return cba * dba < Real(0) && adc * bdc < Real(0) && cba * bdc > Real(0);
 }
 
+/// The direction of length 1 at a right angle to these edges, all along one line, that comes last in the order of x, y,
+/// z, times any length; that of x where there is none.
+template <class Real>
+Vector3<Real> last_across(const std::vector<OutwardEdge<Real>>& edges) {
+  Vector3<Real> found{Real(1), Real(0), Real(0)};
+  for (const auto& [point, along, left, right] : edges) {
+    if (dot(along, along) == Real(0)) continue;
+    found = cross(along, cross({Real(1), Real(0), Real(0)}, along));
+    if (dot(found, found) == Real(0)) found = {Real(0), Real(1), Real(0)};
+  }
+  return found;
+}
+
 /// The least overlap over all faces of both and all pairs of edges; any of those that are below 0, if there are such.
+/// Where one of both is no solid, edges have no normals that tell which pairs matter: then all count, in both
+/// directions, and if there are none at all, both lie along one line.
 template <class Real>
 Overlap<Real> least_overlap(const Mesh<Real>& a, const Mesh<Real>& b) {
   const auto faces_of_a = outward_faces(a), faces_of_b = outward_faces(b);
@@ -107,8 +134,23 @@ Overlap<Real> least_overlap(const Mesh<Real>& a, const Mesh<Real>& b) {
   for (const auto& [point, normal] : faces_of_b)
     if (consider({normal, farthest(a, point, Real(-1) * normal), std::nullopt, SolidPart::face})) return least;
   const Point3<Real> inside_b = mean_of_vertices(b);
-  const auto edges_of_b = outward_edges(b, faces_of_b);
-  for (const OutwardEdge<Real>& of_a : outward_edges(a, faces_of_a)) {
+  auto edges_of_a = outward_edges(a, faces_of_a), edges_of_b = outward_edges(b, faces_of_b);
+  if (is_simplex(a) || is_simplex(b)) {
+    for (const OutwardEdge<Real>& of_a : edges_of_a) {
+      for (const OutwardEdge<Real>& of_b : edges_of_b) {
+        const Vector3<Real> across = cross(of_a.along, of_b.along), back = Real(-1) * across;
+        if (dot(across, across) == Real(0)) continue;
+        for (const auto& [direction, against] : {std::pair{across, back}, {back, across}}) {
+          const Real height = farthest(b, of_a.point, direction) + farthest(a, of_a.point, against);
+          if (consider({direction, height, SolidPart::edge, SolidPart::edge})) return least;
+        }
+      }
+    }
+    edges_of_a.insert(edges_of_a.end(), edges_of_b.begin(), edges_of_b.end());
+    if (first) least.direction = last_across(edges_of_a);
+    return least;
+  }
+  for (const OutwardEdge<Real>& of_a : edges_of_a) {
     for (const OutwardEdge<Real>& of_b : edges_of_b) {
       if (!makes_face(of_a, of_b)) continue;
       const Vector3<Real> across = cross(of_a.along, of_b.along);
@@ -141,8 +183,28 @@ SolidPart farthest_part(const std::optional<SolidPart>& known, const Mesh<Real>&
   return spans.empty() ? SolidPart::vertex : SolidPart::edge;
 }
 
+/// The least overlap, or that along the shortest displacement where it shows that the cores are apart: of two that are
+/// no solids this is asked first, because the difference may have no face between it and the origin.
+template <class Real>
+Overlap<Real> overlap_of_cores(const Mesh<Real>& a, const Mesh<Real>& b) {
+  const bool flat = is_simplex(a) && is_simplex(b);
+  const auto apart = [&]() -> Overlap<Real> {
+    const auto nearest = nearest_simplex(a, b);
+    const Vector3<Real> displacement = nearest.displacement();
+    const bool meeting = flat && nearest.pairs.size() == 4;
+    return {displacement, meeting ? Real(0) : Real(-dot(displacement, displacement))};
+  };
+  if (flat) {
+    const Overlap<Real> found = apart();
+    if (found.height < Real(0)) return found;
+  }
+  const Overlap<Real> overlap = least_overlap(a, b);
+  return overlap.height < Real(0) && !flat ? apart() : overlap;
+}
+
 /// How far two round convex solids overlap, and the least translation of the first that leaves them only touching. Each
-/// is a convex polyhedron, its core, with all points that are no farther from it than a radius.
+/// is a convex polyhedron, a point, a segment or a triangle, its core, with all points that are no farther from it than
+/// a radius: so a ball, a capsule, or a triangle that is thick.
 ///
 /// No page of the deck asks this. The formula is that of separating axes (Gregorius, The separating axis test between
 /// convex polyhedra, 2013; Ericson, Real-Time Collision Detection, 5.2.1), put together from p. 53-54's faces and
@@ -155,44 +217,49 @@ SolidPart farthest_part(const std::optional<SolidPart>& known, const Mesh<Real>&
 /// direction and translation are always there. The direction points from b to a; the translation is depth times it, so
 /// it points from a to b where the depth is negative. A number beyond the range of doubles is infinite.
 ///
+/// A core is a mesh: a convex polyhedron; or one without faces, of one, two or three vertices, which stands for their
+/// hull. So three vertices on a line are a segment, and vertices that coincide are one point. Both sides of a triangle
+/// are faces.
+///
 /// Where the cores meet, the direction is that of a face of the Minkowski difference: of a face of a, of one of b, or
 /// across an edge of each. Where several of these are as deep, the contract names one: of each, the vertices of a that
 /// are farthest against it, listed in ascending order, count; the least list in lexicographic order, where a list comes
 /// before one that it begins, has it, and if two have the same, the least list of the vertices of b that are farthest
-/// along it. No two such directions share both. Vertices of no face count too. Cores that only touch at a vertex or an
-/// edge part in many other directions as well. Engines promise no such choice: they may name another
-/// direction that is as deep, unless they declare that they name this one (`nearest`, docs/engines.md). Where the cores
-/// are apart there is one direction only, that of the shortest displacement from b to a. feature: whether the vertices
-/// of a that are farthest against the direction, and those of b that are farthest along it, span a point, an edge or a
-/// face.
+/// along it. No two such directions share both. Vertices of no face count too. Where neither core has an inside the
+/// difference may have none: a point, a segment, or a polygon in a plane. Then the depth of the cores is 0, every
+/// direction at a right angle to the difference is as deep, and the contract names the one whose unit vector comes last
+/// in lexicographic order of x, y, z: (1, 0, 0) for a point, for a polygon one of two opposite normals. Cores that only
+/// touch at a vertex or an edge part in many other directions as well. Engines promise no such choice: they may name
+/// another direction that is as deep, unless they declare that they name this one (`nearest`, docs/engines.md). Where
+/// the cores are apart there is one direction only, that of the shortest displacement from b to a. feature: whether the
+/// vertices of a that are farthest against the direction, and those of b that are farthest along it, span a point, an
+/// edge or a face.
 ///
 /// Refused by robust and oracle: NaN or infinity; then what is not the surface of a convex solid, by the rules and in
-/// the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh; then a negative radius
-/// ("radius_a" or "radius_b", "radius >= 0"). That page also says which meshes are valid; faces of more than three
-/// corners are cut first, and refused by the rules of docs/meshes.md before everything else. A core is a solid: a
-/// point, a segment or a polygon is refused as a mesh without an inside, or for its faces without area.
+/// the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh, unless it has one to
+/// three vertices and no face; then a negative radius ("radius_a" or "radius_b", "radius >= 0"). That page also says
+/// which meshes are valid; faces of more than three corners are cut first, and refused by the rules of docs/meshes.md
+/// before everything else. A mesh with faces is a solid: one whose vertices lie in a plane is refused as a mesh without
+/// an inside, or for its faces without area.
 ///
-/// In exact arithmetic contact and depth are always right: the difference's faces have these normals. Among several
-/// directions that are as deep the formula returns any (cause: algorithm).
+/// In exact arithmetic contact and depth are always right: the difference's faces have these normals, and no other
+/// direction overlaps less. Among several directions that are as deep the formula returns any (cause: algorithm).
 ///
 /// Margin: |(radius_a + radius_b)^2 + s|, s being the square of the depth of the cores, negative where they are apart.
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): where the coordinates are integers below 2^20, every two of at most 2^10
-/// vertices at most 2^7 apart on each axis, the radii do not overflow, and the cores meet, normals, heights and the
-/// signs that choose them are exact, the squares of two depths are mistaken for each other only if they differ by less
-/// than 3 u of themselves, and the contact is right; root, quotient and two sums of numbers that are not negative
-/// follow: the depth is off by at most 8 u of itself. There is no bound elsewhere: a short normal, of a sliver or of
-/// edges that are nearly parallel, is off by any part of itself, and its height counts as any depth. ulps: 72 roundings
-/// behind each number (those of convex_distance, or nine in the normal, eight in the height, then five in a square,
-/// root and quotient; the sums of radii and depth, and the product).
+/// vertices at most 2^7 apart on each axis, the radii do not overflow, the cores meet, and one of them is a solid,
+/// normals, heights and the signs that choose them are exact, the squares of two depths are mistaken for each other
+/// only if they differ by less than 3 u of themselves, and the contact is right; root, quotient and two sums of numbers
+/// that are not negative follow: the depth is off by at most 8 u of itself. There is no bound elsewhere: a short
+/// normal, of a sliver or of edges that are nearly parallel, is off by any part of itself, and its height counts as any
+/// depth; and segments that cross are apart by what rounding leaves of their displacement, in any direction. ulps: 72
+/// roundings behind each number (those of convex_distance, or nine in the normal, eight in the height, then five in a
+/// square, root and quotient; the sums of radii and depth, and the product).
 template <class Real>
 Penetration<Real> penetration(const Mesh<Real>& a, const Mesh<Real>& b, const Real& radius_a, const Real& radius_b) {
   using std::sqrt;
-  Overlap<Real> overlap = least_overlap(a, b);
-  if (overlap.height < Real(0)) {
-    const Vector3<Real> displacement = nearest_simplex(a, b).displacement();
-    overlap = {displacement, Real(-dot(displacement, displacement))};
-  }
+  const Overlap<Real> overlap = overlap_of_cores(a, b);
   const Vector3<Real>& n = overlap.direction;
   const Real length = Real(sqrt(dot(n, n))), depth = Real(radius_a + radius_b + overlap.height / length);
   const Vector3<Real> unit{Real(n.x / length), Real(n.y / length), Real(n.z / length)};

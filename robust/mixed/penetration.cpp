@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/penetration.h"
 #include "geometry/validation.h"
 #include "robust/kernel/enclosed/loose.h"
 #include "robust/kernel/enclosed/window.h"
@@ -139,7 +140,8 @@ Penetration<double> penetration(const Meshd& a, const Meshd& b, double radius_a,
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validation::validate_numbers("radius_a", radius_a), validation::validate_numbers("radius_b", radius_b);
   Stage latest = Stage::filter;
-  kernel::validate_convex("a", a, latest), kernel::validate_convex("b", b, latest);
+  if (!is_simplex(a)) kernel::validate_convex("a", a, latest);
+  if (!is_simplex(b)) kernel::validate_convex("b", b, latest);
   validate_radii(radius_a, radius_b);
   return rounded_penetration(a, b, radius_a, radius_b);
 }

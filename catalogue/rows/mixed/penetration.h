@@ -6,6 +6,7 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/families/meshes/convex_pair_draws.h"
+#include "catalogue/families/triangles/core_draws.h"
 #include "catalogue/families/meshes/cube_surface.h"
 #include "catalogue/families/meshes/mesh_draws.h"
 #include "catalogue/families/meshes/polygon_draws.h"
@@ -15,12 +16,18 @@
 #include "oracle/mixed/penetration.h"
 #include "reference/mixed/penetration.h"
 #include "robust/mixed/penetration.h"
+#include "robust/prepared/solid.h"
 
 namespace touchstone::catalogue::rows {
 
 struct penetration : signatures::penetration {
   TOUCHSTONE_MODULES(penetration)
-  TOUCHSTONE_PREPARED(penetration, ConvexSolid)
+  static constexpr bool takes_prepared = true;
+  static auto prepared(const Meshd& a, const Meshd& b, double radius_a, double radius_b) {
+    using Solid = ::touchstone::robust::ConvexSolid;
+    if (is_simplex(a) || is_simplex(b)) return robust(a, b, radius_a, radius_b);  // a simplex is not prepared
+    return ::touchstone::robust::penetration(Solid(a), Solid(b), radius_a, radius_b);
+  }
   using decision = NoDecision;
 
   static constexpr Metadata metadata{
@@ -220,6 +227,7 @@ struct penetration : signatures::penetration {
       const Meshd given = c.one_in(6) ? with_broken_polygons(a, c) : a, moved = shifted(b, steps(c));
       return rounded_by(c, given, moved);
     });
+    add_round_cores(add);
   }
 
   static void repair(Question& question) {
@@ -269,8 +277,7 @@ struct penetration : signatures::penetration {
             .map_centre = map_centre,
             .map_axes = map_axes,
             .domain_count = domain_count,
-            .domain_at = domain_at,
-            .laws = {.maps = Laws::Maps::axes}};
+            .domain_at = domain_at};
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "geometry/penetration.h"
 #include "geometry/validation.h"
 #include "oracle/exact/solids/closed_mesh.h"
 #include "oracle/exact/solids/polygon_faces.h"
@@ -76,25 +77,39 @@ void turn(IntegerPlane& plane) {
 
 }  // namespace
 
-ConvexMesh::ConvexMesh(const std::string& field, const Mesh<Rational>& mesh) : faces(mesh.faces) {
-  const std::vector<Point3<Rational>> exactly = exact_vertices(field, mesh);
+ConvexMesh::ConvexMesh(const std::vector<Point3<Rational>>& exactly, const std::vector<Face>& triangles)
+    : faces(triangles) {
   const Integer denominator = common_denominator(exactly);
   for (const auto& p : exactly) vertices.push_back(multiplied(p, denominator));
   const Integer factor = common_factor(vertices);
   for (auto& p : vertices) p = {Integer(p.x / factor), Integer(p.y / factor), Integer(p.z / factor)};
   unit = Rational(factor, denominator);
   unit.canonicalize();
+  for (const auto& [a, b, c] : faces) planes.push_back(plane_through(vertices[a], vertices[b], vertices[c]));
+}
+
+ConvexMesh::ConvexMesh(const std::string& field, const Mesh<Rational>& mesh)
+    : ConvexMesh(exact_vertices(field, mesh), mesh.faces) {
   examine(field, mesh);
 }
 
 ConvexMesh::ConvexMesh(const std::string& field, const Meshd& mesh)
     : ConvexMesh(field, Mesh<Rational>{exact_vertices(field, mesh), mesh.faces, mesh.polygons}) {}
 
+template <class Number>
+ConvexMesh ConvexMesh::core(const std::string& field, const Mesh<Number>& mesh) {
+  if (!is_simplex(mesh)) return {field, mesh};
+  std::vector<Point3<Rational>> exactly;
+  for (const auto& vertex : mesh.vertices) exactly.push_back(exact(vertex));
+  return {exactly, sides_of_simplex(mesh)};
+}
+template ConvexMesh ConvexMesh::core(const std::string&, const Meshd&);
+template ConvexMesh ConvexMesh::core(const std::string&, const Mesh<Rational>&);
+
 void ConvexMesh::examine(const std::string& field, const Mesh<Rational>& mesh) {
   validate_closed(field, mesh);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    planes.push_back(plane_through(vertices[faces[i].a], vertices[faces[i].b], vertices[faces[i].c]));
-    if (zero(planes.back().normal)) validation::refuse_area(field, mesh, i);
+    if (zero(planes[i].normal)) validation::refuse_area(field, mesh, i);
   }
   const auto off = std::find_if(vertices.begin(), vertices.end(),
                                 [this](const auto& vertex) { return sgn(planes[0].at(vertex)) != 0; });

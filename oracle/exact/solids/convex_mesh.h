@@ -32,6 +32,9 @@ class ConvexMesh {
   /// plane.
   ConvexMesh(const std::string& field, const Meshd& mesh);
   ConvexMesh(const std::string& field, const Mesh<Rational>& mesh);
+  /// The same, or of a simplex (geometry/penetration.h) both sides of its triangle, which has no area where it is less.
+  template <class Number>
+  static ConvexMesh core(const std::string& field, const Mesh<Number>& mesh);
 
   /// The point in the unit of the mesh.
   HomogeneousPoint integer(const Point3d& p) const;
@@ -43,6 +46,7 @@ class ConvexMesh {
   Rational unit;
 
  private:
+  ConvexMesh(const std::vector<Point3<Rational>>& exactly, const std::vector<Face>& triangles);
   void examine(const std::string& field, const Mesh<Rational>& mesh);
 };
 

@@ -133,6 +133,24 @@ TEST_CASE("nearest pairs: words and indices are those of the solution that an en
   CHECK(cornered.says(parted("[0,0,-1]", "face")) == Verdict::agree);
   CHECK(cornered.says(parted("[-0.6,-0.8,0]", "face")) != Verdict::agree);
   CHECK(cornered.says(parted("[0,0,-1]", "edge")) != Verdict::agree);
+  // Segments that cross part along both normals of their plane, those on one line in all directions across it.
+  const Asked crossing{"penetration",
+                       R"({"a":{"vertices":[[-5,0,0],[5,0,0]],"faces":[]},"b":{"vertices":[[0,-3,-4],[0,3,4]],)"
+                       R"("faces":[]},"radius_a":1,"radius_b":0})"},
+      in_line{"penetration", R"({"a":{"vertices":[[-5,0,0],[5,0,0]],"faces":[]},"b":{"vertices":[[1,0,0],[9,0,0]],)"
+                             R"("faces":[]},"radius_a":1,"radius_b":0})"};
+  const auto apart_by_one = [](const std::string& direction) {
+    return R"({"contact":"overlapping","depth":1,"direction":)" + direction + R"(,"translation":)" + direction +
+           R"(,"feature":{"a":"edge","b":"edge"}})";
+  };
+  CHECK(crossing.says(apart_by_one("[0,0.8,-0.6]")) == Verdict::agree);
+  CHECK(crossing.judge(apart_by_one("[0,-0.8,0.6]")).breaks_tie);
+  CHECK(crossing.says(apart_by_one("[0,-0.8,0.6]")) == Verdict::agree);
+  CHECK(crossing.says(apart_by_one("[0,1,0]")) != Verdict::agree);
+  CHECK(crossing.judge(apart_by_one("[0,-0.8,0.6]"), Nearest::named).verdict == Verdict::algorithm);
+  CHECK(in_line.says(apart_by_one("[0,1,0]")) == Verdict::agree);
+  CHECK(in_line.says(apart_by_one("[0,-0.6,0.8]")) == Verdict::agree);
+  CHECK(in_line.says(apart_by_one("[1,0,0]")) != Verdict::agree);
 }
 
 TEST_CASE("nearest pairs: an engine that breaks ties its own way has no findings, and the table says how often") {

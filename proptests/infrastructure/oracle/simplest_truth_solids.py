@@ -185,17 +185,42 @@ def dimension(vectors):
     return 2 if any(any(cross(some, v)) for v in vectors) else 1
 
 
+def edges_of(mesh):
+    """Pairs of vertices; all of a mesh without faces."""
+    if not mesh["faces"]:
+        return list(combinations(range(len(mesh["vertices"])), 2))
+    return [edge for face in triangles(mesh) for edge in zip(face, face[1:] + face[:1])]
+
+
+def last_across(vectors):
+    """Returns the last direction, in lexicographic order, of all at a right angle to these, which lie in a plane: the
+    part of an axis, less what it has along them."""
+    basis = []
+    for v in [*vectors, (1, 0, 0), (0, 1, 0), (0, 0, 1)]:
+        part = plus(v, *((-Fraction(dot(v, w)) / dot(w, w), w) for w in basis))
+        if any(part) and len(basis) < dimension(vectors):
+            basis.append(part)
+        elif any(part):
+            return part
+
+
 def truth_penetration(q):
     """Every direction at a right angle to two edges, and the opposite one. Where it is the least, the farthest vertices
-    must span a plane: otherwise it is no face's."""
+    must span a plane: otherwise it is no face's. Where all differences lie in a plane, no such direction tells whether
+    the cores meet, but the shortest way does."""
     a, b = ([point(v) for v in q[name]["vertices"]] for name in "ab")
     unit = lcm(*(x.denominator for p in a + b for x in p))
     a, b = ([tuple(int(x * unit) for x in p) for p in points] for points in (a, b))
     radii = number(q["radius_a"]) + number(q["radius_b"])
     edges = directions_of(minus(points[j], points[i]) for points, name in ((a, "a"), (b, "b"))
-                          for face in triangles(q[name]) for i, j in zip(face, face[1:] + face[:1]))
+                          for i, j in edges_of(q[name]))
     found = []
-    for normal in directions_of(cross(v, w) for v, w in combinations(edges, 2)):
+    normals = directions_of(cross(v, w) for v, w in combinations(edges, 2))
+    if len(normals) < 2:
+        normals = []
+        if not any(shortest([minus(v, w) for v in a for w in b])):
+            found = [(0, list(range(len(a))), list(range(len(b))), 0, last_across(edges))]
+    for normal in normals:
         for side in (normal, tuple(-x for x in normal)):
             (of_a, back), (of_b, front) = level(a, tuple(-x for x in side)), level(b, side)
             height = front + back

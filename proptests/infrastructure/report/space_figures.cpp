@@ -50,6 +50,21 @@ TEST_CASE("figures in space: between 5e-324 and 1.7e308 every point is within th
       for (const Json& coordinate : point) CHECK(std::abs(coordinate.get<int>()) <= 100000);
 }
 
+TEST_CASE("figures in space: a mesh without faces is the point, the segment or the triangle of its vertices") {
+  Drawing scene;
+  std::vector<Point3d> vertices;
+  for (const double x : {0, 1, 2}) {
+    vertices.push_back({x, x * x, 0});
+    ask_for(scene, "core", Meshd{vertices, {}, {}});
+  }
+  REQUIRE(scene.space.size() == 3);
+  CHECK(scene.space[0].kind == SpaceFigure::Kind::point);
+  CHECK(scene.space[1].kind == SpaceFigure::Kind::polygon);
+  CHECK(scene.space[1].numbers == std::vector<double>{0, 0, 0, 1, 1, 0});
+  CHECK(scene.space[2].kind == SpaceFigure::Kind::polygon);
+  CHECK(scene.space[2].numbers == std::vector<double>{0, 0, 0, 1, 1, 0, 2, 4, 0});
+}
+
 TEST_CASE("figures in space: a body that moves says where it is before and after, in the scene's steps") {
   Drawing scene;
   ask_for(scene, "still", Point3d{-1, 0, 0});

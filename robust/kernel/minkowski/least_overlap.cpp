@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "geometry/penetration.h"
 #include "robust/kernel/filters/sized.h"
 #include "robust/kernel/shapes/lowest_vertices.h"
 #include "robust/kernel/shapes/points_in_space.h"
@@ -18,7 +20,49 @@ namespace {
 using IntegerPoint = Point3<mpz_class>;
 using IntegerVector = Vector3<mpz_class>;
 
-/// The ends of an edge, and the third corners of both its faces.
+bool zero(const IntegerVector& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
+
+/// Three displacements between vertices of one mesh that are independent, or as many as there are.
+std::vector<IntegerVector> spans_of(const std::vector<const Meshd*>& meshes) {
+  Polygon3d all;
+  for (const Meshd* mesh : meshes)
+    all.vertices.insert(all.vertices.end(), mesh->vertices.begin(), mesh->vertices.end());
+  const auto at = integers_of(all).at;
+  std::vector<IntegerVector> found;
+  std::size_t first = 0;
+  for (const Meshd* mesh : meshes) {
+    for (std::size_t k = first; k < first + mesh->vertices.size(); ++k) {
+      const IntegerVector span = at[k] - at[first];
+      const bool wider = found.empty()       ? !zero(span)
+                         : found.size() == 1 ? !zero(cross(found[0], span))
+                                             : found.size() == 2 && sgn(dot(cross(found[0], found[1]), span)) != 0;
+      if (wider) found.push_back(span);
+    }
+    first += mesh->vertices.size();
+  }
+  return found;
+}
+
+/// The direction at a right angle to at most two independent vectors whose unit vector is the lexicographically
+/// greatest: the part of an axis at a right angle to them, of the first that has one.
+IntegerVector last_across(const std::vector<IntegerVector>& spans) {
+  IntegerVector found{0, 0, 0};
+  for (const IntegerVector& axis : {IntegerVector{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    const IntegerVector normal = spans.size() == 2 ? cross(spans[0], spans[1]) : axis;
+    found = spans.size() == 1 ? cross(spans[0], cross(axis, spans[0])) : dot(axis, normal) * normal;
+    if (!zero(found)) break;
+  }
+  return found;
+}
+
+/// With both sides of a triangle as its faces.
+Meshd with_sides(Meshd core) {
+  if (is_simplex(core) && spans_of({&core}).size() == 2) core.faces = sides_of_simplex(core);
+  return core;
+}
+
+/// The ends of an edge, and the third corners of both its faces. A segment's edges lead from its first vertex to the
+/// others, one of which is elsewhere, and have that vertex in place of third corners.
 struct Edge {
   Index from, to, left, right;
 };
@@ -29,6 +73,7 @@ std::vector<Edge> edges_of(const Meshd& mesh) {
   std::vector<Edge> edges;
   for (const auto& [ends, left] : third)
     if (ends.first < ends.second) edges.push_back({ends.first, ends.second, left, third.at({ends.second, ends.first})});
+  for (Index to = 1; mesh.faces.empty() && to < mesh.vertices.size(); ++to) edges.push_back({0, to, 0, 0});
   return edges;
 }
 
@@ -50,18 +95,20 @@ int side(const Number& of_a_not_of_b) {
 }
 
 /// 1 or -1: the direction, or its opposite, is strictly between the normals of the faces of both edges, reversed for a;
-/// so a begins with its edge and b ends with its own. 2: no direction is. 0: not certain.
+/// so a begins with its edge and b ends with its own. 2: no direction is. 0: not certain. One of both has faces.
 template <class Normal, class Between>
 int turn_of(const Normal& normal, const Edge& e, const Edge& f, const Between& of_a, const Between& of_b) {
-  int up = 0, down = 0;
-  const auto holds = [&](int found) {
-    up += static_cast<int>(found > 0), down += static_cast<int>(found < 0);
+  int up = 0, down = 0, asked = 0;
+  const auto holds = [&](int sign, const auto& between, const Edge& edge, Index third) {
+    if (third == edge.from) return true;
+    const int found = sign * side(dot(normal, between(edge.from, third)));
+    up += static_cast<int>(found > 0), down += static_cast<int>(found < 0), ++asked;
     return up == 0 || down == 0;
   };
-  if (!holds(side(dot(normal, of_a(e.from, e.left)))) || !holds(side(dot(normal, of_a(e.from, e.right)))) ||
-      !holds(-side(dot(normal, of_b(f.from, f.left)))) || !holds(-side(dot(normal, of_b(f.from, f.right)))))
+  if (!holds(1, of_a, e, e.left) || !holds(1, of_a, e, e.right) || !holds(-1, of_b, f, f.left) ||
+      !holds(-1, of_b, f, f.right))
     return 2;
-  return up == 4 ? 1 : down == 4 ? -1 : 0;
+  return up == asked ? 1 : down == asked ? -1 : 0;
 }
 
 class Candidates {
@@ -215,13 +262,13 @@ class Overlaps {
   CoreOverlap found() const { return least_.found(exponent_); }
 
  private:
-  /// That of a face, on whose plane's one side all vertices from `first` to `last` lie.
+  /// That of a face, on whose plane's one side all vertices from `first` to `last` lie, or in it: then of a triangle.
   IntegerVector inward_normal(const Face& f, std::size_t first, std::size_t last) const {
     const IntegerPoint& p = at_[first + f.a];
     const IntegerVector normal = cross(at_[first + f.b] - p, at_[first + f.c] - p);
     int inward = 0;
     for (std::size_t k = first; k < last && inward == 0; ++k) inward = sgn(dot(normal, at_[k] - p));
-    return mpz_class(inward) * normal;
+    return mpz_class(inward == 0 ? -1 : inward) * normal;
   }
   std::pair<mpz_class, std::size_t> reach(const IntegerVector& direction, const IntegerPoint& from, std::size_t first,
                                           std::size_t last) const {
@@ -259,7 +306,9 @@ std::optional<CoreOverlap> least_of_faces(const Meshd& a, const Meshd& b, const 
   return least.found(points.exponent);
 }
 
-CoreOverlap least_overlap(const Meshd& a, const Meshd& b) {
+namespace {
+
+CoreOverlap least_of_all(const Meshd& a, const Meshd& b) {
   const Candidates candidates(a, b);
   Overlaps overlaps(a, b);
   candidates.for_each([&](const Candidate& each) {
@@ -268,6 +317,22 @@ CoreOverlap least_overlap(const Meshd& a, const Meshd& b) {
     else overlaps.add_edges(candidates.edge_of_a(each), candidates.edge_of_b(each));
   });
   return overlaps.found();
+}
+
+std::vector<Index> all_of(const Meshd& mesh) {
+  std::vector<Index> indices(mesh.vertices.size());
+  std::iota(indices.begin(), indices.end(), Index{0});
+  return indices;
+}
+
+}  // namespace
+
+CoreOverlap least_overlap(const Meshd& a, const Meshd& b) {
+  if (is_simplex(a) && is_simplex(b)) {
+    const auto spans = spans_of({&a, &b});
+    if (spans.size() < 3) return {last_across(spans), mpz_class(0), mpz_class(1), 0, all_of(a), all_of(b)};
+  }
+  return least_of_all(with_sides(a), with_sides(b));
 }
 
 }  // namespace touchstone::robust::kernel
