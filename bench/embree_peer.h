@@ -32,7 +32,7 @@ class EmbreeMesh {
   ~EmbreeMesh() { rtcReleaseScene(scene_), rtcReleaseDevice(device_); }
   EmbreeMesh(const EmbreeMesh&) = delete;
 
-  /// Whether the ray meets a face, with the first one.
+  /// Returns whether the ray meets a face, and finds the first one.
   bool first(const Ray3d& ray) const {
     RTCRayHit cast{};
     cast.ray = of(ray);
@@ -42,7 +42,7 @@ class EmbreeMesh {
     rtcIntersect1(scene_, &context, &cast);
     return cast.hit.geomID != RTC_INVALID_GEOMETRY_ID;
   }
-  /// The same, with any face.
+  /// The same of any face.
   bool any(const Ray3d& ray) const {
     RTCRay cast = of(ray);
     RTCIntersectContext context;

@@ -3,15 +3,11 @@
 
 from fractions import Fraction
 
-from certify_meshes import Triangles, listed_triangles, mesh, outward_planes
+from certify_meshes import Triangles, listed_faces, mesh, outward_planes
 from certify_reading import expect, number, only
 from certify_solids import index
-from certify_space import cross, dot, list_of_three
+from certify_space import cross, dot, list_of_three, minus
 from certify_surd import exact_surd
-
-
-def minus(p, q):
-    return tuple(x - y for x, y in zip(p, q))
 
 
 def sign_of(x):
@@ -132,7 +128,7 @@ def expect_coordinates(claim, name, direction, rational, squared):
 def core(value, what):
     """Vertices and triangles of a solid, or one to three vertices without a face, whose hull it is."""
     if isinstance(value, dict) and value.get("faces") == [] and "cut" not in value:
-        found = listed_triangles(value, what)
+        found = listed_faces(value, what)
         if 1 <= len(found[0]) <= 3:
             return found
     return mesh(value, what)

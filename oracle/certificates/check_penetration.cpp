@@ -158,7 +158,7 @@ Mesh core(const json& value, const std::string& what) {
   const bool without_faces =
       value.is_object() && value.contains("faces") && value["faces"] == json::array() && !value.contains("cut");
   if (without_faces) {
-    const Mesh found = listed_triangles(value, what);
+    const Mesh found = listed_faces(value, what);
     if (!found.vertices.empty() && found.vertices.size() <= 3) return found;
   }
   return mesh(value, what);

@@ -7,7 +7,6 @@
 
 #include "geometry/validation.h"
 #include "oracle/exact/solids/closed_mesh.h"
-#include "oracle/exact/solids/face_part.h"
 #include "oracle/exact/solids/nearest_on_surface.h"
 #include "oracle/exact/solids/polygon_faces.h"
 

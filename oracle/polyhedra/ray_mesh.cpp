@@ -8,7 +8,6 @@
 
 #include "geometry/validation.h"
 #include "oracle/exact/shapes/whole_cloud.h"
-#include "oracle/exact/solids/face_part.h"
 #include "oracle/exact/solids/polygon_faces.h"
 #include "oracle/exact/solids/ray_part.h"
 

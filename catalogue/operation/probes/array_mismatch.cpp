@@ -41,7 +41,7 @@ std::string refusal_of_shared(const Operation& operation, Question question, std
   const ArrayFunctions& arrays = operation.row().batch;
   const Question zeros = operation.zeros_of_alternatives().front();
   if (arrays.columns(zeros).size() == zeros.numbers.size()) return "";
-  for (const std::size_t at : arrays.columns(question)) question.numbers[at] = 0;
+  for (const std::size_t at : arrays.columns(question)) question.numbers[at] = 1;  // a direction may not be 0
   try {
     operation.row().robust(question, environment);
   } catch (const InvalidInput& refused) {

@@ -10,6 +10,7 @@
 
 #include "geometry/validation.h"
 #include "oracle/exact/numbers/space.h"
+#include "oracle/exact/shapes/nearest_pair.h"
 #include "oracle/exact/solids/closed_mesh.h"
 
 namespace touchstone::oracle {
@@ -132,5 +133,14 @@ void validate_polygons_of(const std::string& field, const Mesh<Number>& mesh) {
 
 void validate_polygons(const std::string& field, const Mesh<Rational>& mesh) { validate_polygons_of(field, mesh); }
 void validate_polygons(const std::string& field, const Meshd& mesh) { validate_polygons_of(field, mesh); }
+
+FacePart face_part(const std::vector<Point3<Rational>>& corners, const Point3<Rational>& x) {
+  if (std::find(corners.begin(), corners.end(), x) != corners.end()) return FacePart::vertex;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Hull edge{corners[k], corners[(k + 1) % corners.size()]};
+    if (sgn(nearest_pair(edge, {x}).squared_distance) == 0) return FacePart::edge;
+  }
+  return FacePart::inside;
+}
 
 }  // namespace touchstone::oracle

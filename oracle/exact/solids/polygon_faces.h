@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "geometry/polyhedra.h"
+#include "geometry/ray_mesh.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {
@@ -14,5 +16,8 @@ namespace touchstone::oracle {
 /// finite and its indices valid.
 void validate_polygons(const std::string& field, const Mesh<Rational>& mesh);
 void validate_polygons(const std::string& field, const Meshd& mesh);
+
+/// The place of a point of a face in it, by its corners, any number of them.
+FacePart face_part(const std::vector<Point3<Rational>>& corners, const Point3<Rational>& x);
 
 }  // namespace touchstone::oracle

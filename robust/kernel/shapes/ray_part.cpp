@@ -70,8 +70,8 @@ FacePart first_part_in(const std::vector<Point3d>& corners, const Ray3d& ray, co
   const auto [at, exponent] = integers_of(points);
   const Vector direction = at[1] - Point{0, 0, 0};
   const auto& [n, d] = clipped({at[0], at[0] + direction}, {at[2], at[3], at[4]}, 1, Clipped::ray()).first;
-  const auto coordinate = [&n = n, &d = d](const mpz_class& from, const mpz_class& displacement) {
-    return mpz_class(d * from + n * displacement);
+  const auto coordinate = [&n = n, &d = d](const mpz_class& start, const mpz_class& whole) {
+    return mpz_class(d * start + n * whole);
   };
   const Point first{coordinate(at[0].x, direction.x), coordinate(at[0].y, direction.y),
                     coordinate(at[0].z, direction.z)};
