@@ -94,6 +94,17 @@ std::optional<Box<Real>> upright(const Obb3<Real>& obb) {
   return Box<Real>{obb.center, half};
 }
 
+/// A plane whose normal lies along an axis of coordinates, by the normal of length 1 and the offset that goes with it:
+/// other normals an engine rounds, and so it does an offset that is no multiple of the normal's length.
+template <class Real>
+std::optional<Plane<Real>> across_axis(const Plane<Real>& plane) {
+  const Vector3<Real>& n = plane.normal;
+  if ((n.x != 0) + (n.y != 0) + (n.z != 0) != 1) return std::nullopt;
+  const Real length = std::abs(n.x + n.y + n.z), offset = plane.offset / length;
+  if (!std::isfinite(offset) || std::fma(offset, length, -plane.offset) != 0) return std::nullopt;
+  return Plane<Real>{{n.x / length, n.y / length, n.z / length}, offset};
+}
+
 /// Corner i of a parallelepiped is on the far side of half axis k if bit k of i is set.
 template <class Real>
 std::optional<std::vector<Point3<Real>>> corners(const Obb3<Real>& obb) {
