@@ -115,7 +115,7 @@ inline std::optional<bool> meet(const std::optional<Placed>& a, const std::optio
   return meet(*a, *b);
 }
 
-/// By conservative advancement, its default.
+/// By conservative advancement. Its default, the naive solver, asks ten moments alone.
 inline FirstContact<double> first_contact(const Placed& a, const fcl::Transform3d& end_a, const Placed& b,
                                           const fcl::Transform3d& end_b) {
   fcl::ContinuousCollisionRequestd request;
