@@ -55,8 +55,16 @@ struct BoostGeometry {
   }
 
   /// Where is_valid throws, `within` would answer: whether the ring is valid is not known, so it is not asked.
-  std::optional<Location> point_in_polygon(const Polygon2d& ring, const Point2d& p) {
-    const Polygon solid = polygon(ring);
+  std::optional<Location> point_in_polygon(const Polygon2d& ring, const Point2d& p) { return location(ring, p); }
+  std::optional<Location> point_in_region(const Region2d& region, const Point2d& p) { return location(region, p); }
+
+  std::optional<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return contact(a, b); }
+  std::optional<Contact> region_region(const Region2d& a, const Region2d& b) { return contact(a, b); }
+
+ private:
+  template <class Solid>
+  static std::optional<Location> location(const Solid& of, const Point2d& p) {
+    const Polygon solid = polygon(of);
     try {
       if (!bg::is_valid(solid)) return std::nullopt;
     } catch (const std::exception&) {
@@ -69,7 +77,8 @@ struct BoostGeometry {
   }
 
   /// By what interiors and boundaries share in the DE-9IM matrix.
-  std::optional<Contact> polygon_polygon(const Polygon2d& first, const Polygon2d& second) {
+  template <class Solid>
+  static std::optional<Contact> contact(const Solid& first, const Solid& second) {
     const Polygon a = polygon(first), b = polygon(second);
     if (!bg::is_valid(a) || !bg::is_valid(b)) return std::nullopt;
     const std::string shared = bg::relation(a, b).str();
@@ -78,16 +87,21 @@ struct BoostGeometry {
     return apart ? Contact::disjoint : Contact::touching;
   }
 
- private:
   static Segment segment(const Segment2d& s) { return {Point(s.a.x, s.a.y), Point(s.b.x, s.b.y)}; }
   static Point2d point(const Point& p) { return {p.x(), p.y()}; }
   /// Closed and clockwise, as its default is: `correct` sees to both.
-  static Polygon polygon(const Polygon2d& ring) {
+  static Polygon polygon(const Region2d& region) {
     Polygon solid;
-    for (const Point2d& p : ring.vertices) solid.outer().emplace_back(p.x, p.y);
+    const auto fill = [](auto& made, const Polygon2d& ring) {
+      for (const Point2d& p : ring.vertices) made.emplace_back(p.x, p.y);
+    };
+    fill(solid.outer(), region.outer);
+    solid.inners().resize(region.holes.size());
+    for (std::size_t i = 0; i < region.holes.size(); ++i) fill(solid.inners()[i], region.holes[i]);
     bg::correct(solid);
     return solid;
   }
+  static Polygon polygon(const Polygon2d& ring) { return polygon(Region2d{ring, {}}); }
 };
 
 TOUCHSTONE_ENGINE_MAIN(BoostGeometry)

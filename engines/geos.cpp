@@ -38,19 +38,11 @@ struct Geos {
     return index > 0 ? Side::left : index < 0 ? Side::right : Side::on;
   }
 
-  std::optional<Location> point_in_polygon(const Polygon2d& ring, const Point2d& p) {
-    const auto point = geos_.point(p), solid = geos_.polygon(ring);
-    if (!geos_.valid(solid)) return std::nullopt;
-    const std::string shared = geos_.relate(point, solid);
-    return shared[0] != 'F' ? Location::inside : shared[1] != 'F' ? Location::boundary : Location::outside;
-  }
+  std::optional<Location> point_in_polygon(const Polygon2d& ring, const Point2d& p) { return location(ring, p); }
+  std::optional<Location> point_in_region(const Region2d& region, const Point2d& p) { return location(region, p); }
 
-  std::optional<Contact> polygon_polygon(const Polygon2d& first, const Polygon2d& second) {
-    const auto a = geos_.polygon(first), b = geos_.polygon(second);
-    if (!geos_.valid(a) || !geos_.valid(b)) return std::nullopt;
-    const std::string shared = geos_.relate(a, b);
-    return shared[0] != 'F' ? Contact::overlapping : apart(shared) ? Contact::disjoint : Contact::touching;
-  }
+  std::optional<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return contact(a, b); }
+  std::optional<Contact> region_region(const Region2d& a, const Region2d& b) { return contact(a, b); }
 
   /// Every vertex is triangulated, flat ones too (geos/triangulate/polygon/PolygonEarClipper.h); the corners of its
   /// triangles go round clockwise.
@@ -73,6 +65,20 @@ struct Geos {
   }
 
  private:
+  template <class Solid>
+  std::optional<Location> location(const Solid& of, const Point2d& p) {
+    const auto point = geos_.point(p), solid = geos_.polygon(of);
+    if (!geos_.valid(solid)) return std::nullopt;
+    const std::string shared = geos_.relate(point, solid);
+    return shared[0] != 'F' ? Location::inside : shared[1] != 'F' ? Location::boundary : Location::outside;
+  }
+  template <class Solid>
+  std::optional<Contact> contact(const Solid& first, const Solid& second) {
+    const auto a = geos_.polygon(first), b = geos_.polygon(second);
+    if (!geos_.valid(a) || !geos_.valid(b)) return std::nullopt;
+    const std::string shared = geos_.relate(a, b);
+    return shared[0] != 'F' ? Contact::overlapping : apart(shared) ? Contact::disjoint : Contact::touching;
+  }
   static bool apart(const std::string& shared) {
     return shared[0] == 'F' && shared[1] == 'F' && shared[3] == 'F' && shared[4] == 'F';
   }

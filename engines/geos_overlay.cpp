@@ -35,15 +35,18 @@ struct GeosOverlay {
   }
 
   /// By the dimension of what they have in common.
-  std::optional<Contact> polygon_polygon(const Polygon2d& first, const Polygon2d& second) {
+  std::optional<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return contact(a, b); }
+  std::optional<Contact> region_region(const Region2d& a, const Region2d& b) { return contact(a, b); }
+
+ private:
+  template <class Solid>
+  std::optional<Contact> contact(const Solid& first, const Solid& second) {
     const auto a = geos_.polygon(first), b = geos_.polygon(second);
     if (!geos_.valid(a) || !geos_.valid(b)) return std::nullopt;
     const auto common = geos_.owned(GEOSIntersection_r(geos_.context(), a.get(), b.get()));
     if (geos_.checked(GEOSisEmpty_r(geos_.context(), common.get()))) return Contact::disjoint;
     return GEOSGeom_getDimensions_r(geos_.context(), common.get()) == 2 ? Contact::overlapping : Contact::touching;
   }
-
- private:
   GeosSession geos_;
 };
 

@@ -47,15 +47,13 @@ class GeosSession {
     return owned(GEOSGeom_createLineString_r(context(), made(GEOSCoordSeq_copyFromBuffer_r(context(), ends, 2, 0, 0))));
   }
   Geometry polygon(const Polygon2d& ring) const {
-    std::vector<double> corners;
-    for (std::size_t i = 0; i <= ring.size(); ++i) {
-      const Point2d& p = ring[i % ring.size()];
-      corners.insert(corners.end(), {p.x, p.y});
-    }
-    const auto size = static_cast<unsigned>(ring.size() + 1);
-    auto* sequence = made(GEOSCoordSeq_copyFromBuffer_r(context(), corners.data(), size, 0, 0));
-    auto* shell = made(GEOSGeom_createLinearRing_r(context(), sequence));
-    return owned(GEOSGeom_createPolygon_r(context(), shell, nullptr, 0));
+    return owned(GEOSGeom_createPolygon_r(context(), closed(ring), nullptr, 0));
+  }
+  Geometry polygon(const Region2d& region) const {
+    std::vector<GEOSGeometry*> holes;
+    for (const Polygon2d& hole : region.holes) holes.push_back(closed(hole));
+    return owned(GEOSGeom_createPolygon_r(context(), closed(region.outer), holes.data(),
+                                          static_cast<unsigned>(holes.size())));
   }
   /// A line string of length zero and a ring that meets itself are invalid, and what follows for invalid geometries is
   /// not promised.
@@ -76,6 +74,17 @@ class GeosSession {
   }
 
  private:
+  GEOSGeometry* closed(const Polygon2d& ring) const {
+    std::vector<double> corners;
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const Point2d& p = ring[i % ring.size()];
+      corners.insert(corners.end(), {p.x, p.y});
+    }
+    const auto size = static_cast<unsigned>(ring.size() + 1);
+    auto* sequence = made(GEOSCoordSeq_copyFromBuffer_r(context(), corners.data(), size, 0, 0));
+    return made(GEOSGeom_createLinearRing_r(context(), sequence));
+  }
+
   std::unique_ptr<GEOSContextHandle_HS, decltype(&GEOS_finish_r)> context_;
   std::string said_;
 };

@@ -11,7 +11,8 @@ const name = process.argv[2];
 /** Where a number's sign lies, for packages that answer with a signed area. */
 const side = (left) => ({ side: left > 0 ? "left" : left < 0 ? "right" : "on" });
 
-const geojson = (ring) => ({ type: "Polygon", coordinates: [[...ring, ring[0]]] });
+const geojson = (...rings) => ({ type: "Polygon", coordinates: rings.map((ring) => [...ring, ring[0]]) });
+const region = ({ outer, holes }) => geojson(outer, ...holes);
 
 /** A package with a file of its own. */
 const from = (file) => async () => (await import(file)).default();
@@ -48,18 +49,23 @@ const packages = {
   // The last position of a GeoJSON ring is its first.
   "@turf/boolean-point-in-polygon": () => {
     const { booleanPointInPolygon } = require("@turf/boolean-point-in-polygon");
-    const within = (point, ring, ignoreBoundary) => booleanPointInPolygon(point, geojson(ring), { ignoreBoundary });
+    const within = (point, solid, ignoreBoundary) => booleanPointInPolygon(point, solid, { ignoreBoundary });
+    const locate = (point, solid) => ({
+      location: within(point, solid, true) ? "inside" : within(point, solid, false) ? "boundary" : "outside",
+    });
     return {
-      point_in_polygon: ({ polygon, point }) => ({
-        location: within(point, polygon, true) ? "inside" : within(point, polygon, false) ? "boundary" : "outside",
-      }),
+      point_in_polygon: ({ polygon, point }) => locate(point, geojson(polygon)),
+      point_in_region: ({ region: solid, point }) => locate(point, region(solid)),
     };
   },
   "@turf/boolean-touches": () => {
     const { booleanDisjoint } = require("@turf/boolean-disjoint");
     const { booleanTouches } = require("@turf/boolean-touches");
     const contact = (a, b) => (booleanDisjoint(a, b) ? "disjoint" : booleanTouches(a, b) ? "touching" : "overlapping");
-    return { polygon_polygon: ({ a, b }) => ({ contact: contact(geojson(a), geojson(b)) }) };
+    return {
+      polygon_polygon: ({ a, b }) => ({ contact: contact(geojson(a), geojson(b)) }),
+      region_region: ({ a, b }) => ({ contact: contact(region(a), region(b)) }),
+    };
   },
   // A flat list of corners, counter-clockwise where y points up. Documented as not conforming: a vertex may lie inside
   // an edge of a triangle, so an answer of fewer triangles that has the polygon's area is not judged.
