@@ -19,6 +19,21 @@ function half(a, number) {
   return a !== undefined && number(a / 2) * 2 === a ? a / 2 : undefined;
 }
 
+/** Of an interval. */
+export function middle_and_half(min, max, number = double) {
+  const found = [half(sum(min, max, number), number), half(sum(max, -min, number), number)];
+  return all(found);
+}
+
+/** A plane whose normal lies along an axis of coordinates, with a normal of length 1: other normals are rounded. */
+export function across_axis({ normal, offset }, number = double) {
+  if (normal.filter((c) => c !== 0).length !== 1) return undefined;
+  const length = Math.max(...normal.map(Math.abs)), scaled = offset / length;
+  if (!Number.isFinite(scaled) || number(scaled) !== scaled) return undefined;
+  const [n, d, s, unit] = integers([[length, offset, scaled, 1]])[0];
+  return n * s === d * unit ? { normal: normal.map(Math.sign), offset: scaled } : undefined;
+}
+
 /** {center, half} of a box by its two corners. */
 export function box({ min, max }, number = double) {
   const center = all(min.map((c, k) => half(sum(c, max[k], number), number)));

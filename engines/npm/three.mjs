@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// three.js: boxes, balls, oriented boxes and hulls of its math and its addons.
-import { Box2, Box3, Line3, Matrix3, Ray, Sphere, Triangle, Vector2, Vector3 } from "three";
+// three.js: boxes, balls, oriented boxes, capsules and hulls of its math and its addons, and rays to meshes.
+import { Box2, Box3, BufferAttribute, BufferGeometry, DoubleSide, Line3, Matrix3, Mesh, MeshBasicMaterial, Ray, Raycaster,
+  Sphere, Triangle, Vector2, Vector3 } from "three";
+import { Capsule } from "three/addons/math/Capsule.js";
 import { ConvexHull } from "three/addons/math/ConvexHull.js";
 import { OBB } from "three/addons/math/OBB.js";
 import { rank } from "./exact.mjs";
@@ -26,6 +28,14 @@ const nearest = (p, found) => {
   return { point: found.toArray(), squared_distance: square, distance: Math.sqrt(square) };
 };
 
+/** Positions as doubles, which a geometry takes as well. */
+const mesh = ({ vertices, faces }) => {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float64Array(vertices.flat()), 3));
+  geometry.setIndex(faces.flat());
+  return new Mesh(geometry, new MeshBasicMaterial({ side: DoubleSide }));
+};
+
 /** Nothing is documented of touching. ConvexHull gives faces: of flat input it is not asked. Sphere.setFromPoints is
  * around the center of the box. */
 export default () => ({
@@ -48,6 +58,22 @@ export default () => ({
   obb_obb: ({ a, b }) => {
     const first = turned(a), second = turned(b);
     return first && second && first.intersectsOBB(second);
+  },
+  aabb_obb: ({ aabb, obb }) => turned(obb)?.intersectsBox3(box(aabb)),
+  sphere_obb: ({ sphere, obb }) => turned(obb)?.intersectsSphere(ball(sphere)),
+  closest_point_on_obb: ({ point, obb }) => {
+    const p = vector(point), found = turned(obb)?.clampPoint(p, new Vector3());
+    return found && nearest(p, found);
+  },
+  capsule_aabb: ({ capsule: { segment: [a, b], radius }, aabb }) =>
+    new Capsule(vector(a), vector(b), radius).intersectsBox(box(aabb)),
+  ray_obb: ({ ray: cast, obb }) => {
+    const from = ray(cast), held = from && turned(obb);
+    return held && hit(held.intersectRay(from, new Vector3()));
+  },
+  ray_mesh: ({ ray: cast, mesh: faces }) => {
+    const from = ray(cast);
+    return from && new Raycaster(from.origin, from.direction).intersectObject(mesh(faces)).length > 0;
   },
   ray_triangle: ({ ray: cast, triangle: [a, b, c] }) => {
     const from = ray(cast);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// three-mesh-bvh: triangles, surfaces, points of solids by a ray, and its tree over objects. Its trees hold single
-// precision.
+// three-mesh-bvh: triangles, oriented boxes, surfaces, rays, points of solids by a ray, and its tree over objects. Its
+// trees hold single precision.
 import { Box3, BufferAttribute, BufferGeometry, DoubleSide, Matrix4, Mesh, Ray, Vector3 } from "three";
-import { ExtendedTriangle, MeshBVH, ObjectBVH } from "three-mesh-bvh";
+import { ExtendedTriangle, MeshBVH, ObjectBVH, OrientedBox } from "three-mesh-bvh";
+import { upright } from "./held.mjs";
 import { has_ray, replies } from "./programs.mjs";
 
 const vector = (p) => new Vector3(...p);
 const triangle = (corners) => new ExtendedTriangle(...corners.map(vector));
+const turned = (obb) => {
+  const held = upright(obb);
+  return held && new OrientedBox(vector(held.half).negate(), vector(held.half), new Matrix4().setPosition(...held.center));
+};
 const surface = ({ vertices, faces }) => {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(vertices.flat()), 3));
@@ -74,6 +79,22 @@ export default () => ({
   boundary: "unspecified",
   number: "binary32",
   triangle_triangle: ({ a, b }) => triangle(a).intersectsTriangle(triangle(b), null, true),
+  triangle_obb: ({ triangle: corners, obb }) => {
+    const box = turned(obb);
+    if (box) box.needsUpdate = true;
+    return box && box.intersectsTriangle(triangle(corners));
+  },
+  aabb_obb: ({ aabb: { min, max }, obb }) => {
+    const box = turned(obb);
+    if (box) box.needsUpdate = true;
+    return box && box.intersectsBox(new Box3(vector(min), vector(max)));
+  },
+  // Rays of three.js have a direction of length 1: only axes are asked.
+  ray_mesh: ({ ray: { origin, direction }, mesh }) => {
+    if (Math.hypot(...direction) !== 1 || direction.filter((x) => x !== 0).length !== 1) return undefined;
+    if (mesh.faces.length === 0) return false;
+    return new MeshBVH(surface(mesh)).raycastFirst(new Ray(vector(origin), vector(direction)), DoubleSide) !== null;
+  },
   point_in_polyhedron: ({ mesh, point }) => {
     const ray = new Ray(vector(point), new Vector3(1, 0, 0));
     const hit = new MeshBVH(surface(mesh)).raycastFirst(ray, DoubleSide);
