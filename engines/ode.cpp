@@ -3,6 +3,8 @@
 #include <ode/ode.h>
 #include <touchstone/program/engine_main.h>
 
+#include <algorithm>
+
 #include "exactly.h"
 #include "one_hit.h"
 
@@ -31,6 +33,42 @@ struct Ode {
   std::optional<bool> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return meet(exactly::box(a), exactly::box(b)); }
   std::optional<bool> obb_obb(const Obb3d& a, const Obb3d& b) { return meet(exactly::upright(a), exactly::upright(b)); }
 
+  std::optional<bool> aabb_obb(const Aabb3d& a, const Obb3d& b) { return meet(exactly::box(a), exactly::upright(b)); }
+  std::optional<bool> sphere_obb(const Sphere3d& sphere, const Obb3d& obb) {
+    const Box box = exactly::upright(obb);
+    if (!has_size(box) || sphere.radius == 0) return std::nullopt;
+    return meet(ball(sphere), sphere.center, solid(*box), box->center);
+  }
+  std::optional<bool> sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
+    const auto middle = upright(capsule);
+    if (!middle || sphere.radius == 0) return std::nullopt;
+    return meet(ball(sphere), sphere.center, solid(*middle), middle->center);
+  }
+  std::optional<bool> capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
+    const auto first = upright(a), second = upright(b);
+    if (!first || !second) return std::nullopt;
+    return meet(solid(*first), first->center, solid(*second), second->center);
+  }
+  std::optional<bool> capsule_aabb(const Capsule3d& capsule, const Aabb3d& aabb) {
+    return meet(upright(capsule), exactly::box(aabb));
+  }
+  std::optional<bool> capsule_obb(const Capsule3d& capsule, const Obb3d& obb) {
+    return meet(upright(capsule), exactly::upright(obb));
+  }
+  /// Its planes have a half-space behind them, and normals of length 1: those across an axis are exact.
+  std::optional<bool> capsule_plane(const Capsule3d& capsule, const Plane<double>& plane) {
+    const auto middle = upright(capsule);
+    const auto unit = exactly::across_axis(plane);
+    if (!middle || !unit) return std::nullopt;
+    return meet(solid(*middle), middle->center, *unit);
+  }
+  std::optional<bool> obb_plane(const Obb3d& obb, const Plane<double>& plane) {
+    const Box box = exactly::upright(obb);
+    const auto unit = exactly::across_axis(plane);
+    if (!has_size(box) || !unit) return std::nullopt;
+    return meet(solid(*box), box->center, *unit);
+  }
+
   /// Rays of ODE have a length, and are made of a direction of length 1: only axes are asked, with the greatest length
   /// whose square is finite.
   std::optional<bool> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) {
@@ -41,6 +79,16 @@ struct Ode {
     const Box box = exactly::box(aabb);
     if (!has_size(box)) return std::nullopt;
     return cast(ray, solid(*box), box->center);
+  }
+  std::optional<bool> ray_obb(const Ray3d& ray, const Obb3d& obb) {
+    const Box box = exactly::upright(obb);
+    if (!has_size(box)) return std::nullopt;
+    return cast(ray, solid(*box), box->center);
+  }
+  std::optional<bool> ray_capsule(const Ray3d& ray, const Capsule3d& capsule) {
+    const auto middle = upright(capsule);
+    if (!middle) return std::nullopt;
+    return cast(ray, solid(*middle), middle->center);
   }
 
   /// dContactBounce with bounce_vel 0 and no softness: the contact is between the balls, where they touch.
@@ -80,6 +128,19 @@ struct Ode {
   }
 
  private:
+  /// Its capsules lie along z, have a length and a radius: others are left out.
+  struct Upright {
+    Point3d center;
+    double length, radius;
+  };
+  static std::optional<Upright> upright(const Capsule3d& capsule) {
+    const auto& [a, b] = capsule.segment;
+    const auto along = exactly::middle_and_half(std::min(a.z, b.z), std::max(a.z, b.z));
+    if (a.x != b.x || a.y != b.y || !along || along->second == 0 || capsule.radius == 0) return std::nullopt;
+    return Upright{{a.x, a.y, along->first}, 2 * along->second, capsule.radius};
+  }
+  static dGeomID solid(const Upright& capsule) { return dCreateCapsule(nullptr, capsule.radius, capsule.length); }
+
   static dGeomID ball(const Sphere3d& sphere) { return dCreateSphere(nullptr, sphere.radius); }
   static dGeomID solid(const exactly::Box<double>& box) {
     return dCreateBox(nullptr, 2 * box.half.x, 2 * box.half.y, 2 * box.half.z);
@@ -109,6 +170,20 @@ struct Ode {
     dGeomDestroy(a);
     dGeomDestroy(b);
     return found > 0;
+  }
+  static bool meet(dGeomID a, const Point3d& at_a, const Plane<double>& plane) {
+    const auto& [n, offset] = plane;
+    const dGeomID b = dCreatePlane(nullptr, n.x, n.y, n.z, -offset);
+    dGeomSetPosition(a, at_a.x, at_a.y, at_a.z);
+    dContactGeom contacts[8];
+    const int found = dCollide(a, b, 8, contacts, sizeof(dContactGeom));
+    dGeomDestroy(a);
+    dGeomDestroy(b);
+    return found > 0;
+  }
+  static std::optional<bool> meet(const std::optional<Upright>& capsule, const Box& box) {
+    if (!capsule || !has_size(box)) return std::nullopt;
+    return meet(solid(*capsule), capsule->center, solid(*box), box->center);
   }
   static std::optional<bool> meet(const Box& a, const Box& b) {
     if (!has_size(a) || !has_size(b)) return std::nullopt;
