@@ -18,7 +18,7 @@ struct Round {
   double radius;
 };
 
-/// "Finds out furthest point in dir direction".
+/// Returns the "furthest point from object in specified direction".
 inline void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* farthest) {
   const auto& [core, radius] = *static_cast<const Round*>(object);
   double most = -INFINITY;
@@ -34,7 +34,7 @@ inline void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t*
   ccdVec3Scale(&beyond, radius / length);
   ccdVec3Add(farthest, &beyond);
 }
-/// "Point somewhere in the center": the mean of the vertices.
+/// Returns the "geometric center (some point near center)": the mean of the vertices.
 inline void center(const void* object, ccd_vec3_t* middle) {
   const Meshd& core = *static_cast<const Round*>(object)->core;
   ccdVec3Set(middle, 0, 0, 0);

@@ -4,10 +4,10 @@
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #include <touchstone/program/engine_main.h>
 #include <touchstone/robust/polyhedra/point_mesh_distance.h>
 
-#include <CGAL/AABB_triangle_primitive.h>
 #include <cmath>
 
 #include "cgal_meshes.h"
@@ -35,8 +35,8 @@ struct CgalEpickTrees {
     const Tree tree(triangles->begin(), triangles->end());
     return tree.do_intersect(Kernel::Ray_3(point(ray.origin), point(*second)));
   }
-  /// Of the surface of a solid, its distances alone: the tree knows neither inside nor outside, names no part of a face,
-  /// and promises no particular one of several nearest points. Those are the ones of the truth.
+  /// The distances from the surface of a solid alone: the tree knows neither inside nor outside, names no part of a
+  /// face, and promises no particular one of several nearest points. Those are the ones of the truth.
   std::optional<PointMeshDistance<double>> point_mesh_distance(const Point3d& p, const Meshd& mesh) {
     const auto triangles = triangles_of(mesh);
     if (!triangles) return std::nullopt;

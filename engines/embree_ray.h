@@ -62,11 +62,11 @@ class EmbreeRay {
     const RTCScene scene = rtcNewScene(device_);
     rtcSetSceneFlags(scene, flags_);
     const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+    auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                3 * sizeof(float), mesh.vertices.size()));
     for (const Point3<float>& p : mesh.vertices) *corners++ = p.x, *corners++ = p.y, *corners++ = p.z;
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.faces.size()));
+    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   3 * sizeof(unsigned), mesh.faces.size()));
     for (const Face& face : mesh.faces) *indices++ = face.a, *indices++ = face.b, *indices++ = face.c;
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);

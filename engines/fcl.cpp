@@ -91,9 +91,9 @@ struct Fcl {
     return {ConvexRelation::apart, {}, {}, distance * distance, distance};
   }
 
-  /// Of cores alone: it does not round solids. Depth and normal, "pointing from o1 to o2", are those of `collide`, by
-  /// libccd's MPR; the documentation of the depth says "penetration depth" and no more. Where solids do not collide, the
-  /// gap is that of `distance`.
+  /// Without radii: it does not round solids. Depth and normal, "pointing from o1 to o2", are those of `collide`, by
+  /// libccd's MPR; the documentation of the depth says "penetration depth" and no more. Where solids do not collide,
+  /// the gap is that of `distance`.
   std::optional<Penetration<double>> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b) {
     if (radius_a != 0 || radius_b != 0) return std::nullopt;
     const Placed p = convex(a), q = convex(b);

@@ -13,7 +13,7 @@ using namespace touchstone::fcl_shapes;
 struct FclDistance {
   static constexpr const char* name = "FCL " FCL_VERSION " (signed distance)";
 
-  /// Of cores alone: it does not round solids. The translation leads from the nearest point of the first solid to that
+  /// Without radii: it does not round solids. The translation leads from the nearest point of the first solid to that
   /// of the second, also where they overlap; without a depth it has no direction, and nothing is answered.
   std::optional<Penetration<double>> penetration(const Meshd& a, const Meshd& b, double radius_a, double radius_b) {
     if (radius_a != 0 || radius_b != 0) return std::nullopt;

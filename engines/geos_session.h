@@ -52,8 +52,8 @@ class GeosSession {
   Geometry polygon(const Region2d& region) const {
     std::vector<GEOSGeometry*> holes;
     for (const Polygon2d& hole : region.holes) holes.push_back(closed(hole));
-    return owned(GEOSGeom_createPolygon_r(context(), closed(region.outer), holes.data(),
-                                          static_cast<unsigned>(holes.size())));
+    return owned(
+        GEOSGeom_createPolygon_r(context(), closed(region.outer), holes.data(), static_cast<unsigned>(holes.size())));
   }
   /// A line string of length zero and a ring that meets itself are invalid, and what follows for invalid geometries is
   /// not promised.

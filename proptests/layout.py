@@ -30,7 +30,7 @@ MODULES = {
     "c": {"oracle", "robust", "catalogue", "audit", "simulate", "report", "c"},
     "js": {"c", "js"},
     "python": {"robust", "c", "python"},
-    "engines": {"geometry", "robust", "program", "engines"},
+    "engines": {"geometry", "robust", "oracle", "program", "engines"},
     **dict.fromkeys(("proptests", "fuzz", "bench", "coverage", "examples")),
 }
 # The files of an operation: folder (before the chapter) and suffixes.

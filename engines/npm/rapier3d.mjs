@@ -15,6 +15,8 @@ const turned = (obb) => cuboid(upright(obb));
 const triangle = (corners) => ({ shape: new rapier.Triangle(...corners.map(vector)), at: nowhere });
 /** The hull of the vertices, which it makes itself. */
 const hull = ({ vertices }) => ({ shape: new rapier.ConvexPolyhedron(new Float32Array(vertices.flat())), at: nowhere });
+const rounded = ({ vertices }, radius) =>
+  ({ shape: new rapier.RoundConvexPolyhedron(new Float32Array(vertices.flat()), null, radius), at: nowhere });
 const surface = ({ vertices, faces }) =>
   ({ shape: new rapier.TriMesh(new Float32Array(vertices.flat()), new Uint32Array(faces.flat())), at: nowhere });
 /** Its capsules lie along y: others need a rotation, which it cannot hold exactly. */
@@ -25,7 +27,8 @@ function capsule({ segment: [a, b], radius }) {
 /** The half-space behind the plane has the origin of its place on its boundary. */
 function behind(plane) {
   const unit = across_axis(plane, f);
-  return unit && { shape: new rapier.HalfSpace(vector(unit.normal)), at: vector(unit.normal.map((c) => -c * unit.offset)) };
+  const at = unit?.normal.map((c) => -c * unit.offset);
+  return unit && { shape: new rapier.HalfSpace(vector(unit.normal)), at: vector(at) };
 }
 /** A ray, or with the end 1 a segment, and a solid: t is in units of the direction, 0 where it starts inside. */
 function passage(origin, direction, end, solid) {
@@ -33,7 +36,8 @@ function passage(origin, direction, end, solid) {
   const t = solid.shape.castRay(new rapier.Ray(vector(origin), vector(direction)), solid.at, one, end, true);
   return t >= 0 ? { relation: "hit", first: t } : { relation: "none" };
 }
-const of_ray = ({ origin, direction }, solid) => passage(origin, direction, Infinity, solid);
+const farthest = 3.4028234663852886e38;  // the greatest float
+const of_ray = ({ origin, direction }, solid) => passage(origin, direction, farthest, solid);
 const of_segment = ([a, b], solid) => passage(a, difference(b, a, f), 1, solid);
 const spatial = ({ center }) => center.length === 3;
 
@@ -93,8 +97,11 @@ export default async () => {
       const held = capsule(c);
       return held && meet(held, hull(mesh));
     },
+    // `contactShape` gives depth and direction, but no features, which an answer with them needs.
+    penetration: ({ a, b, radius_a, radius_b }) => meet(rounded(a, radius_a), rounded(b, radius_b)),
     obb_plane: ({ obb, plane }) => meet(turned(obb), behind(plane)),
     triangle_obb: ({ triangle: t, obb }) => meet(triangle(t), turned(obb)),
+    ray_triangle: ({ ray, triangle: t }) => of_ray(ray, triangle(t)).relation === "hit",
     ray_obb: ({ ray, obb }) => of_ray(ray, turned(obb)),
     segment_obb: ({ segment, obb }) => of_segment(segment, turned(obb)),
     ray_capsule: ({ ray, capsule: c }) => of_ray(ray, capsule(c)),

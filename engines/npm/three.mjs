@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // three.js: boxes, balls, oriented boxes, capsules and hulls of its math and its addons, and rays to meshes.
-import { Box2, Box3, BufferAttribute, BufferGeometry, DoubleSide, Line3, Matrix3, Mesh, MeshBasicMaterial, Ray, Raycaster,
-  Sphere, Triangle, Vector2, Vector3 } from "three";
+import { Box2, Box3, BufferAttribute, BufferGeometry, DoubleSide, Line3, Matrix3, Mesh, MeshBasicMaterial, Ray,
+  Raycaster, Sphere, Triangle, Vector2, Vector3 } from "three";
 import { Capsule } from "three/addons/math/Capsule.js";
 import { ConvexHull } from "three/addons/math/ConvexHull.js";
 import { OBB } from "three/addons/math/OBB.js";

@@ -10,7 +10,10 @@ const vector = (p) => new Vector3(...p);
 const triangle = (corners) => new ExtendedTriangle(...corners.map(vector));
 const turned = (obb) => {
   const held = upright(obb);
-  return held && new OrientedBox(vector(held.half).negate(), vector(held.half), new Matrix4().setPosition(...held.center));
+  if (!held) return undefined;
+  const box = new OrientedBox(vector(held.half).negate(), vector(held.half), new Matrix4().setPosition(...held.center));
+  box.needsUpdate = true;
+  return box;
 };
 const surface = ({ vertices, faces }) => {
   const geometry = new BufferGeometry();
@@ -79,16 +82,8 @@ export default () => ({
   boundary: "unspecified",
   number: "binary32",
   triangle_triangle: ({ a, b }) => triangle(a).intersectsTriangle(triangle(b), null, true),
-  triangle_obb: ({ triangle: corners, obb }) => {
-    const box = turned(obb);
-    if (box) box.needsUpdate = true;
-    return box && box.intersectsTriangle(triangle(corners));
-  },
-  aabb_obb: ({ aabb: { min, max }, obb }) => {
-    const box = turned(obb);
-    if (box) box.needsUpdate = true;
-    return box && box.intersectsBox(new Box3(vector(min), vector(max)));
-  },
+  triangle_obb: ({ triangle: corners, obb }) => turned(obb)?.intersectsTriangle(triangle(corners)),
+  aabb_obb: ({ aabb: { min, max }, obb }) => turned(obb)?.intersectsBox(new Box3(vector(min), vector(max))),
   // Rays of three.js have a direction of length 1: only axes are asked.
   ray_mesh: ({ ray: { origin, direction }, mesh }) => {
     if (Math.hypot(...direction) !== 1 || direction.filter((x) => x !== 0).length !== 1) return undefined;
