@@ -143,7 +143,7 @@ TREE = {
         '#include "robust/batch/isa/columns.h"\nclass Fixed;\n/// robust::within of one mesh, its Side: left 0.\n'
         "void within(const Meshd& mesh, const Points2& a, std::size_t count, std::uint8_t* answers);\n/// The same.\n"
         "void within(const Fixed& solid, const Points2& a,\n std::size_t count, std::uint8_t* answers);\n",
-    "robust/prepared/solid.h": "",
+    "robust/prepared/solid.h": "class Fixed {\n};\n",
     "robust/masked_exceptions.h": '#include "made.h"\n',
     "reference/lines/turn.h": "\n/// Left or right.\n///\n/// Page 3.\ntemplate <class Real>\nSide turn(Real a);\n",
     "catalogue/rows/lines/turn.h": "",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "geometry/polyhedra.h"
@@ -20,7 +19,8 @@ bool is_simplex(const Mesh<Real>& mesh) {
 /// Both sides of the triangle of its vertices, the last of which is repeated where there are fewer than three.
 template <class Real>
 std::vector<Face> sides_of_simplex(const Mesh<Real>& mesh) {
-  const auto last = static_cast<Index>(mesh.vertices.size() - 1), second = std::min<Index>(1, last);
+  const auto last = static_cast<Index>(mesh.vertices.size() - 1);
+  const Index second = last > 0 ? 1 : 0;
   return {{0, second, last}, {0, last, second}};
 }
 

@@ -9,6 +9,8 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
+Lanes operator/(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
+
 struct Arrow {
   Lanes x, y, z;
   explicit Arrow(const Lanes* c) : x(c[0]), y(c[1]), z(c[2]) {}

@@ -7,6 +7,7 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
+Lanes operator/(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
 InSpace operator+(const InSpace& a, const InSpace& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 InSpace operator*(Lanes t, const InSpace& a) { return {t * a.x, t * a.y, t * a.z}; }
 Lanes dot(const InSpace& a, const InSpace& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
