@@ -66,6 +66,9 @@ std::string comparison_in_words(const Examination& examination) {
   const bool numbers = !examination.nearest_truth().numbers.empty();
   std::string text =
       numbers ? "Numbers are the doubles nearest to the exact ones; allow yours the error that you promise." : "";
+  if (examination.row().as_near != nullptr && numbers)
+    text += " Where others are as near, this is the one that the contract names: if yours promises none, compare how "
+            "far it is, or how deep, and not where.";
   if (kind == Kind::covering)
     text += "A list that holds more is right too if yours is conservative; so is another order.";
   if (kind == Kind::set) text += std::string(text.empty() ? "" : " ") + "Another order is right too.";
