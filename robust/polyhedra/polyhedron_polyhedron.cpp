@@ -219,11 +219,12 @@ Decided<PolyhedronPolyhedron> of_many_faces(const Searched& a, const Searched& b
     return !in_a.empty() && !in_b.empty() &&
            structures::FaceTree(a.mesh, in_a).any_pair(structures::FaceTree(b.mesh, in_b), meet, threads);
   };
+  const bool prepared = a.prepared() && b.prepared();
   const auto meet_in_trees = [&] {
-    of_both([&] { a.tree(); }, [&] { b.tree(); });
+    if (!prepared) of_both([&] { a.tree(); }, [&] { b.tree(); });
     return a.tree().any_pair(b.tree(), meet, threads);
   };
-  const bool met = (!(a.prepared() && b.prepared()) && meet_in_slab()) || meet_in_trees();
+  const bool met = (!prepared && meet_in_slab()) || meet_in_trees();
   const Searched* within = nullptr;  // has a vertex inside of the other
   std::optional<Index> inside;
   for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {

@@ -35,7 +35,10 @@ class FaceTree {
   template <class Wanted>
   bool any_pair(const FaceTree& other, const Wanted& wanted, std::size_t threads = 1) const {
     const NodePair top{levels_.size() - 1, 0, other.levels_.size() - 1, 0};
-    if (threads <= 1) return any_pair(top, other, wanted);
+    // One thread alone often finds a pair sooner than others begin.
+    std::size_t left = threads <= 1 ? std::numeric_limits<std::size_t>::max() : 4096;
+    const bool soon = any_pair(top, other, wanted, left);
+    if (left > 0) return soon;
     std::vector<NodePair> pairs{top}, below;
     for (int level = 0; level < 12 && pairs.size() < 64 * threads; ++level, pairs.swap(below)) {
       below.clear();
@@ -47,7 +50,8 @@ class FaceTree {
     }
     std::atomic<bool> found{false};
     in_parallel(threads, pairs.size(), [&](std::size_t n) {
-      if (any_pair(pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); })) found = true;
+      std::size_t all = std::numeric_limits<std::size_t>::max();
+      if (any_pair(pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); }, all)) found = true;
     });
     return found;
   }
@@ -325,10 +329,12 @@ class FaceTree {
     }
     return false;
   }
+  /// Gives up, with true, after as many pairs as are `left`: then none is.
   template <class Wanted>
-  bool any_pair(const NodePair& pair, const FaceTree& other, const Wanted& wanted) const {
+  bool any_pair(const NodePair& pair, const FaceTree& other, const Wanted& wanted, std::size_t& left) const {
+    if (--left == 0) return true;
     if (pair.of_faces()) return wanted(order_[pair.i], other.order_[pair.j]);
-    return any_below(pair, other, [&](const NodePair& below) { return any_pair(below, other, wanted); });
+    return any_below(pair, other, [&](const NodePair& below) { return any_pair(below, other, wanted, left); });
   }
   template <class Wanted>
   bool any_along_x(std::size_t level, std::size_t block, const std::array<float, 3>& p, const Wanted& wanted) const {

@@ -34,7 +34,7 @@ struct Cores {
   ///
   /// Nothing overflows where all magnitudes add up to 2^250 at most, which no infinite or NaN number does.
   Verdict contact(Lanes reach, Lanes (&t)[n]) const {
-    constexpr int turns = 4;
+    constexpr int turns = 16;
     InSpace most = magnitudes(way);
     for (const InSpace& edge : edges) most = most + magnitudes(edge);
     const Lanes inside = reach * reach, error = multiply_add(dot(most, most) + inside, same(16 * v), same(least));
