@@ -29,10 +29,10 @@ constexpr Worked<Row> worked;
 Meshd turned_over(const Meshd& mesh) {
   return with_each_face(mesh, [](Face& f) { std::swap(f.b, f.c); });
 }
-/// 16 x 16 cubes: 1,152 faces.
-Meshd layer_of_cubes() {
+/// So many cubes in each of as many rows: with 16, 1,152 faces.
+Meshd layer_of_cubes(std::int64_t side = 16) {
   std::vector<catalogue::LatticePoint> cells;
-  for (std::int64_t i = 0; i < 256; ++i) cells.push_back({i % 16, i / 16, 0});
+  for (std::int64_t i = 0; i < side * side; ++i) cells.push_back({i % side, i / side, 0});
   return cube_surface(cells);
 }
 /// x to y, y to z, z to x.
@@ -201,6 +201,27 @@ TEST_CASE("polyhedron_polyhedron: meshes of many faces, in trees, on any number 
   const Meshd shell = together(mapped(layer, 3, -1), mapped(layer, 2, 5));  // the second is a hollow in the first
   CHECK(equal(answer(shell, shifted(cube, {40, 40, 12})), clear));
   CHECK(equal(answer(shell, together(shifted(cube, {40, 40, 12}), mapped(cube, 0x1p40, -0x1p42))), inside));
+}
+
+TEST_CASE("polyhedron_polyhedron: on any number of threads, where the boxes of many faces meet") {
+  // A layer on a slope, 12 high, and the same half a unit above it; once one of its vertices reaches into the first.
+  Meshd slope = layer_of_cubes(40);
+  const auto rise = [](const Point3d& p) { return (p.x + p.y) / 4; };
+  for (Point3d& p : slope.vertices) p.z += rise(p);
+  const auto above = [&slope](double z) { return shifted(slope, {0, 0, z}); };
+  std::vector<Meshd> reaching;
+  for (std::size_t v = 0; v < slope.vertices.size(); v += 97) {
+    const Point3d& p = slope.vertices[v];
+    if (p.z != rise(p) || p.x < 12 || p.y < 12 || p.x > 460 || p.y > 460) continue;
+    reaching.push_back(above(12.5));
+    reaching.back().vertices[v].z -= 1;
+  }
+  REQUIRE(reaching.size() > 8);
+  for (const std::size_t threads : {1U, 2U, 3U, 8U}) {
+    CAPTURE(threads);
+    CHECK(equal(robust::polyhedron_polyhedron(slope, above(12.5), threads), clear));
+    for (const Meshd& mesh : reaching) CHECK(equal(robust::polyhedron_polyhedron(slope, mesh, threads), inside));
+  }
 }
 
 TEST_CASE("polyhedron_polyhedron: meshes are refused by the first rule that they break") {
