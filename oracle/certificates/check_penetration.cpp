@@ -100,10 +100,10 @@ Reach nearest_face(const Claim& claim, const std::vector<Triple>& a, const std::
   return found;
 }
 
-/// The cores have the point that the weights give, and no three differences between vertices of one are independent: the
-/// translations that leave a common point lie in a plane or on a line through the origin. Those off it may be as short
-/// as any, so that each direction at a right angle to it is as deep as any: 0. The last of these in lexicographic order
-/// is the part of an axis, of the first that has one.
+/// The cores have the point that the weights give, and no three differences between vertices of one are independent:
+/// the translations that leave a common point lie in a plane or on a line through the origin. Those off it may be as
+/// short as any, so that each direction at a right angle to it is as deep as any: 0. The last of these in lexicographic
+/// order is the part of an axis, of the first that has one.
 Reach last_across(const Claim& claim, const std::vector<Triple>& a, const std::vector<Triple>& b) {
   expect(weighted(claim, "on_a", a) == weighted(claim, "on_b", b), "certificate: two points that are not the same");
   const Triple none{0, 0, 0};

@@ -22,11 +22,11 @@ namespace touchstone::reference {
 /// them. Each triangle is decided as by ray_triangle.h; a face of more corners is the polygon that they bound, and is
 /// cut into triangles first. `face` is the least index of the faces that have the first common point, as the mesh names
 /// them. `part` is `vertex` where the point is a corner of that face, else `edge` where it is on an edge of it, between
-/// two corners that the face names one after the other, and otherwise `inside`. `faces_met` is the number of faces that have any point in common
-/// with the ray, also those along it: what Embree's filter functions, trimesh's intersects_id and libigl's
-/// ray_mesh_intersect list, if neither rounding nor a convention leaves out a face. It is not the number of crossings
-/// of a surface: that is the same only where no edge, no vertex and no face along the ray is met. A mesh without faces
-/// is met nowhere.
+/// two corners that the face names one after the other, and otherwise `inside`. `faces_met` is the number of faces that
+/// have any point in common with the ray, also those along it: what Embree's filter functions, trimesh's intersects_id
+/// and libigl's ray_mesh_intersect list, if neither rounding nor a convention leaves out a face. It is not the number
+/// of crossings of a surface: that is the same only where no edge, no vertex and no face along the ray is met. A mesh
+/// without faces is met nowhere.
 ///
 /// Degenerate: a face without area, also one that names a vertex twice, is the segment or the point that its corners
 /// span, and has no inside: its points are at its vertices or on its edges. A face in whose plane the ray lies is met

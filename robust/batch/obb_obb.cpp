@@ -6,8 +6,7 @@
 
 namespace touchstone::robust::batch {
 
-void obb_obb(const Obbs3& a, const Obbs3& b, std::size_t count, std::uint8_t* answers,
-             const Limits& limits) {
+void obb_obb(const Obbs3& a, const Obbs3& b, std::size_t count, std::uint8_t* answers, const Limits& limits) {
   constexpr auto decide = [](const auto&... q) { return robust::obb_obb(q...); };
   isa::run(isa::Which{&isa::Filters::obb_obb}, limits, decide, decide, count, answers, a, b);
 }

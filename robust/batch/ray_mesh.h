@@ -10,8 +10,8 @@ class Surface;
 
 namespace touchstone::robust::batch {
 
-/// robust::ray_mesh_relation of each ray and one mesh, closed or not, its PassageRelation: none 0, hit 1. The error of a
-/// refused mesh names its field without a row.
+/// robust::ray_mesh_relation of each ray and one mesh, closed or not, its PassageRelation: none 0, hit 1. The error of
+/// a refused mesh names its field without a row.
 void ray_mesh(const Rays3& rays, const Meshd& mesh, std::size_t count, std::uint8_t* answers,
               const Limits& limits = {});
 /// The same of a mesh that was validated once, by its tree.

@@ -307,8 +307,8 @@ class FaceTree {
     }
   };
 
-  /// A node here and one there. Node i of a level has the children 8 i to 8 i + 7 of the one below; the nodes of level 0
-  /// are faces.
+  /// A node here and one there. Node i of a level has the children 8 i to 8 i + 7 of the one below; the nodes of level
+  /// 0 are faces.
   struct NodePair {
     std::size_t level, i, other_level, j;
     bool of_faces() const { return level == 0 && other_level == 0; }

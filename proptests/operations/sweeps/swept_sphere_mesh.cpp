@@ -115,7 +115,7 @@ TEST_CASE("swept_sphere_mesh: edges and corners belong to all of their faces: th
   worked({{{6, 6, 6}, 2}, {8, 0, 0}, box}, at(Rational(1, 2), 10), 0);
 }
 
-TEST_CASE("swept_sphere_mesh: faces of more than three corners; margin: of the triangles, 0 where another face is met") {
+TEST_CASE("swept_sphere_mesh: faces of more than three corners; margin: of triangles, 0 where another face is met") {
   // The box by its six squares, of which number 4 is x = 0. The triangles of one are no other faces.
   Meshd squares = box;
   squares.polygons.clear();

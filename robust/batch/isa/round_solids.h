@@ -29,8 +29,8 @@ struct Cores {
   /// In units of v, with `most` for the way's and the edges' magnitudes together on an axis: a displacement is off by
   /// n + 2 <= 5 times most, so its square with a product and two sums by 13 times the square of most, and that of the
   /// reach by 3 times itself. C = 16 v. Along the direction, the way goes through four operations and the edges through
-  /// four and at most three differences: 7 times direction and most, C = 16 v again. The gap less its
-  /// error is compared by its square: with one rounding, and 9 on the other side. C = 16 v.
+  /// four and at most three differences: 7 times direction and most, C = 16 v again. The gap less its error is compared
+  /// by its square: with one rounding, and 9 on the other side. C = 16 v.
   ///
   /// Nothing overflows where all magnitudes add up to 2^250 at most, which no infinite or NaN number does.
   Verdict contact(Lanes reach, Lanes (&t)[n]) const {

@@ -20,10 +20,10 @@ struct CoreOverlap {
   std::vector<Index> of_a, of_b;
 };
 
-/// The least overlap of cores that have a common point: convex solids, or simplices (geometry/penetration.h); of several
-/// the one of the least of_a, then of_b, in lexicographic order. Where their difference has no inside, it is the one at a
-/// right angle to it whose unit vector is the lexicographically greatest. The numbers are finite. It takes as many steps
-/// as there are pairs of edges.
+/// The least overlap of cores that have a common point: convex solids, or simplices (geometry/penetration.h); of
+/// several the one of the least of_a, then of_b, in lexicographic order. Where their difference has no inside, it is
+/// the one at a right angle to it whose unit vector is the lexicographically greatest. The numbers are finite. It takes
+/// as many steps as there are pairs of edges.
 CoreOverlap least_overlap(const Meshd& a, const Meshd& b);
 
 /// The same where `faces` are the nearest ones of the Minkowski difference; nothing if one of them does not bound it.
