@@ -2,18 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the benchmarks and prints ratios: everything that is compared is timed in one process, in turns.
 
-  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--guard] [--page FILE.html] [--keep FILE.json]
-  bench/ratios.py --picture FILE.svg --times FILE.json
+  bench/ratios.py [BUILD] [--ops a,b] [--programs a,b] [--repetitions N] [--write] [--guard] [--page FILE.html]
+                  [--keep FILE.json] [--times FILE.json] [--picture FILE.svg]
 
 BUILD is the build directory (build/bench). A time is the least of N repetitions (default 15) of 10 ms each, or of three
 where three take more than two seconds: other load only ever adds time. The ratios of the medians are printed beside those
 that have a goal. --write puts the tables into bench/ratios.json and bench/README.md (tables.py), --page writes them with
-bars and curves (page.py), --keep keeps the times of a run. --guard names what is worse than in bench/ratios.json by more
-than 15 % (guard.py); the exit code is 1 then. --picture draws the README's picture from the times of this
-run, or of one that was kept.
+bars and curves (page.py), --picture draws the README's picture. --keep adds the times to those in FILE, program by
+program, so that a long run can be made in parts (--programs); --times prints, writes and draws what was kept, and times
+nothing. --guard names what is worse than in bench/ratios.json by more than 15 % (guard.py); the exit code is 1 then.
 """
 
 import argparse
+import dataclasses
 import json
 import math
 import os
@@ -25,7 +26,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import types
 
 import guard
 import page
@@ -34,17 +34,22 @@ from goals import (ARRAYS, HULL, MESH, PAIRS, PREPARED, TENTH_OF_HULL, TRIANGULA
                    written)
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+PROGRAMS = ["operations", "polygons", "triangulation", "hulls", "meshes", "mesh_rays", "mesh_points", "prepared", "distances",
+            "pairs", "arrays", "oracle"]
 FEW_REPETITIONS, SECONDS = 3, 2  # no more repetitions are made of a group of which so many take longer than this
 
 
 class Times:
     """Nanoseconds a case of one group of benchmarks: name -> one number a repetition."""
 
-    def __init__(self, program, group, repetitions):
-        self.of, self.labels = {}, {}
+    def __init__(self, of=None, labels=None):
+        self.of, self.labels = of or {}, labels or {}
+
+    def measure(self, program, group, repetitions):
         taken = self.run(program, group, min(repetitions, FEW_REPETITIONS))
         if repetitions > FEW_REPETITIONS and taken < SECONDS:
             self.run(program, group, repetitions - FEW_REPETITIONS)
+        return self
 
     def run(self, program, group, repetitions):
         """Adds to the times; the seconds that were timed."""
@@ -58,7 +63,7 @@ class Times:
             if run["run_type"] == "iteration":
                 if run.get("error_occurred"):
                     sys.exit(f"{run['name']}: {run['error_message']}")
-                name = run["name"].rsplit("/", 1)[1]
+                name = peer_of(run["name"])
                 self.of.setdefault(name, []).append(1e9 / run["items_per_second"])
                 self.labels[name] = run.get("label", "")
                 taken += run["real_time"] * run["iterations"] * {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}[run["time_unit"]]
@@ -71,13 +76,18 @@ class Times:
         return of(self.of[above]) / of(self.of[below]) if above in self.of and below in self.of else None
 
 
+def peer_of(name):
+    return name.removesuffix("/real_time").rsplit("/", 1)[1]
+
+
 def names(program):
+    """But those that are run once, which measure no time."""
     listed = subprocess.run([program, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
-    return [line for line in listed.split("\n") if line]
+    return [line for line in listed.split("\n") if line and not line.endswith("/iterations:1")]
 
 
 def groups(program, ops):
-    found = dict.fromkeys(name.rsplit("/", 1)[0] for name in names(program))
+    found = dict.fromkeys(name.removesuffix("/real_time").rsplit("/", 1)[0] for name in names(program))
     return [group for group in found if not ops or group.split("/")[0] in ops or "arrays" in ops and group.startswith(ARRAYS) or
             re.sub(r"_[23]d$", "", group.split("/")[0].removeprefix(ARRAYS)) in ops]
 
@@ -159,6 +169,13 @@ def meshes(timed):
     return table(["99,224 faces", "robust ms", "Epick ms", "robust / Epick", "robust says"], rows)
 
 
+def beside_robust(timed):
+    """Every time of these programs, with how many times as long as robust it takes."""
+    rows = [[group.replace("/", ", "), name, written(t.least(name) / 1e3), "" if name == "robust" else written(t.ratio(name, "robust"))]
+            for group, t in timed.items() for name in sorted(t.of, key=lambda name: (name != "robust", name))]
+    return table(["one call", "by", "us", "/ robust"], rows)
+
+
 def prepared(timed):
     """Microseconds a question; a shape that is made pays off after the questions in the last column."""
     rows = []
@@ -223,15 +240,58 @@ def circumstances(build):
 
 def draw_picture(file, words, timed):
     drawn = page.picture(words, timed)
-    if not file or not drawn:
-        sys.exit("there are no times of arrays for the picture" if file else "--times is for --picture FILE.svg")
+    if not drawn:
+        sys.exit("there are no times of arrays for the picture")
     file.write_text(drawn)
+
+
+@dataclasses.dataclass
+class Run:
+    """What was timed where: {program: {group: Times}}. The load when it began, and the repetitions, are the worst of its parts."""
+    circumstances: str
+    load: float
+    repetitions: int
+    timed: dict
+
+    @classmethod
+    def read(cls, file):
+        run = cls(**json.loads(file.read_text()))
+        run.timed = {name: {group: Times(**times) for group, times in groups.items()} for name, groups in run.timed.items()}
+        return run
+
+    def write(self, file):
+        file.write_text(json.dumps(vars(self), default=vars))
+
+
+def measured(options):
+    run = Run(circumstances(options.build), os.getloadavg()[0], options.repetitions, {})
+    if options.keep and options.keep.exists():
+        before = Run.read(options.keep)
+        if before.circumstances != run.circumstances:
+            sys.exit(f"{options.keep} was timed elsewhere: {before.circumstances}")
+        run = Run(run.circumstances, max(run.load, before.load), min(run.repetitions, before.repetitions), before.timed)
+    for name in options.programs:
+        program = str(options.build / "bench" / name)
+        timed = run.timed.setdefault(name, {})
+        if options.ops and not pathlib.Path(program).exists():
+            continue  # ./dev check builds only the program that has every operation
+        for group in groups(program, options.ops):
+            print(group, file=sys.stderr)
+            timed[group] = Times().measure(program, group, options.repetitions)
+        if name == "triangulation":
+            add_earcut(program, timed)
+        if options.keep:
+            run.write(options.keep)
+    if not any(run.timed.values()):
+        sys.exit(f"{', '.join(options.ops)}: no program in {options.build / 'bench'} measures this")
+    return run
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", type=pathlib.Path, default=ROOT / "build/bench")
     parser.add_argument("--ops", type=lambda text: text.split(","), default=[])
+    parser.add_argument("--programs", type=lambda text: text.split(","), default=PROGRAMS)
     parser.add_argument("--repetitions", type=int, default=15)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--guard", action="store_true")
@@ -240,49 +300,33 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--times", type=pathlib.Path)
     options = parser.parse_args()
-    if options.times:
-        kept = json.loads(options.times.read_text())
-        return draw_picture(options.picture, kept["circumstances"],
-                            {name: {group: types.SimpleNamespace(of=of) for group, of in groups.items()} for name, groups in kept["timed"].items()})
-    load = os.getloadavg()[0]
-    timed = {}
-    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "mesh_rays", "prepared", "pairs", "arrays", "oracle"]:
-        program = str(options.build / "bench" / name)
-        timed[name] = {}
-        if options.ops and not pathlib.Path(program).exists():
-            continue  # ./dev check builds only the program that has every operation
-        for group in groups(program, options.ops):
-            print(group, file=sys.stderr)
-            timed[name][group] = Times(program, group, options.repetitions)
-    if not any(timed.values()):
-        sys.exit(f"{', '.join(options.ops)}: no program in {options.build / 'bench'} measures this")
-    add_earcut(str(options.build / "bench/triangulation"), timed["triangulation"])
+    for name in set(options.programs) - set(PROGRAMS):
+        parser.error(f"--programs: {name} is none of {', '.join(PROGRAMS)}")
+    run = Run.read(options.times) if options.times else measured(options)
+    words, timed = run.circumstances, {name: {} for name in PROGRAMS} | run.timed
     decided = timed["operations"] | timed["polygons"]
     reached = goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"],
                     goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"]))
-    parts = [circumstances(options.build), reached, decisions(decided), arrays(timed["arrays"]),
-             "" if options.ops else arrays_from_python(options.build.resolve()), triangulations(timed["triangulation"]),
-             hulls(timed["hulls"]), meshes(timed["meshes"]), prepared(timed["prepared"]), pairs(timed["pairs"]), answers(timed["operations"]),
-             truths(timed["oracle"]), exhausted(timed["oracle"])]
+    beside = timed["mesh_rays"] | timed["mesh_points"] | timed["distances"]
+    parts = [words, reached, decisions(decided), arrays(timed["arrays"]),
+             "" if options.ops or options.times else arrays_from_python(options.build.resolve()), triangulations(timed["triangulation"]),
+             hulls(timed["hulls"]), meshes(timed["meshes"]), prepared(timed["prepared"]), beside_robust(beside), pairs(timed["pairs"]),
+             answers(timed["operations"]), truths(timed["oracle"]), exhausted(timed["oracle"])]
     report = "\n\n".join(str(part) for part in parts if part)
     print(report)
     if options.page:
         command = shlex.join(["bench/ratios.py", *sys.argv[1:]])
-        options.page.write_text(page.page(circumstances(options.build), command, options.repetitions, load, os.cpu_count(), timed, report))
+        options.page.write_text(page.page(words, command, run.repetitions, run.load, os.cpu_count(), timed, report))
         print(f"\npage: {options.page}")
-    if options.keep:
-        kept = {name: {group: t.of for group, t in groups.items()} for name, groups in timed.items()}
-        options.keep.write_text(json.dumps({"circumstances": circumstances(options.build), "timed": kept}))
     if options.picture:
-        draw_picture(options.picture, circumstances(options.build), timed)
+        draw_picture(options.picture, words, timed)
     new = [part for part in parts if isinstance(part, tables.Table)]
     kept = tables.read(tables.DATA.read_text())
     if options.write:
-        run = f"{circumstances(options.build)} One run of `bench/ratios.py {shlex.join(sys.argv[1:])}`."
-        tables.keep(new, run)
+        tables.keep(new, f"{words} {run.repetitions} repetitions.")
     if options.guard:
         lines, found = guard.said(kept, new)
-        print("\n".join(["", f"now: {circumstances(options.build)}", *dict.fromkeys(f"kept: {table.measured}" for table in kept), *lines]))
+        print("\n".join(["", f"now: {words}", *dict.fromkeys(f"kept: {table.measured}" for table in kept), *lines]))
         sys.exit(1 if found else 0)
 
 
