@@ -13,7 +13,7 @@ void point_in_convex_polygon(const Polygon2d& polygon, const Points2& points, st
   if (count == 0) return;
   validation::validate_numbers("polygon", polygon), validation::validate("polygon", polygon);
   robust::point_in_convex_polygon(polygon, polygon[0]);
-  isa::locate(polygon, points, count, answers, limits);
+  isa::locate(&isa::Filters::point_in_convex_ring, polygon, points, count, answers, limits);
 }
 
 void point_in_convex_polygon(const ConvexPolygon& polygon, const Points2& points, std::size_t count,

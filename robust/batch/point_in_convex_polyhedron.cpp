@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/validation.h"
-#include "robust/batch/isa/faces.h"
+#include "robust/batch/isa/linear_numbers.h"
 #include "robust/batch/isa/run.h"
 #include "robust/batch/point_in_polyhedron.h"
 #include "robust/kernel/shapes/face_side.h"
@@ -22,6 +22,7 @@ void ask_all_faces(const Meshd& mesh, int outside, const Points3& points, std::s
   std::vector<double> faces;
   faces.reserve(isa::of_face * mesh.faces.size());
   for (const Face& face : mesh.faces) isa::add_face(mesh, face, outside, faces);
+  isa::add_planes(faces, isa::of_face, false);
   const auto decide = [&](const Point3d& point) {
     validation::validate("point", point);
     return stages::point_in_convex_polyhedron::of_valid(mesh, point, outside).answer;

@@ -10,7 +10,7 @@ void point_in_polygon(const Polygon2d& polygon, const Points2& points, std::size
                       const Limits& limits) {
   if (count == 0) return;
   validation::validate_numbers("polygon", polygon), validation::validate("polygon", polygon);
-  isa::locate(polygon, points, count, answers, limits);
+  isa::locate(&isa::Filters::point_in_ring, polygon, points, count, answers, limits);
 }
 
 void point_in_polygon(const Polygon& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,

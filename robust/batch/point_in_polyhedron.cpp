@@ -2,7 +2,7 @@
 #include "robust/batch/point_in_polyhedron.h"
 
 #include "geometry/validation.h"
-#include "robust/batch/isa/faces.h"
+#include "robust/batch/isa/linear_numbers.h"
 #include "robust/batch/isa/run.h"
 #include "robust/kernel/solids/closed_mesh.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
@@ -24,6 +24,7 @@ void point_in_polyhedron(const Meshd& mesh, const Points3& points, std::size_t c
   std::vector<double> faces;
   faces.reserve(isa::of_boxed_face * mesh.faces.size());
   for (const Face& face : mesh.faces) isa::add_boxed_face(mesh, face, faces);
+  isa::add_planes(faces, isa::of_boxed_face, true);
   isa::run(isa::Which{&isa::Filters::point_in_solid, &isa::Filters::close_point_in_solid},
            isa::Shared{faces.data(), mesh.faces.size()}, limits, decide, decide, count, answers, points);
 }

@@ -109,15 +109,6 @@ class Ring {
  public:
   static constexpr std::size_t columns = 2;
 
-  static Located filtered(const Shared& shared, const Lanes* p) {
-    Mask odd = 0, open = ~finite<columns>(p);
-    for_each_edge(shared, p, [&](const Edge& edge, std::size_t) {
-      odd ^= edge.crosses & (edge.turn.set ^ edge.b_higher);
-      open |= edge.inconclusive() | edge.level;
-    });
-    return {~open, ~odd, 0};
-  }
-
 #ifdef TOUCHSTONE_SECOND_STAGE
   static Located closely(const Shared& shared, const Lanes* p) {
     Mask odd = 0, on = 0, open = ~finite<columns>(p);
@@ -184,15 +175,6 @@ class Ring {
 /// shared.numbers holds the numbers of shared.count faces.
 struct ConvexSolid {
   static constexpr std::size_t columns = 3;
-
-  static Located filtered(const Shared& shared, const Lanes* p) {
-    Mask out = 0, in = all_lanes;
-    for (std::size_t face = 0; face < shared.count && out != all_lanes; ++face) {
-      const Certain side = side_of_face(shared.numbers + of_face * face, p);
-      out |= side.positive, in &= side.negative;
-    }
-    return {out | in, out, 0};
-  }
 
 #ifdef TOUCHSTONE_SECOND_STAGE
   static Located closely(const Shared& shared, const Lanes* p) {

@@ -21,6 +21,10 @@ struct Shared {
 
 /// The count of numbers of a face of a shared mesh, without and with the box around it (faces.h).
 inline constexpr std::size_t of_face = 15, of_boxed_face = of_face + 5;
+/// The count of numbers of a linear function in the plane and in space, and of their frame (linear_numbers.h).
+inline constexpr std::size_t of_line = 3, of_plane = 4;
+template <std::size_t dimensions>
+inline constexpr std::size_t of_frame = 2 * dimensions + 1;
 
 /// Filters `chunks` chunks: column k starts at columns[k], and its next chunk is steps[k] doubles further on (0: the
 /// same chunk again). `answers` receives a byte for each row. `unknown` receives a number for each chunk, with the bits
@@ -40,7 +44,7 @@ struct Filters {
   Filter *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
   Filter *segment_triangle, *ray_triangle, *triangle_triangle;
   Filter *sphere_obb, *capsule_capsule, *obb_obb;
-  Filter *point_in_ring, *point_in_convex_solid, *point_in_solid;
+  Filter *point_in_ring, *point_in_convex_ring, *point_in_convex_solid, *point_in_solid;
   /// Second stages, for the rows that a filter left; nullptr if there is none.
   SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *close_point_plane;
   SecondStage *close_boxes_in_plane, *close_boxes_in_space, *close_spheres_in_plane, *close_spheres_in_space;

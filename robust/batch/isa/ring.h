@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "geometry/validation.h"
+#include "robust/batch/isa/linear_numbers.h"
 #include "robust/batch/isa/run.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/prepared/polygon.h"
@@ -13,19 +16,22 @@ namespace touchstone::robust::batch::isa {
 /// slanted teeth is slower at 1,000, too.
 inline constexpr std::size_t many_vertices = 512;
 
-/// Locates each point in a polygon that has been validated.
-inline void locate(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
-                   const Limits& limits) {
+/// Locates each point in a polygon that has been validated, by a filter of rings like it.
+inline void locate(Filter* Filters::*filter, const Polygon2d& polygon, const Points2& points, std::size_t count,
+                   std::uint8_t* answers, const Limits& limits) {
   static_assert(sizeof(Point2d) == 2 * sizeof(double));
   if (polygon.size() >= many_vertices) {
     const Polygon prepared(Validated{}, *validation::OpenRing(polygon));
     const auto by_tree = [&](const Point2d& point) { return robust::point_in_polygon(prepared, point); };
     return decide_each(limits, by_tree, count, answers, points);
   }
+  const std::size_t vertices = polygon.size() - validation::closed(polygon.vertices);
+  const double* const first = &polygon.vertices.data()->x;
+  std::vector<double> numbers(first, first + 2 * vertices);
+  add_lines(numbers);
   const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
-  run(Which{&Filters::point_in_ring, &Filters::close_point_in_ring},
-      Shared{&polygon.vertices.data()->x, polygon.size() - validation::closed(polygon.vertices)}, limits, decide,
-      decide, count, answers, points);
+  run(Which{filter, &Filters::close_point_in_ring}, Shared{numbers.data(), vertices}, limits, decide, decide, count,
+      answers, points);
 }
 
 }  // namespace touchstone::robust::batch::isa

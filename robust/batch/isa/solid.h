@@ -37,9 +37,6 @@ struct SeenAlongX {
   }
 };
 
-/// The points for which the plane of a face lies ahead, from their side of it and that of the crossed edge.
-Mask ahead(Mask left, Mask positive, Mask negative) { return (left & negative) | (~left & positive); }
-
 /// Casts the ray to +x from each point against all faces of a closed mesh: shared.numbers holds those of shared.count
 /// faces and of the boxes around them, least y, greatest y, least z, greatest z, greatest x.
 ///
@@ -51,20 +48,6 @@ Mask ahead(Mask left, Mask positive, Mask negative) { return (left & negative) |
 class Solid {
  public:
   static constexpr std::size_t columns = 3;
-
-  static Located filtered(const Shared& shared, const Lanes* p) {
-    Mask odd = 0, open = ~finite<columns>(p);
-    for (std::size_t face = 0; face < shared.count; ++face) {
-      const double* const numbers = shared.numbers + of_boxed_face * face;
-      const Mask near = ~beside(numbers + of_face, p) & all_lanes;
-      if (near == 0) continue;
-      const SeenAlongX seen(numbers, p);
-      const Certain side = side_of_face(numbers, p);
-      odd ^= near & seen.crossed & ahead(seen.left, side.positive, side.negative);
-      open |= near & (seen.inconclusive | seen.level | (seen.crossed & ~side.known()));
-    }
-    return {~open, ~odd, 0};
-  }
 
 #ifdef TOUCHSTONE_SECOND_STAGE
   static Located closely(const Shared& shared, const Lanes* p) {
@@ -94,7 +77,10 @@ class Solid {
   }
 #endif
 
- private:
+ protected:
+  /// The points for which the plane of a face lies ahead, from their side of it and that of the crossed edge.
+  static Mask ahead(Mask left, Mask positive, Mask negative) { return (left & negative) | (~left & positive); }
+
   static Mask beside(const double* box, const Lanes* p) {
     return above(same(box[0]), p[1]) | above(p[1], same(box[1])) | above(same(box[2]), p[2]) |
            above(p[2], same(box[3])) | above(p[0], same(box[4]));

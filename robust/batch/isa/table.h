@@ -8,9 +8,9 @@
 #include "robust/batch/isa/close_triangles.h"
 #include "robust/batch/isa/join_pairs.h"
 #include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/linear.h"
 #include "robust/batch/isa/obbs.h"
 #include "robust/batch/isa/round_solids.h"
-#include "robust/batch/isa/solid.h"
 #include "robust/batch/isa/triangles.h"
 
 namespace touchstone::robust::batch::isa {
@@ -34,9 +34,10 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .sphere_obb = filter<SphereObb>,
                                        .capsule_capsule = filter<CapsuleCapsule>,
                                        .obb_obb = filter<ObbObb>,
-                                       .point_in_ring = filter_beside<Ring>,
-                                       .point_in_convex_solid = filter_beside<ConvexSolid>,
-                                       .point_in_solid = filter_beside<Solid>,
+                                       .point_in_ring = filter_beside<RingByLines>,
+                                       .point_in_convex_ring = filter_beside<ConvexRingByLines>,
+                                       .point_in_convex_solid = filter_beside<ConvexSolidByPlanes>,
+                                       .point_in_solid = filter_beside<SolidByPlanes>,
                                        .close_orientation = close_stage<CloseOrientation>,
                                        .close_point_on_segment = close_stage<ClosePointOnSegment>,
                                        .close_segment_segment = close_stage<CloseSegmentSegment>,
