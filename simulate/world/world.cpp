@@ -29,30 +29,19 @@ bool all_finite(const std::vector<Aabb3d>& boxes) {
   });
 }
 
-/// False only where n . p + d > 0 for every p of the box, by so much that float's formula for a sphere or a corner in
-/// it says so too: their distances from 0 are wrong by less than 2^-20 of the sum of the absolute values of their
-/// terms (their contracts: fewer than 16 roundings of 2^-24), and `error` is twice that at least. Where something is
-/// beyond the range the comparison is false, and the answer true.
-bool may_reach(const Aabb3d& box, const Plane3d& wall, double error) {
-  const auto least = [](double n, double low, double high) { return std::min(n * low, n * high); };
-  const Vector3d& n = wall.normal;
-  const double low = wall.offset + least(n.x, box.min.x, box.max.x) + least(n.y, box.min.y, box.max.y) +
-                     least(n.z, box.min.z, box.max.z);
-  return !(low > error);
-}
-
-/// The error that may_reach allows every box of which no end is larger.
-double error_of_height(const Plane3d& wall, double largest_end) {
-  const Vector3d& n = wall.normal;
-  return 0x1p-19 * (std::abs(wall.offset) + (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * largest_end) + 0x1p-100;
-}
-
 template <class Real>
 bool is_zero(const Vector3<Real>& v) {
   return v.x == Real(0) && v.y == Real(0) && v.z == Real(0);
 }
 
 }  // namespace
+
+HeightOfBoxes::HeightOfBoxes(const Plane3d& wall, double largest_end) : wall_(wall) {
+  const auto lower_end = [](double along) { return along > 0 ? &Aabb3d::min : &Aabb3d::max; };
+  const Vector3d& n = wall.normal;
+  x_ = lower_end(n.x), y_ = lower_end(n.y), z_ = lower_end(n.z);
+  error_ = 0x1p-19 * (std::abs(wall.offset) + (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) * largest_end) + 0x1p-100;
+}
 
 template <class Real>
 Vector3<Real> way_out(const Aabb3<Real>& a, const Aabb3<Real>& b) {
@@ -105,9 +94,9 @@ const std::vector<Touch>& World<By>::touches(const State<Real>& from, const Stat
 template <class By>
 const std::vector<Touch>& World<By>::touches(const State<Real>& from, const State<Real>& to, Nearby& nearby,
                                              BroadPhase broad_phase, const Vector3d& sag) const {
-  auto& [boxes, planes, errors, forest, touches] = nearby;
+  auto& [boxes, heights, forest, touches] = nearby;
   if (broad_phase == BroadPhase::all_pairs) return touches = all_touches();
-  boxes.clear(), planes.clear(), errors.clear(), touches.clear();
+  boxes.clear(), heights.clear(), touches.clear();
   double largest_end = 0;
   for (std::size_t i = 0; i < bodies(); ++i) {
     Aabb3d box{};
@@ -131,13 +120,11 @@ const std::vector<Touch>& World<By>::touches(const State<Real>& from, const Stat
   } else {
     for (const auto& [i, j] : near_pairs(boxes)) add(i, j);
   }
-  for (const Plane<Real>& wall : walls_) {
-    planes.push_back(catalogue::converted<double>(wall, in_double<Real>));
-    errors.push_back(error_of_height(planes.back(), largest_end));
-  }
+  for (const Plane<Real>& wall : walls_)
+    heights.emplace_back(catalogue::converted<double>(wall, in_double<Real>), largest_end);
   for (std::size_t i = 0; i < bodies(); ++i)
     for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w)
-      if (may_reach(boxes[i], planes[w], errors[w])) touches.push_back({true, i, w});
+      if (heights[w].may_reach(boxes[i])) touches.push_back({true, i, w});
   return touches;
 }
 

@@ -19,11 +19,32 @@ struct Solid {
   Vector3<Real> half_extents;
 };
 
+/// The heights of boxes over a wall, in double.
+class HeightOfBoxes {
+ public:
+  /// `largest_end`: no end of a box is farther from 0.
+  HeightOfBoxes(const Plane3d& wall, double largest_end);
+
+  /// False only where n . p + d > 0 for every p of the box, by so much that float's formula for a sphere or a corner in
+  /// it says so too: their distances from 0 are wrong by less than 2^-20 of the sum of the absolute values of their
+  /// terms (their contracts: fewer than 16 roundings of 2^-24), and `error_` is twice that at least. Where something is
+  /// beyond the range the comparison is false, and the answer true.
+  bool may_reach(const Aabb3d& box) const {
+    const Vector3d& n = wall_.normal;
+    const double low = wall_.offset + n.x * (box.*x_).x + n.y * (box.*y_).y + n.z * (box.*z_).z;
+    return !(low > error_);
+  }
+
+ private:
+  Plane3d wall_;
+  Point3d Aabb3d::*x_, Aabb3d::*y_, Aabb3d::*z_;  ///< the end that is lower over the wall
+  double error_;
+};
+
 /// The data that a broad phase keeps from one step to the next: memory, and trees of boxes. No answer depends on it.
 struct Nearby {
   std::vector<Aabb3d> boxes;
-  std::vector<Plane3d> planes;
-  std::vector<double> errors;  ///< of heights over each
+  std::vector<HeightOfBoxes> heights;  ///< over each wall
   robust::pairs::KeptForest forest;
   std::vector<Touch> touches;
 };
