@@ -38,7 +38,8 @@ struct RayOnAxis {
 /// the bound has three operations more: C (1 - u)^9 >= (1 + u) ((1 + u)^4 + (1 + u)^3 - 2) = 7 u + .... C = 7 u + 128
 /// u^2: at u = 1/16, 2.058 < 2.143 in units of 7 u. Where W + S <= H, underflow costs less than 17 n H for each product
 /// of the first part, 6 n H for each of the second, and 80 n H in the bound: 512 n H pays for them. (Looser by more
-/// than two than it could be: the greatest pair of axes is a part of W S.) Not proved by machine.
+/// than two than it could be: the greatest pair of axes is a part of W S.) In the plane z = 0 the axis z separates
+/// nothing, and x and y decide. Not proved by machine.
 inline Perhaps<PassageRelation> ray_and_box(const Point3d& from, const Point3d& v, const Aabb3d& box) {
   using B = Bounds<double>;
   const RayOnAxis x(from.x, v.x, box.min.x, box.max.x), y(from.y, v.y, box.min.y, box.max.y),
@@ -50,10 +51,12 @@ inline Perhaps<PassageRelation> ray_and_box(const Point3d& from, const Point3d& 
            (i.size_of_way * j.width + j.size_of_way * i.width);
   };
   const double xy = apart(x, y), yz = apart(y, z), zx = apart(z, x), least = RayOnAxis::least;
-  const int solid = (x.width > least) & (y.width > least) & (z.width > least);
+  const int flat = validation::zero(from.z) & validation::zero(v.z) & validation::zero(box.min.z) &
+                   validation::zero(box.max.z);
+  const int solid = (x.width > least) & (y.width > least) & ((z.width > least) | flat);
   const int valid = solid & (ways > 0) & (ways + reaches <= B::high());
   const int misses = x.beyond | y.beyond | z.beyond | (xy > error) | (yz > error) | (zx > error);
-  const int meets = x.open & y.open & z.open & (xy < -error) & (yz < -error) & (zx < -error);
+  const int meets = x.open & y.open & (xy < -error) & ((z.open & (yz < -error) & (zx < -error)) | flat);
   if ((valid & (misses + meets)) == 0) [[unlikely]]  // one branch: the answer is unpredictable
     return std::nullopt;
   return misses != 0 ? PassageRelation::none : PassageRelation::hit;
@@ -79,7 +82,7 @@ struct OfAxis {
 /// every line that misses a box. Touching is a hit.
 inline Perhaps<PassageRelation> box_relation(const kernel::Line& line, const kernel::Box& box) {
   const auto& [from, to, ends] = line;
-  if (!ends && box.min.z < box.max.z) {  // no ray of the plane: that is a condition at compile time
+  if (!ends) {
     if (const auto answer = ray_and_box(from, to, box)) return answer;
   }
   if (!(moderate(from) & moderate(to) & moderate(box.min) & moderate(box.max))) return std::nullopt;
@@ -92,9 +95,11 @@ inline Perhaps<PassageRelation> box_relation(const kernel::Line& line, const ker
            (magnitude(i.way) * j.width + magnitude(j.way) * i.width);
   };
   const auto xy = apart(x, y), yz = apart(y, z), zx = apart(z, x);
-  if (x.beyond | y.beyond | z.beyond | xy.positive() | yz.positive() | zx.positive()) return PassageRelation::none;
-  if (xy.not_positive() & yz.not_positive() & zx.not_positive()) return PassageRelation::hit;
-  return std::nullopt;
+  const int misses = x.beyond | y.beyond | z.beyond | xy.positive() | yz.positive() | zx.positive();
+  const int meets = xy.not_positive() & yz.not_positive() & zx.not_positive();
+  if (misses + meets == 0) [[unlikely]]  // one branch
+    return std::nullopt;
+  return misses != 0 ? PassageRelation::none : PassageRelation::hit;
 }
 
 /// Decides rays by ray_filter.h, and segments by the signs that sweep_filter.h proves, for a point that moves along it.
@@ -106,21 +111,19 @@ inline Perhaps<PassageRelation> ball_relation(const kernel::Line& line, const ke
     return by_sign(both.meets(), PassageRelation::hit, PassageRelation::none);
   }
   const Sweep<double> sweep({from, 0}, ball, {to.x, to.y, to.z}, {from.x, from.y, from.z});
-  const Sign start = sweep.start();
-  if (start == Sign::unknown) return std::nullopt;
-  const Sign slope = sweep.slope_at_start();
-  if (start == Sign::negative) {
-    if (slope == Sign::unknown) return std::nullopt;  // perhaps a zero direction, to be refused
-    return PassageRelation::hit;
-  }
-  if (slope == Sign::positive) return PassageRelation::none;
-  const Sign passage = sweep.passage();
-  if (passage == Sign::positive) return PassageRelation::none;
-  if (slope == Sign::unknown) return std::nullopt;
-  const Sign end = sweep.end(), slope_at_end = sweep.slope_at_end();
-  if (end == Sign::negative) return PassageRelation::hit;
-  if (end == Sign::unknown || slope_at_end == Sign::unknown || passage == Sign::unknown) return std::nullopt;
-  return slope_at_end == Sign::negative ? PassageRelation::none : PassageRelation::hit;
+  const Sign start = sweep.start(), slope = sweep.slope_at_start(), passage = sweep.passage(), end = sweep.end(),
+             slope_at_end = sweep.slope_at_end();
+  const auto is = [](Sign sign, Sign which) { return static_cast<int>(sign == which); };
+  constexpr Sign negative = Sign::negative, positive = Sign::positive;
+  // If the slope is unknown, the ball perhaps rests, or the direction is zero, to be refused.
+  const int inside = is(start, negative) & (is(slope, negative) | is(slope, positive));
+  const int outside = is(start, positive), approaches = outside & is(slope, negative);
+  const int enters = approaches & is(end, positive) & is(passage, negative);
+  const int hit = inside | (approaches & is(end, negative)) | (enters & is(slope_at_end, positive));
+  const int none = (outside & (is(slope, positive) | is(passage, positive))) | (enters & is(slope_at_end, negative));
+  if (hit + none == 0) [[unlikely]]  // one branch: the answer is unpredictable
+    return std::nullopt;
+  return none != 0 ? PassageRelation::none : PassageRelation::hit;
 }
 
 }  // namespace touchstone::robust::filters
