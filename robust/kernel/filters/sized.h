@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "geometry/triangles.h"
 #include "geometry/validation.h"
 #include "robust/kernel/filters/float_format.h"
@@ -13,11 +16,12 @@ namespace touchstone::robust::filters {
 /// True if a number is 0, or of a magnitude in [2^-30, 2^30]: finite, and a multiple of 2^-82.
 ///
 /// Polynomials of degree d <= 6 in such numbers, and all their computed parts, are multiples of 2^(-82 d) >= 2^-492
-/// below 2^(31 d + 12): nothing underflows or overflows, so that FTZ and DAZ flush nothing. The bits decide whether a
-/// number is zero, since a subnormal may be read as zero.
+/// below 2^(31 d + 12): nothing underflows or overflows, so that FTZ and DAZ flush nothing. The bits decide, since a
+/// subnormal may be read as zero, and their order is that of magnitudes.
 inline bool moderate(double x) {
-  const double size = FloatFormat<double>::magnitude(x);
-  return ((size >= 0x1p-30) & (size <= 0x1p30)) | validation::zero(x);
+  constexpr auto least = std::bit_cast<std::uint64_t>(0x1p-30), most = std::bit_cast<std::uint64_t>(0x1p30);
+  const std::uint64_t size = std::bit_cast<std::uint64_t>(x) << 1 >> 1;
+  return (size - least <= most - least) | validation::zero(x);
 }
 inline bool moderate(const Vector3d& v) { return moderate(v.x) & moderate(v.y) & moderate(v.z); }
 inline bool moderate(const Point3d& p) { return moderate(p.x) & moderate(p.y) & moderate(p.z); }
@@ -38,8 +42,8 @@ struct Sized {
   bool positive() const { return value > error(); }
   bool negative() const { return value < -error(); }
   /// If all terms are zero, the sum is certainly 0.
-  bool not_negative() const { return positive() || size == 0; }
-  bool not_positive() const { return negative() || size == 0; }
+  bool not_negative() const { return positive() | (size == 0); }
+  bool not_positive() const { return negative() | (size == 0); }
 };
 
 inline constexpr int one_more(int j, int k) { return (j > k ? j : k) + 1; }

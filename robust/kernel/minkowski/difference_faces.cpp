@@ -196,17 +196,25 @@ bool all_moderate(const Meshd& mesh) {
   return all != 0;
 }
 
+/// Four at a time, since each comparison waits for the one before.
 Index lowest(const std::vector<Point3d>& points, const Vector3d& n) {
+  constexpr std::size_t chains = 4;
   const Point3d& first = points[0];
-  const auto height = [&](const Point3d& p) { return dot(n, p - first); };
-  Index found = 0;
-  double least = 0;
-  for (Index i = 1; i < points.size(); ++i) {
-    const double next = height(points[i]);
-    const bool lower = next < least;
-    least = lower ? next : least, found = lower ? i : found;
-  }
-  return found;
+  std::size_t found[chains] = {};
+  double least[chains] = {};
+  const auto look = [&](std::size_t chain, std::size_t i) {
+    const double height = dot(n, points[i] - first);
+    const bool lower = height < least[chain];
+    least[chain] = lower ? height : least[chain], found[chain] = lower ? i : found[chain];
+  };
+  std::size_t i = 0;
+  for (; i + chains <= points.size(); i += chains)
+    for (std::size_t chain = 0; chain < chains; ++chain) look(chain, i + chain);
+  for (; i < points.size(); ++i) look(i % chains, i);
+  std::size_t lowest = 0;
+  for (std::size_t chain = 1; chain < chains; ++chain)
+    if (least[chain] < least[lowest] || (least[chain] == least[lowest] && found[chain] < found[lowest])) lowest = chain;
+  return static_cast<Index>(found[lowest]);
 }
 
 std::optional<std::vector<DifferenceFace>> nearest_difference_faces(const Meshd& a, const Meshd& b) {

@@ -321,11 +321,10 @@ Perhaps<ConvexDistance<double>> certain_distance(const Meshd& a, const Meshd& b)
 ConvexDistance<double> exact_distance(const Meshd& a, const Meshd& b) { return exact_distance(a, b, guessed(a, b)); }
 
 ConvexDistance<double> distance_of_solids(const Meshd& a, const Meshd& b) {
-  std::vector<Corners> corners = guessed(a, b);
-  if (moderate_pair(a, b)) {
-    if (const auto certain = certain_distance(a, b, corners)) return *certain;
-  }
-  return exact_distance(a, b, std::move(corners));
+  if (!moderate_pair(a, b)) return exact_distance(a, b, guessed_near_one(a, b));
+  std::vector<Corners> corners = guessed(a.vertices, b.vertices);
+  const auto certain = certain_distance(a, b, corners);
+  return certain ? *certain : exact_distance(a, b, std::move(corners));
 }
 
 Separation separation_of_solids(const Meshd& a, const Meshd& b) {
