@@ -61,14 +61,17 @@ int ops_search_command(const std::vector<std::string>& words, std::ostream& out)
   constexpr std::size_t most = 8;
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  const std::vector<std::string> nearest = nearest_operations(text, most);
+  std::vector<std::string> nearest = nearest_operations(text, most + 1);
   if (nearest.empty())
     throw UsageError("ops " + excerpt(text, most_of_a_key) + ": no operation fits; `touchstone ops` lists all");
   if (const std::string why = why_not_computed(text); !why.empty()) out << why << "; the nearest:\n";
+  const bool more = nearest.size() > most;
+  if (more) nearest.pop_back();
   std::size_t width = 0;
   for (const std::string& name : nearest) width = std::max(width, name.size());
   for (const std::string& name : nearest)
     out << fmt::format("{:<{}}  {}\n", name, width, find_operation(name)->metadata().question);
+  if (more) out << "More fit; another word narrows them down, and `touchstone ops` lists all operations.\n";
   return nothing_found;
 }
 

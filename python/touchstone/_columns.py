@@ -22,8 +22,10 @@ _whole = -1  # instead of a number of axes: one array for all rows, a polygon or
 
 def use_threads(count: int) -> None:
     """Lets each later call of a decision over many rows use so many threads; 0 stands for as many as the machine runs at
-    once. The answers are the same. At first it is 1."""
-    _touchstone.use_threads(count)
+    once. The answers are the same. At first it is 1. InvalidInput: `count` is no whole number, or less than 0."""
+    if not isinstance(count, (int, numpy.integer)) or count < 0:
+        raise InvalidInput("count", f"a whole number, 0 or more, found {count!r}")
+    _touchstone.use_threads(int(count))
 
 
 class Prepared:
@@ -247,5 +249,5 @@ def _count(form: Form, located: list[Located]) -> int:
         rows.discard(1)
     if len(rows) > 1:
         lengths = ", ".join(map(str, sorted(rows)))
-        raise InvalidInput(", ".join(form.operands), f"as many rows in each operand, or one, found {lengths}")
+        raise InvalidInput(", ".join(form.operands), f"as many rows in each array of these, or one, found {lengths}")
     return rows.pop() if rows else 1

@@ -318,7 +318,7 @@ def test_strides_and_rows_that_are_refused():
     unaligned = numpy.zeros(8 * 9, dtype=numpy.uint8)[4:-4].view(numpy.float64).reshape(4, 2)
     assert refusal(touchstone.orientation, unaligned, numpy.zeros(2), numpy.zeros(2))[0] == "p0"
     assert refusal(touchstone.orientation, numpy.zeros((3, 2)), numpy.zeros((4, 2)), numpy.zeros(2)) == (
-        "p0, p1, p", "as many rows in each operand, or one, found 3, 4")
+        "p0, p1, p", "as many rows in each array of these, or one, found 3, 4")
     assert refusal(touchstone.ray_aabb, (numpy.zeros(2), numpy.zeros(2)), numpy.zeros((4, 2, 3)))[0] == "rays.origin"
     assert refusal(touchstone.point_in_polygon, numpy.zeros((3, 3)), numpy.zeros((4, 2)))[0] == "polygon"
     assert refusal(touchstone.point_in_polygon, numpy.zeros((2, 2)), numpy.zeros((4, 2)))[0] == "polygon"
