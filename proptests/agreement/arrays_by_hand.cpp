@@ -66,6 +66,24 @@ TEST_CASE("arrays: three points on the diagonal, whose differences are rounded, 
   check_in_turn("orientation", rows, sides);
 }
 
+TEST_CASE("arrays: a triangle as large as the range, and small ones in its plane and across it") {
+  const double far = 0x1p1023;
+  const auto beside = [far](const std::vector<double>& small) {
+    std::vector<double> numbers{0, 0, 0, far, 0, 0, 0, far, 0};
+    numbers.insert(numbers.end(), small.begin(), small.end());
+    return Question{numbers, {}};
+  };
+  const std::vector<Question> rows = {beside({1, 1, 0, 2, 1, 0, 1, 2, 0}),      // inside
+                                      beside({1, 1, 1, 2, 1, 1, 1, 2, 1}),      // above
+                                      beside({1, 1, -1, 1, 1, 1, 2, 2, 1}),     // through it
+                                      beside({1, 1, 0, 1, 1, 1, 2, 2, 1}),      // a corner on it
+                                      beside({-1, 1, 0, 1, 1, 0, -1, 1, 0}),    // a segment over an edge
+                                      beside({-1, 0, 0, 0, -1, 0, -1, -1, 0}),  // next to its corner
+                                      beside({-1, 1, 0, 1, -1, 0, -1, -1, 0}),  // its corner on an edge
+                                      beside({0, 3, 0, 0, 3, 0, 0, 3, 0})};     // a point on an edge
+  check_in_turn("triangle_triangle", rows, {3, 0, 2, 1, 2, 0, 1, 1});           // area, none, segment, point
+}
+
 TEST_CASE("arrays: of two rows that are refused the first is named, also where fewer rows of its chunk are open") {
   const Operation& operation = *catalogue::find_operation("orientation");
   const double bad = std::numeric_limits<double>::infinity();

@@ -46,17 +46,14 @@ Sides close_turn(const Difference& u, const Difference& w, const Difference& s, 
   return {sure & ~below, sure & below};
 }
 
-/// Decides the missing turns of the asked lanes exactly, if all their coordinates are in the window.
+/// Decides the missing turns of the asked lanes exactly, of differences of numbers in the window.
 ///
 /// If no difference was rounded, the turn is the difference of two products, in heads and tails. Rounding is monotone:
 /// if one head is greater, so is its product, and if the heads are equal the tails decide. Otherwise the turn is the
 /// sum of eight products, in sixteen terms.
-[[gnu::noinline]] void settle(Sides& sides, const Lanes* p, const Lanes* q, const Lanes* r, Mask asked) {
+[[gnu::noinline]] void settle(Sides& sides, const Difference& u, const Difference& w, const Difference& s,
+                              const Difference& t, Mask asked) {
   asked &= ~sides.known();
-  const Lanes* const points[] = {p, q, r};
-  for (const Lanes* const point : points) asked &= in_window(point[0]) & in_window(point[1]);
-  if (asked == 0) return;
-  const Difference u(q[0], p[0]), w(q[1], p[1]), s(r[1], p[1]), t(r[0], p[0]);
   const Product one(u.head, s.head), other(w.head, t.head);
   const Lanes tails = magnitude(u.tail) + magnitude(w.tail) + magnitude(s.tail) + magnitude(t.tail);
   const Mask plain = asked & equal(tails, same(0)), tie = equal(one.head, other.head);
@@ -82,10 +79,18 @@ Sides close_turn(const Difference& u, const Difference& w, const Difference& s, 
   sides.on |= asked & signs.zero;
 }
 
-/// The rows that a stage decides, and among these the rows with the answers 1 and 2; the others have 0. A stage is
+/// The same of the turns of three points, if all their coordinates are in the window.
+[[gnu::noinline]] void settle(Sides& sides, const Lanes* p, const Lanes* q, const Lanes* r, Mask asked) {
+  asked &= ~sides.known();
+  const Lanes* const points[] = {p, q, r};
+  for (const Lanes* const point : points) asked &= in_window(point[0]) & in_window(point[1]);
+  if (asked != 0) settle(sides, {q[0], p[0]}, {q[1], p[1]}, {r[1], p[1]}, {r[0], p[0]}, asked);
+}
+
+/// The rows that a stage decides, and among these the rows with the answers 1, 2 and 3; the others have 0. A stage is
 /// of_lengths if all numbers may be multiplied by one factor.
 struct Decision {
-  Mask known, one, two;
+  Mask known, one, two, three = 0;
 };
 
 struct CloseOrientation {
@@ -160,7 +165,7 @@ struct CloseSegmentSegment {
 
 template <class F>
 std::uint64_t close(const double* const* columns, std::uint64_t asked, const Shared& shared, std::uint8_t* answers) {
-  std::uint64_t known = 0, one = 0, two = 0;
+  std::uint64_t known = 0, one = 0, two = 0, three = 0;
   for (std::size_t i = 0; i < chunk; i += lanes) {
     const Mask here = static_cast<Mask>(asked >> i) & all_lanes;
     if (here == 0) continue;
@@ -173,8 +178,10 @@ std::uint64_t close(const double* const* columns, std::uint64_t asked, const Sha
     known |= static_cast<std::uint64_t>(found.known & here) << i;
     one |= static_cast<std::uint64_t>(found.one & here) << i;
     two |= static_cast<std::uint64_t>(found.two & here) << i;
+    three |= static_cast<std::uint64_t>(found.known & found.three & here) << i;
   }
   put_answers(answers, known, one, two);
+  for (; three != 0; three &= three - 1) answers[__builtin_ctzll(three)] = 3;
   return asked & ~known;
 }
 

@@ -2,11 +2,10 @@
 // Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
-#include "robust/batch/isa/close.h"
-#include "robust/batch/isa/triangles.h"
+#include "robust/batch/isa/close_plane.h"
 
-/// Second stages of triangles in space, like those of close.h. They do not decide coplanar shapes, nor triangles
-/// without area: every volume of those is 0.
+/// Second stages of triangles in space, like those of close.h. Every volume of coplanar shapes is 0, and of triangles
+/// without area; close_plane.h has what decides these.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -95,14 +94,6 @@ class CloseNormal {
   Lanes tails_;
 };
 
-/// The lanes in which all numbers are in the window of cubes.
-template <std::size_t n>
-Mask in_window_of_cubes(const Lanes* numbers) {
-  Mask all = all_lanes;
-  for (std::size_t k = 0; k < n; ++k) all &= in_window(numbers[k], 0x1p250);
-  return all;
-}
-
 /// A line that crosses a triangle's plane misses the triangle if it has edges strictly on both sides.
 Decision crossing(const Signs& start, const Signs& end, Mask apart, const Signs& ab, const Signs& bc, const Signs& ca,
                   Mask valid) {
@@ -112,39 +103,76 @@ Decision crossing(const Signs& start, const Signs& end, Mask apart, const Signs&
   return {known, ~(apart | misses), 0};
 }
 
+/// Two segments; the second is a triangle without area.
+Decision of_segments(const Span& a, const Span& b, Mask valid) {
+  const CloseNormal normal(Way(a.greatest, a.least), Way(b.least, a.least));
+  const Signs side = normal.along(Way(b.greatest, a.least), valid);
+  Decision found{valid & (side.positive | side.negative), 0, 0};
+  if ((valid & side.zero) != 0) join(found, of_segments_in_plane(a, b, valid & side.zero));
+  return found;
+}
+
+Decision of_segment(const InSpace& p, const InSpace& q, const InSpace* t, Mask valid) {
+  const CloseNormal normal(Way(t[1], t[0]), Way(t[2], t[0]));
+  const Signs at_p = normal.along(Way(p, t[0]), valid), at_q = normal.along(Way(q, t[0]), valid);
+  const Mask apart = (at_p.positive & at_q.positive) | (at_p.negative & at_q.negative);
+  const Mask in_plane = valid & at_p.zero & at_q.zero, open = valid & ~(apart | in_plane);
+  Decision found{valid & apart, 0, 0};
+  if (open != 0) {
+    const Way line(q, p), to_a(t[0], p), to_b(t[1], p), to_c(t[2], p);
+    found = crossing(at_p, at_q, apart, CloseNormal(to_a, to_b).along(line, open),
+                     CloseNormal(to_b, to_c).along(line, open), CloseNormal(to_c, to_a).along(line, open), valid);
+  }
+  if (in_plane == 0) return found;
+  found.one &= ~in_plane;
+  const SeenTriangle triangle(t, in_plane);
+  const Mask flat = in_plane & triangle.with_area, thin = in_plane & triangle.without_area;
+  if (flat != 0) join(found, of_segment_in_plane(p, q, triangle, flat));
+  if (thin != 0) join(found, of_segments(Span(p, q), Span(t), thin));
+  return found;
+}
+
 /// The exact stage: stages::segment_triangle::decision::lattice.
 struct CloseSegmentTriangle {
   static constexpr std::size_t columns = 15;
-  static constexpr bool of_lengths = true;
-  static Decision of(const Lanes* n, Mask asked) {
-    const InSpace p(n), q(n + 3), a(n + 6), b(n + 9), c(n + 12);
-    const Mask valid = asked & in_window_of_cubes<columns>(n);
-    const CloseNormal normal(Way(b, a), Way(c, a));
-    const Signs at_p = normal.along(Way(p, a), valid), at_q = normal.along(Way(q, a), valid);
-    const Mask apart = (at_p.positive & at_q.positive) | (at_p.negative & at_q.negative);
-    const Way line(q, p), to_a(a, p), to_b(b, p), to_c(c, p);
-    const Mask open = valid & ~apart & ~(at_p.zero & at_q.zero);
-    return crossing(at_p, at_q, apart, CloseNormal(to_a, to_b).along(line, open),
-                    CloseNormal(to_b, to_c).along(line, open), CloseNormal(to_c, to_a).along(line, open), valid);
+  static constexpr bool of_lengths = false;
+  static Decision of(Lanes (&n)[columns], Mask asked) {
+    const Mask valid = asked & bring_axes_near_one(n);
+    const InSpace t[] = {InSpace(n + 6), InSpace(n + 9), InSpace(n + 12)};
+    return of_segment(InSpace(n), InSpace(n + 3), t, valid);
   }
 };
 
 /// The exact stage: stages::ray_triangle::decision::lattice. A direction of length 0 is to be refused.
 struct CloseRayTriangle {
   static constexpr std::size_t columns = 15;
-  static constexpr bool of_lengths = true;
+  static constexpr bool of_lengths = false;
   static Decision of(const Lanes* n, Mask asked) {
     const Lanes zero = same(0);
-    const InSpace p(n), direction(n + 3), a(n + 6), b(n + 9), c(n + 12);
-    const Mask leads = above(magnitude(direction.x) + magnitude(direction.y) + magnitude(direction.z), zero);
-    const Mask valid = asked & leads & in_window_of_cubes<columns>(n);
-    const CloseNormal normal(Way(b, a), Way(c, a));
-    const Way line(direction, InSpace(zero, zero, zero)), to_a(a, p), to_b(b, p), to_c(c, p);
-    const Signs at_origin = normal.along(Way(p, a), valid), rise = normal.along(line, valid);
+    Lanes near[] = {n[0], n[1], n[2], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[3], n[4], n[5]};
+    const Mask leads = above(magnitude(n[3]) + magnitude(n[4]) + magnitude(n[5]), zero);
+    const Mask valid = asked & leads & bring_axes_near_one(near, true);
+    const InSpace p(near), direction(near + 12), t[] = {InSpace(near + 3), InSpace(near + 6), InSpace(near + 9)};
+    const CloseNormal normal(Way(t[1], t[0]), Way(t[2], t[0]));
+    const Way line(direction, InSpace(zero, zero, zero)), to_a(t[0], p), to_b(t[1], p), to_c(t[2], p);
+    const Signs at_origin = normal.along(Way(p, t[0]), valid), rise = normal.along(line, valid);
     const Mask apart = rise.zero | (at_origin.positive & rise.positive) | (at_origin.negative & rise.negative);
-    const Mask open = valid & ~apart;
-    return crossing(at_origin, rise, apart, CloseNormal(to_a, to_b).along(line, open),
-                    CloseNormal(to_b, to_c).along(line, open), CloseNormal(to_c, to_a).along(line, open), valid);
+    const Mask in_plane = valid & at_origin.zero & rise.zero, open = valid & ~apart;
+    Decision found =
+        crossing(at_origin, rise, apart, CloseNormal(to_a, to_b).along(line, open),
+                 CloseNormal(to_b, to_c).along(line, open), CloseNormal(to_c, to_a).along(line, open), valid);
+    if (in_plane == 0) return found;
+    found.one &= ~in_plane;
+    const SeenTriangle triangle(t, in_plane);
+    const Mask flat = in_plane & triangle.with_area, thin = in_plane & triangle.without_area;
+    if (flat != 0) join(found, of_ray_in_plane(p, direction, triangle, flat));
+    if (thin != 0) {
+      const Span span(t);
+      const Signs side = CloseNormal(line, Way(span.least, p)).along(Way(span.greatest, p), thin);
+      join(found, {thin & (side.positive | side.negative), 0, 0});
+      join(found, of_ray_and_segment_in_plane(p, direction, span, thin & side.zero));
+    }
+    return found;
   }
 };
 
@@ -169,16 +197,12 @@ struct CloseTip {
       others[0] = chosen(here, t[(i + 1) % 3], others[0]), others[1] = chosen(here, t[(i + 2) % 3], others[1]);
     }
   }
-
-  static InSpace chosen(Mask here, const InSpace& p, const InSpace& q) {
-    return {isa::chosen(here, p.x, q.x), isa::chosen(here, p.y, q.y), isa::chosen(here, p.z, q.z)};
-  }
 };
 
 /// The same decision as in robust/kernel/solids/small_hulls.cpp, which derives it.
 struct CloseTriangleTriangle {
   static constexpr std::size_t columns = 18;
-  static constexpr bool of_lengths = true;
+  static constexpr bool of_lengths = false;
 
   /// The sides of the plane of `own` on which the corners of `other` lie.
   struct Corners {
@@ -194,14 +218,40 @@ struct CloseTriangleTriangle {
     Mask known() const { return at[0].known() & at[1].known() & at[2].known(); }
   };
 
-  static Decision of(const Lanes* n, Mask asked) {
+  static Decision of(Lanes (&n)[columns], Mask asked) {
+    const Mask valid = asked & bring_axes_near_one(n);
     const InSpace a[] = {InSpace(n), InSpace(n + 3), InSpace(n + 6)};
     const InSpace b[] = {InSpace(n + 9), InSpace(n + 12), InSpace(n + 15)};
-    const Mask valid = asked & in_window_of_cubes<columns>(n);
     const Corners of_b(a, b, valid), of_a(b, a, valid & ~of_b.apart());
     const Mask apart = valid & (of_b.apart() | of_a.apart());
-    const Mask open = valid & ~apart & of_b.known() & of_a.known() & ~(of_b.in_plane() | of_a.in_plane());
-    if (open == 0) return {apart, 0, 0};
+    const Mask flat = valid & ~apart & (of_b.in_plane() | of_a.in_plane());
+    const Mask open = valid & ~(apart | flat) & of_b.known() & of_a.known();
+    Decision found{apart, 0, 0};
+    if (open != 0) join(found, across(a, b, of_a, of_b, open));
+    if (flat != 0) join(found, in_one_plane(a, b, flat));
+    return found;
+  }
+
+ private:
+  /// The corners of one are in the plane of the other, or this has no area.
+  static Decision in_one_plane(const InSpace* a, const InSpace* b, Mask asked) {
+    const SeenTriangle first(a, asked), second(b, asked);
+    const Mask flat = asked & first.with_area & second.with_area;
+    const Mask thin = asked & first.without_area, other_thin = asked & second.without_area & first.with_area;
+    Decision found{0, 0, 0};
+    if (flat != 0) join(found, of_triangles_in_plane(first, b, flat));
+    if ((thin | other_thin) != 0) {
+      InSpace without[] = {a[0], a[1], a[2]}, other[] = {b[0], b[1], b[2]};
+      for (std::size_t i = 0; i < 3; ++i)
+        without[i] = chosen(other_thin, b[i], without[i]), other[i] = chosen(other_thin, a[i], other[i]);
+      const Span span(without);
+      join(found, of_segment(span.least, span.greatest, other, thin | other_thin));
+    }
+    return found;
+  }
+
+  /// Neither is in the plane of the other.
+  static Decision across(const InSpace* a, const InSpace* b, const Corners& of_a, const Corners& of_b, Mask open) {
     const CloseTip p(a, of_a.at), q(b, of_b.at);
     const Way to_tip(q.corner, p.corner), ends[] = {Way(q.others[0], p.corner), Way(q.others[1], p.corner)};
     Mask before = 0, after = 0, together = 0, known = open;
@@ -213,7 +263,7 @@ struct CloseTriangleTriangle {
       }
     }
     const Mask cross = before & after, in_a_point = p.on_plane | q.on_plane;
-    return {apart | known, ~apart & ((cross & in_a_point) | (together & ~cross)), ~apart & cross & ~in_a_point};
+    return {known, (cross & in_a_point) | (together & ~cross), cross & ~in_a_point};
   }
 };
 

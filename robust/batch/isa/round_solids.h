@@ -9,6 +9,80 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
+/// A guess, on which nothing depends but the time: the t_k that make way - sum t_k edge_k shortest, each in an
+/// interval, into which it is `moved` last: of two segments between 0 and 1, of a box between -1 and 1. The foot of the
+/// perpendicular along edge k is at t_k = foot_k + sum pull_kl t_l over the others.
+template <std::size_t n, Lanes moved(Lanes)>
+class Nearest {
+ public:
+  Nearest(const InSpace& way, const InSpace (&edges)[n]) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes per_square = same(1) / dot(edges[k], edges[k]);
+      foot_[k] = dot(way, edges[k]) * per_square;
+      for (std::size_t i = 1; i < n; ++i) {
+        const std::size_t l = (k + i) % n;
+        pull_[k][l] = dot(edges[k], edges[l]) * (same(0) - per_square);
+      }
+    }
+  }
+
+  /// From a guess to a better one.
+  void approach(Lanes (&t)[n], bool first) const {
+    if constexpr (n == 3) {
+      if (!first) step(t);
+      slide(t);
+    }
+    slide(t);
+  }
+
+ private:
+  /// Moves each t_k to the foot of the perpendicular along its edge: the nearest point at once where edges are at right
+  /// angles.
+  void slide(Lanes (&t)[n]) const {
+    for (std::size_t k = 0; k < n; ++k) {
+      Lanes foot = foot_[k];
+      for (std::size_t i = 1; i < n; ++i) foot = multiply_add(pull_[k][(k + i) % n], t[(k + i) % n], foot);
+      t[k] = moved(foot);
+    }
+  }
+
+  /// Keeps each t_k that is at an end of its interval, and moves the others towards the point that makes the
+  /// displacement shortest without regard to their intervals: straight there, or until the first of them is at an end.
+  /// So the displacement does not become longer, and the guess does not go round in circles.
+  ///
+  /// `open` is 1 for those that move and 0 for the others. The equations t_k - sum pull_kl t_l = foot_k, or t_k itself
+  /// at an end, are solved by cofactors. The part of the way to the end of its interval is (1 - t_k) / d where it moves
+  /// up by d, and (1 + t_k) / -d where it moves down: 1 / |d| - t_k / d.
+  void step(Lanes (&t)[n]) const {
+    static_assert(n == 3);
+    Lanes open[n], aim[n], pull[n][n];
+    for (std::size_t k = 0; k < n; ++k) {
+      open[k] = lesser((same(1) - magnitude(t[k])) * same(0x1p60), same(1));
+      aim[k] = multiply_add(open[k], foot_[k] - t[k], t[k]);
+      for (std::size_t i = 1; i < n; ++i) pull[k][(k + i) % n] = open[k] * pull_[k][(k + i) % n];
+    }
+    // Row k of the matrix has 1 and -pull; by symmetry a cofactor is 1 - pull pull, or pull + pull pull.
+    const auto diagonal = [&pull](std::size_t i, std::size_t j) { return same(1) - pull[i][j] * pull[j][i]; };
+    const auto beside = [&pull](std::size_t i, std::size_t j, std::size_t by) {
+      return multiply_add(pull[i][by], pull[by][j], pull[i][j]);
+    };
+    const Lanes first = diagonal(1, 2), second = beside(1, 0, 2), third = beside(2, 0, 1);
+    const Lanes per_determinant = same(1) / (first - pull[0][1] * second - pull[0][2] * third);
+    const Lanes found[] = {first * aim[0] + beside(0, 1, 2) * aim[1] + beside(0, 2, 1) * aim[2],
+                           second * aim[0] + diagonal(0, 2) * aim[1] + beside(1, 2, 0) * aim[2],
+                           third * aim[0] + beside(2, 1, 0) * aim[1] + diagonal(0, 1) * aim[2]};
+    Lanes part = same(1), moves[n];
+    for (std::size_t k = 0; k < n; ++k) {
+      moves[k] = open[k] * (found[k] * per_determinant - t[k]);
+      const Lanes per_move = same(1) / moves[k];
+      part = lesser(magnitude(per_move) - t[k] * per_move, part);  // a NaN, where it does not move, leaves the part
+    }
+    for (std::size_t k = 0; k < n; ++k) t[k] = moved(multiply_add(part, moves[k], t[k]));
+  }
+
+  Lanes foot_[n], pull_[n][n];
+};
+
 /// The least absolute error that is allowed for where all numbers are at most 2^250: of a product of three of them that
 /// underflows, each has less.
 constexpr double least = 0x1p-500;
@@ -34,14 +108,14 @@ struct Cores {
   ///
   /// Nothing overflows where all magnitudes add up to 2^250 at most, which no infinite or NaN number does.
   Verdict contact(Lanes reach, Lanes (&t)[n]) const {
-    constexpr int turns = 16;
+    constexpr int turns = n == 2 ? 1 : 4;
     InSpace most = magnitudes(way);
     for (const InSpace& edge : edges) most = most + magnitudes(edge);
     const Lanes inside = reach * reach, error = multiply_add(dot(most, most) + inside, same(16 * v), same(least));
     const Mask moderate = not_below(same(0x1p250), most.x + most.y + most.z + reach) & not_below(reach, same(0x1p-250));
     Mask near = 0, apart = 0;
     for (int turn = 0; turn < turns && ((near | apart | ~moderate) & all_lanes) != all_lanes; ++turn) {
-      approach(t);
+      approach(t, turn);
       const InSpace between = displacement(t);
       const Lanes square = dot(between, between);
       Lanes gap = dot(between, way);
@@ -65,35 +139,35 @@ struct Cores {
     return rest;
   }
 
-  /// Moves each t_k to the foot of the perpendicular along its edge: the nearest point at once where edges are at right
-  /// angles.
-  void approach(Lanes (&t)[n]) const {
-    InSpace rest = displacement(t);
-    for (std::size_t k = 0; k < n; ++k) {
-      const Lanes next = moved(t[k] + dot(rest, edges[k]) / dot(edges[k], edges[k]));
-      rest = rest - (next - t[k]) * edges[k];
-      t[k] = next;
-    }
-  }
+  void approach(Lanes (&t)[n], int turn) const { Nearest<n, moved>(way, edges).approach(t, turn == 0); }
 };
 
 /// The determinant of the half axes goes through five operations: C = 16 v. Half axes that may be dependent are left to
 /// other stages.
+///
+/// The guess begins with the point that makes the displacement zero, by Cramer's rule, brought into the box towards its
+/// center.
 struct SphereObb {
   static constexpr std::size_t columns = 16;
   static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping
   static Verdict of(const Lanes* c) {
     const InSpace center(c), middle(c + 4), p(c + 7), q(c + 10), r(c + 13);
     const Lanes radius = c[3], sizes = size_of(p) * size_of(q) * size_of(r);
-    Lanes t[] = {same(0), same(0), same(0)};
-    Verdict found = Cores<3, true>{center - middle, {p, q, r}}.contact(radius, t);
+    const InSpace way = center - middle;
+    const Lanes determinant = dot(cross(p, q), r);
+    Lanes t[] = {dot(way, cross(q, r)), dot(way, cross(r, p)), dot(way, cross(p, q))}, most = magnitude(determinant);
+    for (const Lanes& each : t) most = greater(magnitude(each), most);
+    const Lanes sign = lesser(greater(determinant * same(0x1p1000), same(-1)), same(1)), per_most = sign / most;
+    for (Lanes& each : t) each = each * per_most;
+    Verdict found = Cores<3, true>{way, {p, q, r}}.contact(radius, t);
     found.known &= above(magnitude(dot(cross(p, q), r)), multiply_add(sizes, same(16 * v), same(least)));
     return found;
   }
 };
 
-/// The guess begins with the point of b's line that is nearest to a's line. Radii that are 0, or not valid, are left to
-/// other stages.
+/// The guess begins with the point of b's line that is nearest to a's line. One turn takes the nearest point of a to
+/// that and the nearest of b to this, which is exact up to rounding (Ericson, Real-Time Collision Detection, 5.1.9).
+/// Radii that are 0, or not valid, are left to other stages.
 struct CapsuleCapsule {
   static constexpr std::size_t columns = 14;
   static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping

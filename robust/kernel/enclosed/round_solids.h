@@ -69,6 +69,7 @@ struct Differences {
       if constexpr (triangle) reached = reached + farthest_in_triangle(between);
       if (dot(between, way) - reached > heights * length) return Contact::disjoint;
       if (!approach(t)) break;
+      if (turn > 0) leap(t);
     }
     return std::nullopt;
   }
@@ -111,9 +112,12 @@ struct Differences {
   }
 
   double moved(std::size_t k, const std::array<double, n>& t, const Vector3d& rest) const {
-    const double length = dot(edges[k], edges[k]), most = greatest(k, t);
+    const double length = dot(edges[k], edges[k]);
     if (!(length > 0)) return 0;
-    const double foot = t[k] + dot(rest, edges[k]) / length;
+    return within(k, t, t[k] + dot(rest, edges[k]) / length);
+  }
+  static double within(std::size_t k, const std::array<double, n>& t, double foot) {
+    const double most = greatest(k, t);
     return foot > most ? most : foot < least(k) ? least(k) : moderated(foot);
   }
 
@@ -136,6 +140,43 @@ struct Differences {
     if constexpr (triangle) changed = slide(t, rest) || changed;
     return changed;
   }
+
+  /// Moves the t_k that are not at an end of their interval towards the point that makes the displacement shortest
+  /// without regard to the intervals: straight there, or until the first of them is at an end. Where edges are nearly
+  /// dependent, approach() moves a little each time.
+  void leap(std::array<double, n>& t) const {
+    if constexpr (n > 1) {
+      const Vector3d rest = displacement(t);
+      std::array<std::array<double, n + 1>, n> rows{};
+      std::array<double, n> moves{};
+      for (std::size_t k = 0; k < n; ++k) {
+        if (!open(k, t)) continue;
+        for (std::size_t l = 0; l < n; ++l) rows[k][l] = open(l, t) ? dot(edges[k], edges[l]) : 0.0;
+        rows[k][n] = dot(rest, edges[k]);
+      }
+      const std::array<std::array<double, n + 1>, n> before = rows;
+      for (std::size_t k = 0; k < n; ++k) {
+        if (!(rows[k][k] > 0x1p-40 * before[k][k])) rows[k] = {};  // dependent on those before it, or not open
+        for (std::size_t l = k + 1; l < n && rows[k][k] > 0; ++l) {
+          const double factor = rows[l][k] / rows[k][k];
+          for (std::size_t i = k; i <= n; ++i) rows[l][i] = rows[l][i] - factor * rows[k][i];
+        }
+      }
+      double part = 1;
+      const auto stop_at = [&part](double room, double move) {
+        if (move > 0 && room < part * move) part = room / move;
+      };
+      for (std::size_t k = n; k-- > 0;) {
+        double height = rows[k][n];
+        for (std::size_t l = k + 1; l < n; ++l) height = height - rows[k][l] * moves[l];
+        moves[k] = rows[k][k] > 0 ? height / rows[k][k] : 0.0;
+        stop_at(greatest(k, t) - t[k], moves[k]), stop_at(t[k] - least(k), -moves[k]);
+      }
+      if constexpr (triangle) stop_at(1 - (t[n - 2] + t[n - 1]), moves[n - 2] + moves[n - 1]);
+      for (std::size_t k = 0; k < n; ++k) t[k] = within(k, t, t[k] + part * moves[k]);
+    }
+  }
+  bool open(std::size_t k, const std::array<double, n>& t) const { return least(k) < t[k] && t[k] < greatest(k, t); }
 
   /// Along the third side of the triangle.
   bool slide(std::array<double, n>& t, const Vector3d& rest) const {

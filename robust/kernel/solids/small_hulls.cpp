@@ -9,6 +9,7 @@
 #include <initializer_list>
 
 #include "geometry/validation.h"
+#include "robust/kernel/integers/far_apart.h"
 #include "robust/kernel/solids/flat_hulls.h"
 
 namespace touchstone::robust::kernel {
@@ -158,9 +159,12 @@ Vector3d shifted(const Vector3d& direction, int by) {
 
 template <class Dimension, class... Points>
 std::optional<int> on_lattice(const Dimension& dimension, const Points&... p) {
+  constexpr std::size_t n = sizeof...(p);
   const auto x = lattice_of(p.x...), y = lattice_of(p.y...), z = lattice_of(p.z...);
-  if (!x || !y || !z) return std::nullopt;
-  return dimension(Stretched<std::int64_t, sizeof...(p)>{x->at, y->at, z->at});
+  if (x && y && z) return dimension(Stretched<std::int64_t, n>{x->at, y->at, z->at});
+  const auto near = brought_near<n>({{{p.x...}, {p.y...}, {p.z...}}});
+  if (!near) return std::nullopt;
+  return dimension(Stretched<std::int64_t, n>{(*near)[0], (*near)[1], (*near)[2]});
 }
 template <class Dimension, class... Points>
 int in_integers(const Dimension& dimension, const Points&... p) {
