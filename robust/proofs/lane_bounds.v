@@ -136,7 +136,8 @@ Proof. intros (x' & [P L] & D). split; lra. Qed.
 Lemma least_times i j x y S T : least_of i 0 x S -> least_of j 0 y T ->
   least_of (Datatypes.S (i + j)) eta (rnd (x * y)) (S * T).
 Proof.
-intros X%exact_least Y%exact_least. destruct (rnd_any (x * y)) as (e & h & E & H & ->). exists (x * y * (1 + e)). split.
+intros X%exact_least Y%exact_least. destruct (rnd_any (x * y)) as (e & h & E & H & ->). exists (x * y * (1 + e)).
+  split.
 - now apply (low_mul v v_small i j).
 - apply abs_le in H. lra.
 Qed.
@@ -177,7 +178,8 @@ assert (CX : 0 <= C * x) by nra. rewrite (Rmult_comm x C) in E. rewrite T in E. 
 destruct E as [->| ->].
 - destruct (rnd_any (y + 2 * d)) as (e & h & B1 & B2 & ->). apply abs_le in B1, B2.
   assert ((y + 2 * d) * (1 - v) <= (y + 2 * d) * (1 + e)) by (apply Rmult_le_compat_l; lra).
-  assert (0 <= v * y) by (apply Rmult_le_pos; lra). assert (v * d <= 1 / 16 * d) by (apply Rmult_le_compat_r; lra). lra.
+  assert (0 <= v * y) by (apply Rmult_le_pos; lra). assert (v * d <= 1 / 16 * d) by (apply Rmult_le_compat_r; lra).
+    lra.
 - destruct (rnd_any y) as (e & h & B1 & B2 & Q). pose proof (rnd_pos y CX). rewrite Q in *.
   apply abs_le in B1, B2. assert (Y : y * (1 - v) - eta <= y * (1 + e) + h).
   { assert (y * (1 - v) <= y * (1 + e)) by (apply Rmult_le_compat_l; lra). lra. }
@@ -238,35 +240,43 @@ cases_of (Bplus_correct 53 1024 _ _ mode_NE x y X Y); fold r; fold (rnd r) in *.
   split; intros; try discriminate; intuition lra.
 Qed.
 
-(* j roundings of a value before its last operation, k on the way to its size: a constant of more than j v is enough. *)
-Lemma beyond_all j k A A' D t T m B c e : est j A D t T -> least_of k A' m T -> A <= spare -> A' <= spare ->
-  0 <= A' -> (j <= 16)%nat -> (k <= 16)%nat -> c <= 64 -> INR j + 1 / 2 <= c -> bpow radix2 e = c * v ->
-  (1 - 3 * v) * (bpow radix2 e * m) + bpow radix2 (-1001) <= B ->
+(* j roundings of a value before its last operation, k on the way to its size: a constant of more than j v is enough.
+   s is what pays for underflow. *)
+Lemma beyond_by s j k A A' D t T m B c e : 0 < s -> est j A D t T -> least_of k A' m T -> A <= s -> A' <= s ->
+  0 <= A' -> (j <= 16)%nat -> (k <= 32)%nat -> c <= 64 -> INR j + 1 / 2 <= c -> bpow radix2 e = c * v ->
+  (1 - 3 * v) * (bpow radix2 e * m) + 512 * s <= B ->
   (B < - D * (1 + v) -> t < 0) /\ (B < D * (1 + v) -> t > 0).
 Proof.
-intros (x' & [O1 O2] & D1) (m' & [P L] & M) A1 A2 A3 J K C2 C E BL. rewrite E in BL. pose proof v_small as Hv.
+intros sp (x' & [O1 O2] & D1) (m' & [P L] & M) A1 A2 A3 J K C2 C E BL. rewrite E in BL. pose proof v_small as Hv.
 assert (T0 : 0 <= T) by (apply Rle_trans with (2 := O1), Rabs_pos).
 assert (IJ : 0 <= INR j <= 16) by (split; [apply pos_INR|replace 16 with (INR 16) by (simpl; lra); now apply le_INR]).
-assert (IK : 0 <= INR k <= 16) by (split; [apply pos_INR|replace 16 with (INR 16) by (simpl; lra); now apply le_INR]).
+assert (IK : 0 <= INR k <= 32) by (split; [apply pos_INR|replace 32 with (INR 32) by (simpl; lra); now apply le_INR]).
 assert (V : v = / 9007199254740992) by exact v_is.
 assert (JV : INR j * v <= 1) by (rewrite V; lra).
 pose proof (bernoulli_up v v_small j JV) as U. pose proof (bernoulli_down v v_small k) as W.
 set (J0 := INR j) in *. set (K0 := INR k) in *. set (p := (1 + v) ^ j) in *. set (q := (1 - v) ^ k) in *.
-assert (sp : 0 < spare) by apply bpow_gt_0.
-assert (S : 512 * spare = bpow radix2 (-1001)).
-{ change 512 with (bpow radix2 9). rewrite <- bpow_plus. reflexivity. }
-rewrite <- S in BL. assert (Q1 : (1 + v) * (p - 1) <= (J0 + 1 / 8) * v).
+assert (Q1 : (1 + v) * (p - 1) <= (J0 + 1 / 8) * v).
 { assert (J0 * v * (J0 * v) <= / 32 * v) by (rewrite V; nra). assert (p - 1 <= (J0 + / 32) * v) by (simpl in U; lra).
   apply Rle_trans with ((1 + v) * ((J0 + / 32) * v)); [apply Rmult_le_compat_l; lra|]. rewrite V. nra. }
 assert (Q2 : (J0 + 1 / 4) * v <= (1 - 3 * v) * (c * v) * q).
-{ assert (q >= 1 - 16 * v) by nra. assert ((1 - 3 * v) * q >= 1 - 19 * v) by nra.
-  assert (c * v * (1 - 19 * v) <= c * v * ((1 - 3 * v) * q)) by (apply Rmult_le_compat_l; nra).
-  assert (c * v * (1 - 19 * v) >= (c - / 4) * v) by (rewrite V; nra). nra. }
-assert (Q3 : (J0 + 1 / 4) * v * T - spare <= (1 - 3 * v) * (c * v * m)).
+{ assert (q >= 1 - 32 * v) by nra. assert ((1 - 3 * v) * q >= 1 - 35 * v) by nra.
+  assert (c * v * (1 - 35 * v) <= c * v * ((1 - 3 * v) * q)) by (apply Rmult_le_compat_l; nra).
+  assert (c * v * (1 - 35 * v) >= (c - / 4) * v) by (rewrite V; nra). nra. }
+assert (Q3 : (J0 + 1 / 4) * v * T - s <= (1 - 3 * v) * (c * v * m)).
 { assert (q * T - A' <= m) by lra. assert (0 <= (1 - 3 * v) * (c * v) <= 1) by (rewrite V; nra).
   assert ((1 - 3 * v) * (c * v) * (q * T - A') <= (1 - 3 * v) * (c * v) * m) by (apply Rmult_le_compat_l; lra).
   assert ((J0 + 1 / 4) * v * T <= (1 - 3 * v) * (c * v) * q * T) by (apply Rmult_le_compat_r; lra). nra. }
 assert (Q4 : (1 + v) * ((p - 1) * T) <= (J0 + 1 / 8) * v * T) by nra.
 assert (0 <= v * T) by nra. apply abs_le in O2, D1.
 split; intros G; apply Rnot_le_lt; intros N; nra.
+Qed.
+Lemma beyond_all j k A A' D t T m B c e : est j A D t T -> least_of k A' m T -> A <= spare -> A' <= spare ->
+  0 <= A' -> (j <= 16)%nat -> (k <= 16)%nat -> c <= 64 -> INR j + 1 / 2 <= c -> bpow radix2 e = c * v ->
+  (1 - 3 * v) * (bpow radix2 e * m) + bpow radix2 (-1001) <= B ->
+  (B < - D * (1 + v) -> t < 0) /\ (B < D * (1 + v) -> t > 0).
+Proof.
+intros E L A1 A2 A3 J K C2 C F BL.
+apply (beyond_by spare j k A A' D t T m B c e); try assumption; [apply bpow_gt_0|lia|].
+replace (512 * spare) with (bpow radix2 (-1001)); [exact BL|].
+change 512 with (bpow radix2 9). rewrite <- bpow_plus. reflexivity.
 Qed.

@@ -56,13 +56,14 @@ def number(value):
     mantissa = mantissa.numerator
     while mantissa and mantissa % 2 == 0:
         mantissa, exponent = mantissa // 2, exponent + 1
+    mantissa = mantissa if mantissa >= 0 else f"({mantissa})"
     return Term(f"(number {mantissa} {exponent if exponent >= 0 else f'({exponent})'})")
 
 
 class Source:
-    def __init__(self, root):
+    def __init__(self, root, headers=HEADERS):
         self.classes, self.constants = {}, {}
-        for name in HEADERS:
+        for name in headers:
             text = re.sub(r"//.*", "", (root / name).read_text(encoding="utf-8"))
             for kind, body in re.findall(r"^(?:struct|class) (\w+)[^;{]*\{\n(.*?)^\};", text, re.M | re.S):
                 self.classes[kind] = body

@@ -8,7 +8,9 @@ import tempfile
 
 import enclosed
 import extract
+import lane_close
 import lane_shapes
+import lane_solids
 import lane_text
 import source
 
@@ -29,12 +31,15 @@ OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.c
             ("left out", re.compile(r" & not_below\(narrowest, zero\)"), ""),
             ("flipped", re.compile("zero - value"), "value"),
             ("flipped", re.compile(r"same\(0\) - value"), "value"),
+            ("flipped", re.compile(r"same\(0\) - gap"), "gap"),
+            ("left out", re.compile(r" & not_below\(reach, same\(0x1p-250\)\)"), ""),
             # of triangles: what pays for underflow, sides, edges on two sides of a line, ends on one side of a plane
             ("left out", re.compile(r" \+ same\(tiny\)"), ""),
             ("flipped", re.compile(r"known & ~below, known & below"), "known & below, known & ~below"),
             ("flipped", re.compile(r"(?<=ca\.positive\)) & "), " | "),
             ("left out", re.compile(r"(?<=edges\.inside) & ~apart"), "")]
-TEXTS = source.READ + enclosed.HEADERS + lane_text.HEADERS
+HEADERS_OF_LANES = lane_text.HEADERS + lane_solids.HEADERS + lane_close.HEADERS
+TEXTS = source.READ + enclosed.HEADERS + HEADERS_OF_LANES
 
 
 def mutants(root):
@@ -57,9 +62,9 @@ def mutants(root):
             other = f"power_of_two({int(found[1]) - 1} + Format::min_exponent"
             yield "half", *other_text(found, other)
         code = re.sub("//.*", lambda comment: " " * len(comment[0]), text)
-        for found in UNITS_OF_LANES.finditer(code if name in lane_text.HEADERS else ""):
+        for found in UNITS_OF_LANES.finditer(code if name in HEADERS_OF_LANES else ""):
             yield "half", *other_text(found, f"{int(found[1]) // 2} * v")
-        for kind, pattern, other in OF_LANES if name in lane_text.HEADERS else []:
+        for kind, pattern, other in OF_LANES if name in HEADERS_OF_LANES else []:
             for found in pattern.finditer(code):
                 yield kind, *other_text(found, other)
         for found in TAKEN.finditer(text if name in enclosed.HEADERS else ""):
@@ -71,7 +76,7 @@ def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in [*TEXTS, *lane_text.LANES, lane_shapes.NUMBERS]:
+        for name in [*TEXTS, *lane_text.LANES, lane_shapes.NUMBERS, lane_solids.AXES]:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):

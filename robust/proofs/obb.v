@@ -66,6 +66,44 @@ intros P K. pose proof (P 0%nat). pose proof (P 1%nat). pose proof (P 2%nat). po
 pose proof (P 4%nat). pose proof (P 5%nat). unfold six. do 6 (destruct k as [|k]; [lra|]). lia.
 Qed.
 
+(* Boxes that an axis separates have no common point. *)
+Definition common_point (x y z : nat -> R) ax ay az bx by_ bz (r : nat -> R) :=
+  ax + r 0%nat * x 0%nat + r 1%nat * x 1%nat + r 2%nat * x 2%nat =
+    bx + r 3%nat * x 3%nat + r 4%nat * x 4%nat + r 5%nat * x 5%nat /\
+  ay + r 0%nat * y 0%nat + r 1%nat * y 1%nat + r 2%nat * y 2%nat =
+    by_ + r 3%nat * y 3%nat + r 4%nat * y 4%nat + r 5%nat * y 5%nat /\
+  az + r 0%nat * z 0%nat + r 1%nat * z 1%nat + r 2%nat * z 2%nat =
+    bz + r 3%nat * z 3%nat + r 4%nat * z 4%nat + r 5%nat * z 5%nat.
+Lemma separated (x y z : nat -> R) ax ay az bx by_ bz v w others : rest v w others ->
+  let along := triple (x v) (y v) (z v) (x w) (y w) (z w) in
+  let reach := fun k => Rabs (along (x (others k)) (y (others k)) (z (others k))) in
+  Rabs (along (bx - ax) (by_ - ay) (bz - az)) -
+    (reach 0%nat + reach 1%nat + (reach 2%nat + reach 3%nat)) > 0 ->
+  ~ exists r, (forall k, Rabs (r k) <= 1) /\ common_point x y z ax ay az bx by_ bz r.
+Proof.
+intros C along reach Q (r & B & X & Y & Z). unfold reach in Q. clear reach.
+pose proof (six_of_all (fun k => Rabs (along (x k) (y k) (z k))) v w others (fun k => Rabs_pos _)) as P. cbv beta in P.
+specialize (P ltac:(replace (along _ _ _) with 0 by (unfold along, triple; ring); apply Rabs_R0)
+  ltac:(replace (along _ _ _) with 0 by (unfold along, triple; ring); apply Rabs_R0) C).
+enough (Rabs (along (bx - ax) (by_ - ay) (bz - az)) <= six (fun k => Rabs (along (x k) (y k) (z k)))) by lra.
+replace (along (bx - ax) (by_ - ay) (bz - az)) with
+  (r 0%nat * along (x 0%nat) (y 0%nat) (z 0%nat) + r 1%nat * along (x 1%nat) (y 1%nat) (z 1%nat) +
+   r 2%nat * along (x 2%nat) (y 2%nat) (z 2%nat) - (r 3%nat * along (x 3%nat) (y 3%nat) (z 3%nat) +
+   r 4%nat * along (x 4%nat) (y 4%nat) (z 4%nat) + r 5%nat * along (x 5%nat) (y 5%nat) (z 5%nat))).
+2: { replace bx with (ax + r 0%nat * x 0%nat + r 1%nat * x 1%nat + r 2%nat * x 2%nat -
+       (r 3%nat * x 3%nat + r 4%nat * x 4%nat + r 5%nat * x 5%nat)) by lra.
+     replace by_ with (ay + r 0%nat * y 0%nat + r 1%nat * y 1%nat + r 2%nat * y 2%nat -
+       (r 3%nat * y 3%nat + r 4%nat * y 4%nat + r 5%nat * y 5%nat)) by lra.
+     replace bz with (az + r 0%nat * z 0%nat + r 1%nat * z 1%nat + r 2%nat * z 2%nat -
+       (r 3%nat * z 3%nat + r 4%nat * z 4%nat + r 5%nat * z 5%nat)) by lra.
+     unfold along, triple. ring. }
+assert (one : forall k, Rabs (r k * along (x k) (y k) (z k)) <= Rabs (along (x k) (y k) (z k))).
+{ intros k. rewrite Rabs_mult. pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos (along (x k) (y k) (z k))) (B k)). lra. }
+pose proof (abs_le _ _ (one 0%nat)). pose proof (abs_le _ _ (one 1%nat)). pose proof (abs_le _ _ (one 2%nat)).
+pose proof (abs_le _ _ (one 3%nat)). pose proof (abs_le _ _ (one 4%nat)). pose proof (abs_le _ _ (one 5%nat)).
+unfold six. apply le_abs. lra.
+Qed.
+
 (* rule (5): seven roundings that are not shared, fourteen in the bound *)
 Lemma obb_enough u j T X : 0 < u <= 1/1024 -> (j <= 7)%nat -> 0 <= T <= X ->
   (1 + u) * ((1 + u) ^ j - 1) * T <= (1 - u) ^ 14 * (relative 16 384 u * X).
@@ -292,37 +330,10 @@ Qed.
 (* where it separates, the boxes have no common point *)
 Theorem obb_axis_separates v w others : obb_axes F R M x y z wx wy wz sizes sum ->
   obb_axis F R M x y z wx wy wz sizes sum v w others positive -> (v < 6)%nat -> (w < 6)%nat -> different others ->
-  rest v w others -> ~ exists r, (forall k, Rabs (r k) <= 1) /\
-    ax + r 0%nat * x 0%nat + r 1%nat * x 1%nat + r 2%nat * x 2%nat =
-      bx + r 3%nat * x 3%nat + r 4%nat * x 4%nat + r 5%nat * x 5%nat /\
-    ay + r 0%nat * y 0%nat + r 1%nat * y 1%nat + r 2%nat * y 2%nat =
-      by_ + r 3%nat * y 3%nat + r 4%nat * y 4%nat + r 5%nat * y 5%nat /\
-    az + r 0%nat * z 0%nat + r 1%nat * z 1%nat + r 2%nat * z 2%nat =
-      bz + r 3%nat * z 3%nat + r 4%nat * z 4%nat + r 5%nat * z 5%nat.
+  rest v w others -> ~ exists r, (forall k, Rabs (r k) <= 1) /\ common_point x y z ax ay az bx by_ bz r.
 Proof.
-intros S A V W D C (r & B & X & Y & Z). destruct (obb_axis_right v w others positive S A V W D) as [Q _].
-specialize (Q eq_refl). clear S A WX WY WZ.
-set (along := triple (x v) (y v) (z v) (x w) (y w) (z w)) in Q.
-pose proof (six_of_all (fun k => Rabs (along (x k) (y k) (z k))) v w others (fun k => Rabs_pos _)) as P. cbv beta in P.
-specialize (P ltac:(replace (along _ _ _) with 0 by (unfold along, triple; ring); apply Rabs_R0)
-  ltac:(replace (along _ _ _) with 0 by (unfold along, triple; ring); apply Rabs_R0) C).
-enough (Rabs (along (bx - ax) (by_ - ay) (bz - az)) <= six (fun k => Rabs (along (x k) (y k) (z k)))) by lra.
-replace (along (bx - ax) (by_ - ay) (bz - az)) with
-  (r 0%nat * along (x 0%nat) (y 0%nat) (z 0%nat) + r 1%nat * along (x 1%nat) (y 1%nat) (z 1%nat) +
-   r 2%nat * along (x 2%nat) (y 2%nat) (z 2%nat) - (r 3%nat * along (x 3%nat) (y 3%nat) (z 3%nat) +
-   r 4%nat * along (x 4%nat) (y 4%nat) (z 4%nat) + r 5%nat * along (x 5%nat) (y 5%nat) (z 5%nat))).
-2: { replace bx with (ax + r 0%nat * x 0%nat + r 1%nat * x 1%nat + r 2%nat * x 2%nat -
-       (r 3%nat * x 3%nat + r 4%nat * x 4%nat + r 5%nat * x 5%nat)) by lra.
-     replace by_ with (ay + r 0%nat * y 0%nat + r 1%nat * y 1%nat + r 2%nat * y 2%nat -
-       (r 3%nat * y 3%nat + r 4%nat * y 4%nat + r 5%nat * y 5%nat)) by lra.
-     replace bz with (az + r 0%nat * z 0%nat + r 1%nat * z 1%nat + r 2%nat * z 2%nat -
-       (r 3%nat * z 3%nat + r 4%nat * z 4%nat + r 5%nat * z 5%nat)) by lra.
-     unfold along, triple. ring. }
-assert (one : forall k, Rabs (r k * along (x k) (y k) (z k)) <= Rabs (along (x k) (y k) (z k))).
-{ intros k. rewrite Rabs_mult. pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos (along (x k) (y k) (z k))) (B k)). lra. }
-pose proof (abs_le _ _ (one 0%nat)). pose proof (abs_le _ _ (one 1%nat)). pose proof (abs_le _ _ (one 2%nat)).
-pose proof (abs_le _ _ (one 3%nat)). pose proof (abs_le _ _ (one 4%nat)). pose proof (abs_le _ _ (one 5%nat)).
-unfold six. apply le_abs. lra.
+intros S A V W D C. destruct (obb_axis_right v w others positive S A V W D) as [Q _].
+exact (separated _ _ _ _ _ _ _ _ _ _ _ _ C (Q eq_refl)).
 Qed.
 End Axes.
 End Obb.

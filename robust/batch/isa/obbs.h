@@ -5,7 +5,8 @@
 #include "robust/batch/isa/vectors.h"
 #include "robust/kernel/solids/axes_of_boxes.h"
 
-/// The filter of two parallelepipeds: the model and the constants of kernels.h. Not proved by machine.
+/// The filter of two parallelepipeds: the model and the constants of kernels.h. Proved by machine from this text
+/// (robust/proofs/lane_obb.v, lane_obb_axes.v), with the theorem that all axes together decide (zonotope.v).
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -28,8 +29,9 @@ constexpr Axes axes;
 /// With |x| for the sum of a vector's magnitudes, let S = |d| + the sum of |g| over all six. Every value is off by less
 /// than 7 v |e| |f| S: a product of three coordinates goes through a difference, a product and a difference in n, a
 /// product and two sums, or through one difference less and two sums more; the last difference cannot make a sign
-/// wrong. C = 8 v. The product of sizes is 2^-1000 too large, which covers underflow in n. No product of three or sum
-/// of such overflows unless the 2^8 times larger size does, and every number is in S.
+/// wrong. C = 8 v, though the size goes through 16 roundings. The product of sizes is 2^-1000 too large, which covers
+/// underflow in n. No product of three or sum of such overflows unless the 2^8 times larger size does, and every number
+/// is in S.
 ///
 /// An axis that is exactly zero separates nothing and is left out: each product in it has a factor 0, or the edges are
 /// equal or opposite. Half axes that may be dependent are left to other stages.

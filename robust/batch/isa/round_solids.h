@@ -5,7 +5,8 @@
 #include "robust/batch/isa/vectors.h"
 
 /// Filters of round convex solids, as robust/kernel/enclosed/round_solids.h has them for one question: a guess of the
-/// nearest points, and certain signs that prove it. Not proved by machine.
+/// nearest points, and certain signs that prove it. What the signs say is proved by machine from this text, whatever is
+/// guessed (robust/proofs/lane_cores.v, lane_sphere_obb.v, lane_capsules.v).
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -94,7 +95,8 @@ template <std::size_t n, bool symmetric>
 struct Cores {
   InSpace way, edges[n];
 
-  /// The contact of the solids, `reach` being the sum of their radii, each of which is more than 0; t is the guess.
+  /// The contact of the solids, `reach` being the sum of their radii, each of which is more than 0; t is the guess, any
+  /// numbers, which are brought into their intervals before anything is concluded.
   ///
   /// A displacement shorter than the reach proves that they overlap, for any t_k in their intervals. If the way leads
   /// farther along some direction than the edges and the reach together, they are disjoint; the direction is the
@@ -116,6 +118,7 @@ struct Cores {
     Mask near = 0, apart = 0;
     for (int turn = 0; turn < turns && ((near | apart | ~moderate) & all_lanes) != all_lanes; ++turn) {
       approach(t, turn);
+      for (Lanes& part : t) part = moved(part);
       const InSpace between = displacement(t);
       const Lanes square = dot(between, between);
       Lanes gap = dot(between, way);
