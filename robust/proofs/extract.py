@@ -7,7 +7,7 @@
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
 own text. Text that this does not understand is an error, never left out. enclosed.py does the same for enclosed.h and
-push.h; lane_text.py, lane_shapes.py, lane_solids.py and lane_close.py do it for arrays.
+push.h; lane_text.py, lane_shapes.py, lane_solids.py, lane_linear.py and lane_close.py do it for arrays.
 """
 import hashlib
 import pathlib
@@ -16,6 +16,7 @@ import sys
 
 import enclosed
 import lane_close
+import lane_linear
 import lane_shapes
 import lane_solids
 import lane_text
@@ -255,7 +256,8 @@ def all_of(root):
         "filters": HEAD.replace("Import model.", "Import model constants.") + "\n".join(d for _, d, _ in found) + "\n"}
     files["enclosed"], others = enclosed.all_of(root)
     for name, reader in (("lane_filters", lane_text), ("lane_shape_filters", lane_shapes),
-                         ("lane_solid_filters", lane_solids), ("lane_close_filters", lane_close)):
+                         ("lane_solid_filters", lane_solids), ("lane_linear_filters", lane_linear),
+                         ("lane_close_filters", lane_close)):
         files[name], lanes = reader.all_of(root)
         others += lanes
     return files, found + [(name, definition, digest(parts)) for name, definition, parts in others]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Filters of robust/batch/isa for boxes with any half axes and for round solids, as Coq functions.
 
-What ObbObb computes along one axis is a function of the numbers of its edges, and all axes are a list. What Cores
-proves from one guess is a function of the guess, which may be any numbers: the text that guesses is not read, only
-that it says nothing of what is proved. See extract.py; lane_shapes.py does the other filters.
+ObbObb is read along one axis, as a function of the numbers of its edges, and all axes are a list. Cores is read for one
+guess, as a function of the guess, which may be any numbers: the text that guesses is not read, only that it says
+nothing of what is proved. See extract.py; lane_shapes.py does the other filters.
 """
 import re
 from pathlib import Path
@@ -51,7 +51,7 @@ XYZ = "xyz"
 
 
 class Index(str):
-    """Of an edge, as a natural number."""
+    """The index of an edge, as a natural number."""
 
 
 class Edges:

@@ -33,7 +33,7 @@ RESERVED = {*FUNCTIONS.values(), "plus", "minus", "times", "number", "fused", "v
 TRUTHS = {"above", "not_below", "equal", "negative"}
 OPERATORS = {"+": "plus", "-": "minus", "*": "times"}
 TOKEN = re.compile(r"\s*(0x[0-9a-f.]+p-?\d+|\d+|[A-Za-z_]\w*(?:::\w+)*"
-                   r"|\+=|&=|\|=|==|&&|\+\+|[-+*/%(){}\[\],;<>=&|?:.~])")
+                   r"|\+=|&=|\|=|\^=|==|&&|\+\+|[-+*/%(){}\[\],;<>=&|?:.~^])")
 
 
 def text_of_lanes(root):
@@ -190,7 +190,7 @@ class Body(Tokens):
         return {k: x for k, x in made.items() if k not in self.run.source.constants}
 
     def expression(self, level=0):
-        levels = [("?",), ("&&",), ("|",), ("&",), ("==",), ("+", "-"), ("*", "%")]
+        levels = [("?",), ("&&",), ("|",), ("^",), ("&",), ("==",), ("+", "-"), ("*", "%")]
         if level == len(levels):
             return self.unary()
         left = self.expression(level + 1)

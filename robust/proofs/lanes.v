@@ -14,6 +14,8 @@ Definition minus : float -> float -> float := Bminus mode_NE.
 Definition times : float -> float -> float := Bmult mode_NE.
 Definition multiply_add (fused : bool) a b c := if fused then Bfma mode_NE a b c else plus (times a b) c.
 Definition size (x : float) : float := Babs x.
+Definition negated (x : float) : float := Bopp x.
+Definition infinity : float := B754_infinity false.
 Definition above (x y : float) := match Bcompare x y with Some Gt => true | _ => false end.
 Definition not_below (x y : float) := match Bcompare x y with Some Gt => true | Some Eq => true | _ => false end.
 Definition equal (x y : float) := match Bcompare x y with Some Eq => true | _ => false end.

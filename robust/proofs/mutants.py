@@ -9,6 +9,7 @@ import tempfile
 import enclosed
 import extract
 import lane_close
+import lane_linear
 import lane_shapes
 import lane_solids
 import lane_text
@@ -20,7 +21,7 @@ ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 
 MULTIPLE = re.compile(r"above\((\d+) \* B::u\)")
 LEAST = re.compile(r"least\(\) \{ return Format::above\(power_of_two\(-(\d+)")
-UNITS_OF_LANES = re.compile(r"(\d+) \* v\b")
+UNITS_OF_LANES = re.compile(r"(\d+) \* (?=v\b|size \*)")
 # For the filters of arrays: the other choice, 0 taken for positive, an answer turned over, numbers that may be infinite.
 OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.compile(r"\bgreater\("), "lesser("),
             ("flipped", re.compile(r"\babove\((?=\w+(?:\([\w, ]*\))?, same\(0\)\))"), "not_below("),
@@ -37,8 +38,14 @@ OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.c
             ("left out", re.compile(r" \+ same\(tiny\)"), ""),
             ("flipped", re.compile(r"known & ~below, known & below"), "known & below, known & ~below"),
             ("flipped", re.compile(r"(?<=ca\.positive\)) & "), " | "),
-            ("left out", re.compile(r"(?<=edges\.inside) & ~apart"), "")]
-HEADERS_OF_LANES = lane_text.HEADERS + lane_solids.HEADERS + lane_close.HEADERS
+            ("left out", re.compile(r"(?<=edges\.inside) & ~apart"), ""),
+            # of linear functions: signs of their numbers, corners of the box, NaN, the other side of a shape
+            ("flipped", re.compile(r"-(?=\(along_x|constant)"), ""),
+            ("flipped", re.compile(r"std::min\(least"), "std::max(least"),
+            ("left out", re.compile(r"std::min\(std::numeric_limits<double>::infinity\(\), (?=other)"), "("),
+            ("left out", re.compile(r"same\(0\) - (?=error|point\.error)"), ""),
+            ("flipped", re.compile(r"(?<=beyond) \| (?=outside)"), " & ")]
+HEADERS_OF_LANES = lane_text.HEADERS + lane_solids.HEADERS + lane_linear.HEADERS + lane_close.HEADERS
 TEXTS = source.READ + enclosed.HEADERS + HEADERS_OF_LANES
 
 

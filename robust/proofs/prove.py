@@ -29,6 +29,7 @@ sys.dont_write_bytecode = True
 import enclosed
 import extract
 import lane_close
+import lane_linear
 import lane_shapes
 import lane_solids
 import lane_text
@@ -38,7 +39,7 @@ SKIPPED = 77  # for CTest
 SHARE = {"cross_sign", "orientation", "elevation", "plane"}
 KINDS = ("right", "binary64", "runs")
 OF_REALS = {"crossings"}  # not yet on all of binary64
-OF_LANES = lane_text.NAMES | lane_shapes.NAMES | lane_solids.NAMES | lane_close.NAMES
+OF_LANES = lane_text.NAMES | lane_shapes.NAMES | lane_solids.NAMES | lane_linear.NAMES | lane_close.NAMES
 OTHERS = ["segments_meet", "ray_meets", "obb_axis_separates", "in_space", "point_in_obb_solid", "zero_is_positive",
           "rounds_to_nearest_right", "gradual_computes", "flushed_computes"]
 HERE = pathlib.Path(__file__).resolve().parent

@@ -7,7 +7,11 @@
 /// Points against a shape that all rows share, by one linear function for each of its edges or faces: of the point's
 /// displacement from the least corner of the least box around the shape (robust/batch/isa/linear_numbers.h). A value
 /// that exceeds the error, which is the same for all, has the sign of the exact one. A point outside of the box is
-/// outside of the shape, by comparisons. Not proved by machine.
+/// outside of the shape, by comparisons.
+///
+/// Proved by machine from this text: that this holds for each edge and face (robust/proofs/lane_linear_sides.v), and
+/// what a filter that is sure says of all of them (lane_rings.v, lane_solids.v): that a point is outside of the box, on
+/// which sides it lies, or how many edges or faces near it the ray crosses. Argued here: what follows for the shape.
 namespace touchstone::robust::batch::isa {
 namespace {
 

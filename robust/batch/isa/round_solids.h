@@ -5,7 +5,7 @@
 #include "robust/batch/isa/vectors.h"
 
 /// Filters of round convex solids, as robust/kernel/enclosed/round_solids.h has them for one question: a guess of the
-/// nearest points, and certain signs that prove it. What the signs say is proved by machine from this text, whatever is
+/// nearest points, and certain signs that prove it. The signs are proved by machine from this text, whatever is
 /// guessed (robust/proofs/lane_cores.v, lane_sphere_obb.v, lane_capsules.v).
 namespace touchstone::robust::batch::isa {
 namespace {
