@@ -77,8 +77,8 @@ struct Differences {
   /// The guess alone.
   std::array<double, n> guess() const {
     std::array<double, n> t = first_guess();
-    for (int turn = 0; turn < turns && approach(t); ++turn) {
-    }
+    for (int turn = 0; turn < turns && approach(t); ++turn)
+      if (turn > 0) leap(t);
     return t;
   }
 
