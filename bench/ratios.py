@@ -247,7 +247,7 @@ def draw_picture(file, words, timed):
 
 @dataclasses.dataclass
 class Run:
-    """What was timed where: {program: {group: Times}}. The load when it began, and the repetitions, are the worst of its parts."""
+    """The times that were measured there, {program: {group: Times}}; load at the start and repetitions of the worst part."""
     circumstances: str
     load: float
     repetitions: int

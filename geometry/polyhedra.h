@@ -27,9 +27,9 @@ struct Face {
 /// two others, and the ring may run along one bridge in both directions, as around a hole. It may return to a position,
 /// but not cross itself, nor touch one of its edges but in a corner. A cut is valid if it covers that area: its
 /// triangles are over corners of the polygon and have areas, all turned as the polygon is, no interior point in common,
-/// and no corner of it but their own. Every valid cut gives the same answers. A triangle is cut into itself, its corners
-/// in the order in which it names them. Where two corners name different vertices in one position, as two sides of a
-/// bridge may, each triangle names the one on its own side.
+/// and no corner of it but their own. Every valid cut gives the same answers. A polygon that is a triangle is its own
+/// cut, with its corners in the same order. Where two corners name different vertices in one position, as two sides of
+/// a bridge may, each triangle names the one on its own side.
 template <class Real>
 struct Mesh {
   std::vector<Point3<Real>> vertices;

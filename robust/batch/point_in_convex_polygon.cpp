@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/batch/point_in_convex_polygon.h"
 
-#include "robust/batch/isa/ring.h"
+#include "robust/batch/shapes/ring.h"
 #include "robust/batch/point_in_polygon.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/validation.h"
-#include "robust/batch/isa/linear_numbers.h"
+#include "robust/batch/shapes/linear_numbers.h"
 #include "robust/batch/isa/run.h"
 #include "robust/batch/point_in_polyhedron.h"
 #include "robust/kernel/shapes/face_side.h"

@@ -2,7 +2,7 @@
 #include "robust/batch/point_in_polyhedron.h"
 
 #include "geometry/validation.h"
-#include "robust/batch/isa/linear_numbers.h"
+#include "robust/batch/shapes/linear_numbers.h"
 #include "robust/batch/isa/run.h"
 #include "robust/kernel/solids/closed_mesh.h"
 #include "robust/polyhedra/point_in_polyhedron.h"

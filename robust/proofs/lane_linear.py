@@ -8,7 +8,7 @@ import lane_text
 from lane_shapes import Reader, Shapes
 from lane_text import Run, Source, Term, Truth
 
-HEADERS = [f"robust/batch/isa/{name}.h" for name in ("linear", "linear_numbers", "solid", "filters")]
+HEADERS = [f"robust/batch/{name}.h" for name in ("isa/linear", "shapes/linear_numbers", "isa/solid", "isa/filters")]
 INFINITY = "std::numeric_limits<double>::infinity()"
 FUNCTIONS = {"std::min": "lesser", "std::max": "greater_of"}  # of the second and the first
 
@@ -267,7 +267,7 @@ NAMES = {"lane_line", "lane_plane"} | {name for name, *_ in FOLDS}
 
 
 def fold(shapes, name, owner, dimensions, pointers, other):
-    """What a filter starts from, what it goes on with from one edge or face to the next, and what it answers."""
+    """The start of a filter, its step from one edge or face to the next, and its answer."""
     kind, parameters, text = shapes.function(owner, "filtered")
     for before, after in other.items():
         if text.count(before) != 1:

@@ -12,7 +12,7 @@ import lane_text
 from lane_text import Body, Run, Source, Term, Truth
 
 HEADERS = ["robust/batch/isa/triangles.h", "robust/batch/isa/beside.h"]
-NUMBERS = "robust/batch/isa/faces.h"  # what a convex solid's faces are to beside.h
+NUMBERS = "robust/batch/shapes/faces.h"  # what a convex solid's faces are to beside.h
 SPACE = "geometry/space.h"
 HEAD = lane_text.HEAD.replace("Import floats lanes.", "Import floats lanes lane_filters.")
 # Definition, class, method or None, its arguments.

@@ -13,7 +13,7 @@ namespace {
 
 /// The side of a face on which a point lies; positive is the side to which the normal points. Its numbers are a corner
 /// a, the normal n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from
-/// there (robust/batch/isa/faces.h).
+/// there (robust/batch/shapes/faces.h).
 ///
 /// As for FacePlane of robust/kernel/filters/face_filter.h: a product of n . (p - a) goes through eight roundings, the
 /// last of which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes

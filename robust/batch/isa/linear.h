@@ -5,7 +5,7 @@
 #include "robust/batch/isa/solid.h"
 
 /// Points against a shape that all rows share, by one linear function for each of its edges or faces: of the point's
-/// displacement from the least corner of the least box around the shape (robust/batch/isa/linear_numbers.h). A value
+/// displacement from the least corner of the least box around the shape (robust/batch/shapes/linear_numbers.h). A value
 /// that exceeds the error, which is the same for all, has the sign of the exact one. A point outside of the box is
 /// outside of the shape, by comparisons.
 ///
@@ -36,7 +36,7 @@ struct Framed {
 
   Lanes at(const double* numbers) const { return linear<dimensions>(numbers, d); }
 
-  /// Of the points p, those beyond the box, and the others that are sure.
+  /// Known are the points p beyond the box, and the others that are sure.
   Located located(const Lanes* p, Mask sure, Mask outside) const {
     return {finite<dimensions>(p) & (beyond | sure), beyond | outside, 0};
   }

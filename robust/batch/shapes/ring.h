@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/validation.h"
-#include "robust/batch/isa/linear_numbers.h"
+#include "robust/batch/shapes/linear_numbers.h"
 #include "robust/batch/isa/run.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/prepared/polygon.h"

@@ -6,14 +6,16 @@
 #include <limits>
 #include <vector>
 
-#include "robust/batch/isa/faces.h"
+#include "robust/batch/shapes/faces.h"
 
-/// The linear functions of a point that robust/batch/isa/linear.h reads, one for each edge of a ring or face of a solid,
-/// and their frame: the least corner o of the least box around the shape, its greatest corner, and the error of all.
+/// The linear functions of a point that robust/batch/isa/linear.h reads, one for each edge of a ring or face of a
+/// solid, and their frame: the least corner o of the least box around the shape, its greatest corner, and the error of
+/// all.
 ///
 /// With the extents X, Y and Z of the box as computed, and v = 2^-53. Let p be a point in the box and a a vertex. As
-/// rounding is monotone, no coordinate of p - o, of a - o, or of an edge exceeds the extent; each is off by v of itself.
-/// Proved by machine, which counts less closely: 24 v X Y for an edge, 22 v T for a face (robust/proofs/lane_linear.v).
+/// rounding is monotone, no coordinate of p - o, of a - o, or of an edge exceeds the extent; each is off by v of
+/// itself. Proved by machine, which counts less closely: 24 v X Y for an edge, 22 v T for a face
+/// (robust/proofs/lane_linear.v).
 ///
 /// The turn of an edge from a to b about p is A (p - o).x + B (p - o).y + C with A = a.y - b.y, B = b.x - a.x and C =
 /// -A (a - o).x - B (a - o).y; no product of these exceeds X Y. In units of v X Y: C is off by 3 for each product, and
@@ -21,8 +23,8 @@
 /// and C = 32 v pays for terms of higher order.
 ///
 /// The volume of a face's corners and p is n . (p - o) - n . (a - o). For a coordinate of n let t be the sum of the
-/// magnitudes of its two products: it is off by 4 v t. Let T be t . (X, Y, Z). In units of v T: the products of n . (a -
-/// o) are off by 6, its sums by 2; the products of the value by 6, its sums by 2 each. That is 20 at most. C = 32 v.
+/// magnitudes of its two products: it is off by 4 v t. Let T be t . (X, Y, Z). In units of v T: the products of n . (a
+/// - o) are off by 6, its sums by 2; the products of the value by 6, its sums by 2 each. That is 20 at most. C = 32 v.
 ///
 /// Products that underflow are off by 2^-1075 each, in n times an extent; t and the error are 2^-1000 too large, which
 /// pays for all. Nothing overflows where eight times X Y or T does not, and the error is infinite or NaN otherwise.
