@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The linear functions of linear_numbers.h and linear.h, as Coq functions: their numbers, their values, what a filter
 keeps of them from one edge or face to the next, and what it answers. See lane_shapes.py.
+
+Not read are the order in which numbers stand in memory and what SignBits does, which the text of both headers says. It
+is reviewed with each filter.
 """
 import re
 
@@ -41,7 +44,7 @@ class Linear(Shapes):
     def __init__(self, root):
         source = Source(root)
         super().__init__(source, root)
-        self.counts = {"dimensions": 0}
+        self.counts = {}
         for name in HEADERS:
             text = re.sub(r"//.*|^inline ", "", (root / name).read_text(encoding="utf-8"), flags=re.M)
             text = text.replace("linear<2>", "linear_in_plane").replace(INFINITY, "infinity")
@@ -52,7 +55,8 @@ class Linear(Shapes):
             for constants in re.findall(r"^constexpr std::size_t (of_.*?);", text, re.M | re.S):
                 for constant in constants.split(","):
                     name, value = constant.split("=")
-                    self.counts[name.strip()] = eval(value, {}, self.counts)  # of digits, names, + and *
+                    if "dimensions" not in value:
+                        self.counts[name.strip()] = eval(value, {}, self.counts)  # of digits, names, + and *
         self.text = self.text.replace("<dimensions>", "")
 
 
@@ -69,7 +73,7 @@ class Lines(Reader):
         if self.peek() == "SignBits":
             self.tokens.insert(self.at, "const")
         if self.peek() == "if" and self.tokens[self.at + 4:self.at + 8] == ["0", ")", "continue", ";"]:
-            self.run.skipped = self.run.scope[self.peek(2)]  # only where it is so in all lanes
+            self.run.skipped = self.run.scope[self.peek(2)], dict(self.run.scope)  # only where it is so in all lanes
             self.at += 8
         elif re.fullmatch(r"\w+", self.peek()) and self.peek(1) in ("=", "^="):  # one or more assignments
             while True:
@@ -274,7 +278,6 @@ def fold(shapes, name, owner, dimensions, pointers, other):
             raise SystemExit(f"{owner}: {before}")
         text = text.replace(before, after)
     (loop,) = LOOP.finditer(text)
-    layout = LAYOUT.findall(text[:loop.start()])
     head, tail = LAYOUT.sub("", text[:loop.start()]), text[loop.end():]
     d, p = names_of("d", dimensions), names_of("p", dimensions)
     rows = {x: names_of(letter, eval(count, {}, shapes.counts)) for x, (letter, count) in pointers.items()}
@@ -299,10 +302,13 @@ def fold(shapes, name, owner, dimensions, pointers, other):
     one, scope = define("next", after_one)
     text = body + "".join(f"{step};\n" for step in steps.split(", ")[1:])
     after = one.reader.call(text, scope, kind, (owner, {}))
+    if any(scope[x].left == after_one for x in rows):
+        raise SystemExit(f"{owner}: the steps from one edge or face to the next")
     result = tuple_of([after[x] for x in state])
     if one.run.skipped:
+        bit, before = one.run.skipped
         one.bits = [*one.bits, "others"]
-        result = f"if others || {one.run.skipped} then {result} else {tuple_of(list(state))}"
+        result = f"if others || {bit} then {result} else {tuple_of([before[x] for x in state])}"
     yield one.text(result, kind_of(state))
     one, scope = define("answer", True)
     found = one.reader.call(tail, scope, kind, (owner, {}))["return"]

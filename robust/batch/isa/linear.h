@@ -9,9 +9,10 @@
 /// that exceeds the error, which is the same for all, has the sign of the exact one. A point outside of the box is
 /// outside of the shape, by comparisons.
 ///
-/// Proved by machine from this text: that this holds for each edge and face (robust/proofs/lane_linear_sides.v), and
-/// what a filter that is sure says of all of them (lane_rings.v, lane_solids.v): that a point is outside of the box, on
-/// which sides it lies, or how many edges or faces near it the ray crosses. Argued here: what follows for the shape.
+/// Proved by machine from this text: that this holds for each edge and face (robust/proofs/lane_linear_sides.v); what a
+/// filter that is sure says of all of them (lane_rings.v, lane_solids.v); that a point is in the hull of a convex ring,
+/// or not, and not in that of a convex solid (lane_hulls.v); whether the ray meets an odd number of a solid's faces
+/// (lane_rays.v).
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -36,7 +37,7 @@ struct Framed {
 
   Lanes at(const double* numbers) const { return linear<dimensions>(numbers, d); }
 
-  /// Known are the points p beyond the box, and the others that are sure.
+  /// Knows the points p that are beyond the box, and the others that are sure.
   Located located(const Lanes* p, Mask sure, Mask outside) const {
     return {finite<dimensions>(p) & (beyond | sure), beyond | outside, 0};
   }
