@@ -172,17 +172,17 @@ Theorem solid_counts fused faces (p0 p1 p2 : float) boxes others : Forall valid_
 Proof.
 intros F O B. assert (W := lane_solid_right fused faces p0 p1 p2 F boxes others O).
 destruct (solid fused faces p0 p1 p2 boxes others) as [known outside]. intros K.
-destruct (W K) as (P0 & P1 & P2 & [W'|(low & L & E & ->)]); [now left|]. right. clear W K.
-rewrite Forall_forall in O, B, L, E.
-assert (C : forall f, In f faces -> ((near_face p0 p1 p2 boxes f && crosses_face p0 p1 p2 low f = true) <->
+destruct (W K) as (P0 & P1 & P2 & [W'|(low & looked & L & M & E & ->)]); [now left|]. right. clear W K.
+rewrite Forall_forall in O, B, L, M, E.
+assert (C : forall f, In f faces -> ((looked f && crosses_face p0 p1 p2 low f = true) <->
   meets f p0 p1 p2) /\ ~ hull_3 (corners f) p0 p1 p2).
-{ intros f I. destruct (near_face p0 p1 p2 boxes f) eqn:N; cbn [andb].
+{ intros f I. destruct (looked f) eqn:N; cbn [andb].
   - destruct (E f I N) as [T S]. apply crosses_says; [exact (O f I)| |exact T|exact S].
     apply Forall_forall. intros c V. apply L. apply in_flat_map. now exists f.
-  - assert (M := fun t => not_near_misses boxes f p0 p1 p2 t (B f I) P0 P1 P2 N). split.
-    + split; [discriminate|]. intros (t & T & H). now destruct (M t T).
-    + intros H. apply (M 0 (Rle_refl 0)). now rewrite Rplus_0_r. }
+  - assert (A := fun t => not_near_misses boxes f p0 p1 p2 t (B f I) P0 P1 P2 (M f I N)). split.
+    + split; [discriminate|]. intros (t & T & H). now destruct (A t T).
+    + intros H. apply (A 0 (Rle_refl 0)). now rewrite Rplus_0_r. }
 split; [apply Forall_forall; intros f I; now apply C|].
-exists (fun f => near_face p0 p1 p2 boxes f && crosses_face p0 p1 p2 low f). split; [|reflexivity].
+exists (fun f => looked f && crosses_face p0 p1 p2 low f). split; [|reflexivity].
 apply Forall_forall. intros f I. now apply C.
 Qed.

@@ -159,7 +159,7 @@ split; intros O.
 Qed.
 
 (* A closed mesh: whether the ray to +x crosses a face, from its edges as seen along x, and from its side. The box
-   around a face is any numbers, and others is any bit: whether a face is near a point in another lane. *)
+   around a face is any numbers, and others is any bit: whether another lane's point is close to the line of an edge. *)
 Variables (boxes : face -> float * float * float * float * float) (others : face -> bool).
 Definition seen (c : corner) : point := let '(_, y, z) := c in (y, z).
 Definition edges_of (f : face) := let '(a, b, c, _) := f in [(seen a, seen b); (seen b, seen c); (seen c, seen a)].
@@ -193,14 +193,14 @@ Definition contains_computed f := fold_left xorb (map counted_turn (edges_of f))
 Definition left_computed f := existsb (fun e => counted_turn e && negb (negative_lane (value_of_turn e))) (edges_of f).
 Definition least_turn f : float :=
   fold_left lesser (map (fun e => size (value_of_turn e)) (edges_of f)) (number 9007199254740991 971).
-Definition adds f := near_face f &&
-  (contains_computed f && negb (xorb (left_computed f) (negative_lane (value_of_face f)))).
-Definition opens f := near_face f && (negb (above (least_turn f) error_of_turns) ||
-  (contains_computed f && negb (above (size (value_of_face f)) error))).
+Definition close f := negb (above (least_turn f) error_of_turns).
+Definition adds f := contains_computed f && negb (xorb (left_computed f) (negative_lane (value_of_face f))) &&
+  negb (close f).
+Definition opens f := contains_computed f && negb (above (size (value_of_face f)) error) || close f && near_face f.
 Lemma next_is odd open f : next_face (odd, open) f = (xorb odd (adds f), open || opens f).
 Proof.
-unfold next_face, adds, opens, near_face, contains_computed, left_computed, least_turn, counted_turn, value_of_turn,
-  value_of_face.
+unfold next_face, adds, opens, close, near_face, contains_computed, left_computed, least_turn, counted_turn,
+  value_of_turn, value_of_face.
 destruct f as [[[[[a0 a1] a2] [[b0 b1] b2]] [[c0 c1] c2]] o].
 set (numbers := numbers_of_face _). clearbody numbers. destruct numbers as [[[n9 n10] n11] n12].
 destruct (boxes _) as [[[[l1 h1] l2] h2] h0].
@@ -209,14 +209,12 @@ set (m0 := numbers_of_turn (seen (a0, a1, a2), seen (b0, b1, b2))).
 set (m1 := numbers_of_turn (seen (b0, b1, b2), seen (c0, c1, c2))).
 set (m2 := numbers_of_turn (seen (c0, c1, c2), seen (a0, a1, a2))). clearbody m0 m1 m2. cbn [seen fst snd].
 destruct m0 as [[n0 n1] n2], m1 as [[n3 n4] n5], m2 as [[n6 n7] n8].
-unfold lane_solid_next. cbv zeta. change (negative_lane (number 0 0)) with false. rewrite !andb_true_r. cbn [orb].
-rewrite !orb_false_r, !orb_assoc. unfold low, lower_of. cbn [fst snd].
-set (near := negb _).
-match goal with |- (if ?z || _ then (xorb odd (near && ?x), open || (near && ?y)) else _) = _ =>
-  set (X := x); set (Y := y); change ((if z || near then (xorb odd (near && X), open || (near && Y)) else (odd, open)) =
-    (xorb odd (near && X), open || (near && Y))) end.
-clearbody near X Y. destruct near; [now rewrite orb_true_r|]. cbn [andb]. rewrite xorb_false_r, !orb_false_r.
-now destruct (others _).
+unfold lane_solid_next, lane_linear_2, lane_linear_3. cbv zeta. change (negative_lane (number 0 0)) with false.
+rewrite !andb_true_r. cbn [orb]. rewrite !orb_false_r, !orb_assoc. unfold low, lower_of. cbn [fst snd].
+set (near := negb (above l1 p1 || _ || _ || _ || _)). clearbody near.
+match goal with |- (if others _ || negb ?z then _ else _) = _ => destruct z; cbn [negb andb] end.
+- rewrite ?orb_false_r, ?andb_true_r. now destruct (others _).
+- now rewrite orb_true_r, ?andb_false_r, ?orb_assoc.
 Qed.
 Lemma faces_folded fs : forall odd open, fold_left next_face fs (odd, open) =
   (fold_left xorb (map adds fs) odd, open || existsb opens fs).
@@ -272,13 +270,12 @@ Proof.
 induction l as [|x l IH]; intros H; [reflexivity|]. simpl. rewrite (H x (or_introl eq_refl)), IH; [reflexivity|].
 intros y Y. apply H. now right.
 Qed.
-Lemma near_right f : In f faces -> beyond = false -> finite p0 -> finite p1 -> finite p2 -> near_face f = true ->
+Lemma sure_right f : In f faces -> beyond = false -> finite p0 -> finite p1 -> finite p2 -> close f = false ->
   opens f = false -> Forall (fun e => turn_of e p1 p2 <> 0) (edges_of f) /\ contains_computed f = contains low f /\
   left_computed f = left_of low f /\ (contains low f = true -> side_of f p0 p1 p2 <> 0 /\
     negative_lane (value_of_face f) = Rlt_bool (side_of f p0 p1 p2) 0).
 Proof.
-intros I B P0 P1 P2 NF O. unfold opens in O. rewrite NF in O. cbn [andb] in O.
-apply orb_false_iff in O as [K S]. apply negb_false_iff in K.
+intros I B P0 P1 P2 K O. unfold opens in O. apply orb_false_iff in O as [S _]. apply negb_false_iff in K.
 assert (FE := above_bound _ _ K (error_of_turns_up f I)). assert (R := fun e E => turn_right f e I E B P1 P2 FE).
 assert (FM : finite (number 9007199254740991 971))
   by (destruct (number_value 9007199254740991 971) as [M _]; [lia|lia|exact M]).
@@ -309,12 +306,13 @@ Qed.
 Theorem lane_solid_right : let '(known, outside) := solid in known = true ->
   finite p0 /\ finite p1 /\ finite p2 /\
   ((outside = true /\ beyond_3 (all_corners faces) p0 p1 p2) \/
-   exists low : point -> bool,
+   exists (low : point -> bool) (looked : face -> bool),
      Forall (fun c => let v := seen c in (snd v < p2 -> low v = true) /\ (p2 < snd v -> low v = false))
        (all_corners faces) /\
-     Forall (fun f => near_face f = true -> Forall (fun e => turn_of e p1 p2 <> 0) (edges_of f) /\
+     Forall (fun f => looked f = false -> near_face f = false) faces /\
+     Forall (fun f => looked f = true -> Forall (fun e => turn_of e p1 p2 <> 0) (edges_of f) /\
        (contains low f = true -> side_of f p0 p1 p2 <> 0)) faces /\
-     outside = negb (fold_left xorb (map (fun f => near_face f && crosses_face low f) faces) false)).
+     outside = negb (fold_left xorb (map (fun f => looked f && crosses_face low f) faces) false)).
 Proof.
 unfold solid. change lane_solid_first with (false, false). rewrite faces_folded. cbn [orb].
 unfold lane_solid_answer. cbv zeta. intros [[[[_ K0]%andb_prop K1]%andb_prop K2]%andb_prop K]%andb_prop.
@@ -325,13 +323,16 @@ right. cbn [orb] in *. apply negb_true_iff in K.
 assert (Sure : forall f, In f faces -> opens f = false).
 { intros f I. apply not_true_is_false. intros T. apply not_true_iff_false in K. apply K. apply existsb_exists. now
   exists f. }
-exists low. split; [|split].
+exists low, (fun f => negb (close f)). split; [|split; [|split]].
 - apply Forall_forall. intros [[x y] z] V. assert (C := corners_finite). rewrite Forall_forall in C.
   destruct (C _ V) as (_ & _ & Z). apply difference_sign; assumption.
-- apply Forall_forall. intros f I NF. destruct (near_right f I B P0 P1 P2 NF (Sure f I)) as (T & _ & _ & S).
-  split; [exact T|]. intros C. now apply S.
-- do 2 f_equal. apply map_ext_in. intros f I. unfold adds, crosses_face. destruct (near_face f) eqn:NF; [|reflexivity].
-  destruct (near_right f I B P0 P1 P2 NF (Sure f I)) as (_ & C & L & S). cbn [andb]. rewrite C, L.
+- apply Forall_forall. intros f I N. apply negb_false_iff in N. specialize (Sure f I). unfold opens in Sure.
+  now apply orb_false_iff in Sure as [_ S]; rewrite N in S.
+- apply Forall_forall. intros f I N. apply negb_true_iff in N.
+  destruct (sure_right f I B P0 P1 P2 N (Sure f I)) as (T & _ & _ & S). split; [exact T|]. intros C. now apply S.
+- do 2 f_equal. apply map_ext_in. intros f I. unfold adds, crosses_face. rewrite andb_comm.
+  destruct (close f) eqn:N; [reflexivity|]. cbn [negb andb].
+  destruct (sure_right f I B P0 P1 P2 N (Sure f I)) as (_ & C & L & S). rewrite C, L.
   destruct (contains low f) eqn:T; [|reflexivity]. cbn [andb]. destruct (S eq_refl) as [_ ->]. reflexivity.
 Qed.
 End Solid.

@@ -124,9 +124,10 @@ struct ConvexSolidByPlanes : ConvexSolid {
   }
 };
 
-/// Casts the ray to +x from each point, as Solid does, but against all faces: the frame, the error of projected edges,
-/// and the functions of each face's projected edges and plane follow the numbers that Solid reads. A point on a face is
-/// in its plane, and within its projection or on the line of a projected edge.
+/// Casts the ray to +x from each point, as Solid does: the frame, the error of projected edges, and the functions of
+/// each face's projected edges and plane follow the numbers that Solid reads. A point on a face is within its
+/// projection and in its plane; or it is on the line of a projected edge, and then its turn is 0. A point near such a
+/// line counts no face whose box does not hold it, and is left to the other stages by the others.
 struct SolidByPlanes : Solid {
   static Located filtered(const Shared& shared, const Lanes* p) {
     const double* face = shared.numbers;
@@ -134,24 +135,25 @@ struct SolidByPlanes : Solid {
     const Framed<3> point(functions, p);
     const Lanes error_of_turns = same(functions[of_frame<3>]);
     functions += of_frame<3> + 1;
-    SignBits odd(same(0));
-    Mask open = 0;
+    Mask odd = 0, open = 0;
     for (std::size_t n = 0; n < shared.count; ++n, face += of_boxed_face, functions += 3 * of_line + of_plane) {
       const SignBits lower[] = {below(face[2], p), below(face[11], p), below(face[14], p)};
       SignBits crossed(same(0)), left = crossed;
-      Mask near = 0;
+      Lanes least = same(0x1.fffffffffffffp1023);
       for (std::size_t k = 0; k < 3; ++k) {
         const Lanes turn = linear<2>(functions + of_line * k, point.d + 1);
-        const SignBits right(turn), to = lower[(k + 1) % 3], crosses = lower[k] ^ to, counted = crosses & ~(right ^ to);
+        const SignBits right(turn), to = lower[(k + 1) % 3], counted = (lower[k] ^ to) & ~(right ^ to);
         crossed = crossed ^ counted, left = left | (counted & ~right);
-        const Mask close = ~above(magnitude(turn), error_of_turns);
-        near |= close, open |= close & crosses.set();
+        least = lesser(least, magnitude(turn));
       }
       const Lanes side = point.at(functions + 3 * of_line);
-      odd = odd ^ (crossed & ~(left ^ SignBits(side)));
-      open |= (near | crossed.set()) & ~above(magnitude(side), point.error);
+      const Mask close = ~above(least, error_of_turns) & all_lanes;
+      odd ^= (crossed & ~(left ^ SignBits(side))).set() & ~close;
+      open |= crossed.set() & ~above(magnitude(side), point.error);
+      if (close == 0) continue;
+      open |= close & ~beside(face + of_face, p);
     }
-    return point.located(p, ~open, ~odd.set());
+    return point.located(p, ~open, ~odd);
   }
 
  private:
