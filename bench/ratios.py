@@ -228,6 +228,8 @@ def arrays_from_python(build):
 
 def circumstances(build):
     """The compiler, its flags and the kind of processor."""
+    if not (build / "compile_commands.json").exists():
+        sys.exit(f"{build} has no build; ./dev bench makes one")
     commands = json.loads((build / "compile_commands.json").read_text())
     command = shlex.split(next(c["command"] for c in commands if c["file"].endswith("bench/operations.cpp")))
     flags = " ".join(word for word in command if re.match(r"-(O|f|m|std|DNDEBUG)", word))
@@ -255,7 +257,10 @@ class Run:
 
     @classmethod
     def read(cls, file):
-        run = cls(**json.loads(file.read_text()))
+        try:
+            run = cls(**json.loads(file.read_text()))
+        except (OSError, ValueError, TypeError) as why:
+            sys.exit(f"{file}: no times that --keep wrote: {why}")
         run.timed = {name: {group: Times(**times) for group, times in groups.items()} for name, groups in run.timed.items()}
         return run
 

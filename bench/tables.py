@@ -120,6 +120,9 @@ def main():
             if readme != readme_of(readme, tables):
                 found = ["bench/README.md: not what bench/tables.py --write makes"]
         else:
+            names = [table.name.split(",")[0] for table in tables]
+            for name in set(options.names) - set(names):
+                parser.error(f"{name} is none of the tables {', '.join(names)}")
             chosen = [table for table in tables if not options.names or table.name.split(",")[0] in options.names]
             print("\n\n".join(f"{table.measured}\n\n{table}" for table in chosen))
     print("\n".join(found), end="\n" if found else "")

@@ -23,7 +23,7 @@ _whole = -1  # instead of a number of axes: one array for all rows, a polygon or
 def use_threads(count: int) -> None:
     """Lets each later call of a decision over many rows use so many threads; 0 stands for as many as the machine runs at
     once. The answers are the same. At first it is 1. InvalidInput: `count` is no whole number, or less than 0."""
-    if not isinstance(count, (int, numpy.integer)) or count < 0:
+    if isinstance(count, bool) or not isinstance(count, (int, numpy.integer)) or count < 0:
         raise InvalidInput("count", f"a whole number, 0 or more, found {count!r}")
     _touchstone.use_threads(int(count))
 
@@ -90,6 +90,8 @@ def _array(value: Any, field: str) -> NDArray[numpy.float64]:
             value = numpy.array(value, dtype=numpy.float64)
         except (TypeError, ValueError, OverflowError) as error:
             raise InvalidInput(field, f"numbers: {error}") from None
+    if isinstance(value, numpy.ma.MaskedArray):
+        raise InvalidInput(field, "an array without a mask, whose hidden numbers would be asked")
     array = value if isinstance(value, numpy.ndarray) else numpy.asarray(value)
     if array.dtype != _float64:
         raise InvalidInput(field, f"an array of float64, found {array.dtype}; astype(float) makes a copy that is one")

@@ -39,7 +39,7 @@ class Truth:
                  decided. A length to a power that the contract names
     touch        whether the answer for open sets would be another
     certificate  what proves the answer: the kind, and named lists of Fractions or of certificates; None if not asked for
-    claim        all of this as a line of JSON, which certify() checks
+    claim        question, answer and certificate as a line of JSON, which certify() checks
     """
 
     operation: str

@@ -70,7 +70,7 @@ def mutants(root):
             yield "half", *other_text(found, other)
         code = re.sub("//.*", lambda comment: " " * len(comment[0]), text)
         for found in UNITS_OF_LANES.finditer(code if name in HEADERS_OF_LANES else ""):
-            yield "half", *other_text(found, f"{int(found[1]) // 2} * v")
+            yield "half", *other_text(found, f"{int(found[1]) // 2} * ")
         for kind, pattern, other in OF_LANES if name in HEADERS_OF_LANES else []:
             for found in pattern.finditer(code):
                 yield kind, *other_text(found, other)

@@ -17,6 +17,7 @@ const std::vector<Synonym>& synonyms() {
       {"box cast", {"swept_aabb_aabb", "swept_obb_obb", "swept_convex_polyhedra"}},
       {"bvh", {"bounding_volume_hierarchy", "sphere_hierarchy"}},
       {"capsule cast", {"swept_capsule_capsule", "swept_capsule_plane", "capsule_plane", "swept_sphere_plane"}},
+      {"capsule mesh", {"capsule_convex"}},
       {"ccd", {"swept_sphere_sphere", "swept_convex_polyhedra", "swept_aabb_aabb", "swept_obb_obb"}},
       {"ccw", {"orientation"}},
       {"circle", {"implicit_circle", "sphere_sphere", "ray_sphere", "segment_sphere", "sphere_aabb"}},

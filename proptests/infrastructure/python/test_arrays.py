@@ -319,6 +319,9 @@ def test_strides_and_rows_that_are_refused():
     assert refusal(touchstone.orientation, unaligned, numpy.zeros(2), numpy.zeros(2))[0] == "p0"
     assert refusal(touchstone.orientation, numpy.zeros((3, 2)), numpy.zeros((4, 2)), numpy.zeros(2)) == (
         "p0, p1, p", "as many rows in each array of these, or one, found 3, 4")
+    masked = numpy.ma.masked_array(numpy.zeros((4, 2)), True)
+    assert refusal(touchstone.orientation, numpy.zeros(2), numpy.zeros(2), masked) == (
+        "p", "an array without a mask, whose hidden numbers would be asked")
     assert refusal(touchstone.ray_aabb, (numpy.zeros(2), numpy.zeros(2)), numpy.zeros((4, 2, 3)))[0] == "rays.origin"
     assert refusal(touchstone.point_in_polygon, numpy.zeros((3, 3)), numpy.zeros((4, 2)))[0] == "polygon"
     assert refusal(touchstone.point_in_polygon, numpy.zeros((2, 2)), numpy.zeros((4, 2)))[0] == "polygon"

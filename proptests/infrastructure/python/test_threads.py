@@ -22,7 +22,7 @@ def test_threads_change_no_answer_and_no_error():
         touchstone.use_threads(1)
 
 
-@pytest.mark.parametrize("count", [-1, 1.5, "2", None])
+@pytest.mark.parametrize("count", [-1, 1.5, "2", None, True])
 def test_a_count_of_threads_that_is_none_is_refused(count):
     with pytest.raises(touchstone.InvalidInput, match="count: a whole number, 0 or more, found "):
         touchstone.use_threads(count)
