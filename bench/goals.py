@@ -50,6 +50,23 @@ def goals_of_arrays(timed):
     return found
 
 
+WORDS = {"avx512": "AVX-512", "avx2": "AVX2", "epick": "Epick", "naive": "naive", "naive_avx512": "naive in AVX-512",
+         "naive_avx2": "naive in AVX2", "read": "reading the same memory"}
+
+
+def table_of_arrays(timed):
+    """A row for each goal: how many operations meet it, and by how much the others miss it."""
+    rows = {}
+    for what, bound, sign, least, _ in goals_of_arrays(timed):
+        group, _, pair = what.partition(": ")
+        operation, data = group.removeprefix(ARRAYS).split("/")
+        above, below = (WORDS[name] for name in pair.split(" / "))
+        met, missed = rows.setdefault((f"{above} {'at most' if sign < 0 else 'at least'} {written(bound)} of {below}", data), ([], []))
+        (met if (least - bound) * sign >= 0 else missed).append(f"{operation} {written(least)}")
+    return table(["goal of arrays", "rows", "operations that meet it", "that miss it"],
+                 [[goal, data, len(met), ", ".join(missed)] for (goal, data), (met, missed) in rows.items()])
+
+
 def goals_of_pairs(timed):
     """As `goals` lists them."""
     median, found = statistics.median, []

@@ -30,8 +30,8 @@ import tempfile
 import guard
 import page
 import tables
-from goals import (ARRAYS, HULL, MESH, PAIRS, PREPARED, TENTH_OF_HULL, TRIANGULATION, goals, goals_of_arrays, goals_of_pairs, table,
-                   written)
+from goals import (ARRAYS, HULL, MESH, PAIRS, PREPARED, TENTH_OF_HULL, TRIANGULATION, goals, goals_of_pairs, table,
+                   table_of_arrays, written)
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAMS = ["operations", "polygons", "triangulation", "hulls", "meshes", "mesh_rays", "mesh_points", "prepared", "distances",
@@ -311,9 +311,9 @@ def main():
     words, timed = run.circumstances, {name: {} for name in PROGRAMS} | run.timed
     decided = timed["operations"] | timed["polygons"]
     reached = goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"],
-                    goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"]))
+                    goals_of_pairs(timed["pairs"]))
     beside = timed["mesh_rays"] | timed["mesh_points"] | timed["distances"]
-    parts = [words, reached, decisions(decided), arrays(timed["arrays"]),
+    parts = [words, reached, table_of_arrays(timed["arrays"]), decisions(decided), arrays(timed["arrays"]),
              "" if options.ops or options.times else arrays_from_python(options.build.resolve()), triangulations(timed["triangulation"]),
              hulls(timed["hulls"]), meshes(timed["meshes"]), prepared(timed["prepared"]), beside_robust(beside), pairs(timed["pairs"]),
              answers(timed["operations"]), truths(timed["oracle"]), exhausted(timed["oracle"])]
