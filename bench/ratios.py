@@ -307,6 +307,13 @@ def main():
     options = parser.parse_args()
     for name in set(options.programs) - set(PROGRAMS):
         parser.error(f"--programs: {name} is none of {', '.join(PROGRAMS)}")
+    if options.repetitions < 1:
+        parser.error("--repetitions: 1 or more")
+    if options.times and (options.ops or options.keep or options.programs is not PROGRAMS):
+        parser.error("--times measures nothing: --ops, --programs and --keep are not for it")
+    for file in filter(None, (options.page, options.picture, options.keep)):  # before a long run
+        if not file.resolve().parent.is_dir():
+            parser.error(f"{file}: there is no such folder")
     run = Run.read(options.times) if options.times else measured(options)
     words, timed = run.circumstances, {name: {} for name in PROGRAMS} | run.timed
     decided = timed["operations"] | timed["polygons"]

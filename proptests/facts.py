@@ -81,10 +81,10 @@ def fraction(pattern):
     return {0.5: "a half", 0.25: "a quarter", 0.125: "an eighth"}[float(re.search(pattern, text_of("dev")).group(1))]
 
 
-def ratio_to_formula(chosen):
+def ratio_to_formula():
     """The greatest ratio of robust's full answer to the formula's on random cases, rounded up."""
     table = next(table for table in json.loads(text_of("bench/ratios.json")) if table["head"][0] == "full answer")
-    return math.ceil(max(float(row[-1]) for row in table["rows"] if row[1] == "random" and chosen(row[0])))
+    return math.ceil(max(float(row[-1]) for row in table["rows"] if row[1] == "random"))
 
 
 def mutants():
@@ -155,9 +155,7 @@ def facts(operations):
         ("README.md", "asks at most {} questions of each operation",
          (constant("dev", r"set -- --cases (\d+) --by-cost"),)),
         ("README.md", "after {} restarts the operation is given up", (restarts,)),
-        ("README.md", "it takes up to {} times as long as the textbook formula",
-         (ratio_to_formula(lambda operation: operation != "bounding_sphere"),)),
-        ("README.md", "for which there is no formula, takes {} times", (ratio_to_formula("bounding_sphere".__eq__),)),
+        ("README.md", "it takes up to {} times as long as the textbook formula", (ratio_to_formula(),)),
         ("README.md", "{} operations in {} chapters", (len(operations), word(len(by_chapter)))),
         ("README.md", "by all pairs and by {} structures", (word(structures),)),
         *(("README.md", f"| [`{chapter}`](docs/operations.md#{chapter}) | {{}} |", (count,))

@@ -13,8 +13,8 @@
 namespace touchstone::robust::batch::isa {
 
 /// The number of faces from which a tree of them is asked instead of all of them for many points at a time. As measured
-/// with spheres on one processor, a tree is faster from about 330 faces on with AVX-512, from 80 on with two doubles at
-/// a time.
+/// with spheres on one processor, before faces were linear functions, a tree is faster from about 330 faces on with
+/// AVX-512, from 80 on with two doubles at a time.
 inline constexpr std::size_t many_faces = 256;
 
 /// The numbers of a face's plane: a corner, the normal, and the sums of the magnitudes of its terms, 2^-1000 too large.

@@ -12,8 +12,8 @@
 namespace touchstone::robust::batch::isa {
 
 /// The number of vertices from which a tree of the edges is asked instead of all of them for many points at a time. As
-/// measured on one processor with AVX-512, a tree is faster from about 130 vertices of a star on; that of a comb with
-/// slanted teeth is slower at 1,000, too.
+/// measured on one processor with AVX-512, before edges were linear functions, a tree is faster from about 130 vertices
+/// of a star on; that of a comb with slanted teeth is slower at 1,000, too.
 inline constexpr std::size_t many_vertices = 512;
 
 /// Locates each point in a polygon that has been validated, by a filter of rings like it.
