@@ -8,7 +8,7 @@
 namespace touchstone::audit {
 namespace {
 
-bool is_control(char c) { return (c >= 0 && c < 0x20) || c == 0x7f; }
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// By printf, which produces the control characters: the word stays on one line.
 std::string printed(const std::string& text) {
