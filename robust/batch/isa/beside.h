@@ -11,6 +11,12 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
+/// The lanes whose value is certainly positive, and certainly negative.
+struct Certain {
+  Mask positive, negative;
+  Mask known() const { return positive | negative; }
+};
+
 /// The side of a face on which a point lies; positive is the side to which the normal points. Its numbers are a corner
 /// a, the normal n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from
 /// there (robust/batch/shapes/faces.h).

@@ -2,71 +2,44 @@
 // Included by one unit for each instruction set, with TOUCHSTONE_LANES of its own.
 #pragma once
 
-#include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/vectors.h"
 
-/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them the
-/// filters' answers, are proved by machine from this text (robust/proofs/lane_faces.v, lane_triangles.v,
-/// lane_triangle_triangle.v).
+/// Filters of triangles in space: the model of kernels.h.
+///
+/// One of the points is the origin of the others. The volumes that decide are determinants of three displacements, or,
+/// by the identity of five points, sums of four of these.
+///
+/// Let X, Y, Z be the greatest magnitudes of the displacements' coordinates. A determinant has six products, each at
+/// most X Y Z and off by 8 v of it: three differences, a product, a difference, a product and two sums. That is 48 v X
+/// Y Z. A sum of two determinants is at most 12 X Y Z, and the last difference cannot make a sign wrong: four
+/// determinants and two sums are off by 4 * 48 + 2 * 12 = 216 v. C = 256 v serves all.
+///
+/// The direction (x, y, z) of a ray may be of another size. With S = |x| Y Z + |y| Z X + |z| X Y, a determinant that
+/// has it is at most 2 S, and off by 16 v S; the sum of three by 3 * 16 + 4 = 52 v. C = 64 v.
+///
+/// Only numbers below 2^330 are decided, so nothing overflows. A product that underflows is off by 2^-1075, times a
+/// third coordinate by 2^-745; 2^-700 pays for all of them. An infinite or NaN coordinate makes a displacement infinite
+/// or NaN. greater() may lose a NaN, but each displacement is in a value that has to be certain.
 namespace touchstone::robust::batch::isa {
 namespace {
 
-struct InSpace {
-  Lanes x, y, z;
-  explicit InSpace(const Lanes* c) : x(c[0]), y(c[1]), z(c[2]) {}
-  InSpace(Lanes x, Lanes y, Lanes z) : x(x), y(y), z(z) {}
-  friend InSpace operator-(const InSpace& a, const InSpace& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-};
+constexpr double most = 0x1p330, for_underflow = 0x1p-700;
 
-/// The lanes whose value is certainly positive, and certainly negative.
-struct Certain {
-  Mask positive, negative;
-  Mask known() const { return positive | negative; }
-};
-Mask alike(const Certain& s, const Certain& t) { return (s.positive & t.positive) | (s.negative & t.negative); }
-
-/// The plane through three points, and the side of it on which others lie: positive if a, b, c are seen
-/// counter-clockwise.
-///
-/// The bound is that of point_in_convex_solid, with its C: eight roundings of six products, the last of them shared.
-/// The sums of the magnitudes of the normal's terms are 2^-1000 too large, which covers underflow in the normal. The
-/// terms are at least the value, and so is every partial sum of them: if anything in the value overflows, so does the
-/// bound. An infinite or NaN coordinate makes a difference infinite or NaN, and every difference is in the terms.
-class FacePlane {
- public:
-  FacePlane(const InSpace& a, const InSpace& b, const InSpace& c) : origin_(a), normal_(a), terms_(a) {
-    const InSpace s = b - a, t = c - a;
-    const auto coordinate = [](Lanes p, Lanes q, Lanes r, Lanes w, Lanes& sum) {
-      const Lanes first = p * q, second = r * w;
-      sum = magnitude(first) + magnitude(second) + same(tiny);
-      return first - second;
-    };
-    normal_.x = coordinate(s.y, t.z, s.z, t.y, terms_.x);
-    normal_.y = coordinate(s.z, t.x, s.x, t.z, terms_.y);
-    normal_.z = coordinate(s.x, t.y, s.y, t.x, terms_.z);
-  }
-
-  Certain side(const InSpace& p) const { return leading(p - origin_); }
-
-  /// The same for a displacement: the side to which it leads.
-  Certain leading(const InSpace& d) const {
-    const Lanes value = normal_.x * d.x + normal_.y * d.y + normal_.z * d.z;
-    const Lanes terms = terms_.x * magnitude(d.x) + terms_.y * magnitude(d.y) + terms_.z * magnitude(d.z);
-    const Lanes bound = multiply_add(terms, same(8 * v), same(tiny));
-    const Mask known = above(magnitude(value), bound), below = negative(value);
-    return {known & ~below, known & below};
-  }
-
- private:
-  InSpace origin_, normal_, terms_;
-};
+/// The bound of all volumes whose displacements are at most `sizes`.
+Lanes bound_of(const InSpace& sizes) {
+  return multiply_add(sizes.x * sizes.y * sizes.z, same(256 * v), same(for_underflow));
+}
+Mask moderate(const InSpace& sizes) { return above(same(most), greatest(sizes)); }
 
 /// Places the crossing of a line with a triangle's plane: inside the triangle if the line has all three edges on one
 /// side; outside if it has two of them on different sides.
 struct Edges {
   Mask inside, outside;
-  Edges(const Certain& ab, const Certain& bc, const Certain& ca)
-      : inside((ab.positive & bc.positive & ca.positive) | (ab.negative & bc.negative & ca.negative)),
-        outside((ab.positive | bc.positive | ca.positive) & (ab.negative | bc.negative | ca.negative)) {}
+  Edges(Lanes ab, Lanes bc, Lanes ca, Lanes bound) {
+    const Lanes least = lesser(lesser(ab, bc), ca), greatest = greater(greater(ab, bc), ca), other = same(0) - bound;
+    inside = above(least, bound) | above(other, greatest);
+    outside = above(greatest, bound) & above(other, least);
+  }
 };
 
 /// The filter stage: stages::segment_triangle::decision::filter.
@@ -74,11 +47,15 @@ struct SegmentTriangle {
   static constexpr std::size_t columns = 15;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, none
   static Verdict of(const Lanes* n) {
-    const InSpace p(n), q(n + 3), a(n + 6), b(n + 9), c(n + 12);
-    const FacePlane plane(a, b, c);
-    const Certain at_p = plane.side(p), at_q = plane.side(q);
-    const Edges edges(FacePlane(p, q, a).side(b), FacePlane(p, q, b).side(c), FacePlane(p, q, c).side(a));
-    const Mask certain = at_p.known() & at_q.known(), apart = alike(at_p, at_q);
+    const InSpace p(n), line = InSpace(n + 3) - p, a = InSpace(n + 6) - p, b = InSpace(n + 9) - p,
+                        c = InSpace(n + 12) - p;
+    const InSpace sizes = greater(greater(magnitudes(line), magnitudes(a)), greater(magnitudes(b), magnitudes(c)));
+    const InSpace beside = cross(line, a), facing = cross(b, c);
+    const Lanes ab = dot(beside, b), ac = dot(beside, c), bc = dot(facing, line), height = dot(facing, a);
+    const Lanes beyond = (ab + bc) - (ac + height), bound = bound_of(sizes);
+    const Edges edges(ab, bc, same(0) - ac, bound);
+    const Mask certain = moderate(sizes) & above(magnitude(height), bound) & above(magnitude(beyond), bound);
+    const Mask apart = negative(height) ^ negative(beyond);
     return {certain & (apart | edges.inside | edges.outside), edges.inside & ~apart};
   }
 };
@@ -88,46 +65,77 @@ struct RayTriangle {
   static constexpr std::size_t columns = 15;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, none
   static Verdict of(const Lanes* n) {
-    const InSpace p(n), way(n + 3), a(n + 6), b(n + 9), c(n + 12);
-    const FacePlane plane(a, b, c);
-    const Certain at_origin = plane.side(p), rise = plane.leading(way);
-    const Edges edges(FacePlane(p, a, b).leading(way), FacePlane(p, b, c).leading(way),
-                      FacePlane(p, c, a).leading(way));
-    const Mask certain = at_origin.known() & rise.known(), apart = alike(at_origin, rise);
+    const InSpace p(n), way(n + 3), a = InSpace(n + 6) - p, b = InSpace(n + 9) - p, c = InSpace(n + 12) - p;
+    const InSpace sizes = greater(greater(magnitudes(a), magnitudes(b)), magnitudes(c)), ways = magnitudes(way);
+    const InSpace beside = cross(way, a), facing = cross(b, c);
+    const Lanes ab = dot(beside, b), ac = dot(beside, c), bc = dot(facing, way), height = dot(facing, a);
+    const Lanes rise = (ab + bc) - ac;
+    const Lanes size = ways.x * (sizes.y * sizes.z) + (ways.y * sizes.z + ways.z * sizes.y) * sizes.x;
+    const Lanes bound = multiply_add(size, same(64 * v), same(for_underflow));
+    const Edges edges(ab, bc, same(0) - ac, bound);
+    const Mask certain =
+        moderate(greater(sizes, ways)) & above(magnitude(height), bound_of(sizes)) & above(magnitude(rise), bound);
+    const Mask apart = negative(height) ^ negative(rise);
     return {certain & (apart | edges.inside | edges.outside), edges.inside & ~apart};
   }
 };
 
-/// If all corners of one are certainly on one side of the other's plane, the triangles have nothing in common. If each
-/// plane certainly has corners of the other triangle on both sides and none on itself, the triangles meet if an edge of
-/// one crosses the other, and then in a segment. An edge crosses if its ends are on different sides of the plane and
-/// all edges of the other are on one side of its line. The sides of all pairs of edges serve both.
+/// If all corners of one are certainly on one side of the other's plane, the triangles have nothing in common. If all
+/// fifteen volumes of four corners are certain, the triangles meet if an edge of one crosses the other, and then in a
+/// segment. An edge crosses if its ends are on different sides of the plane and all edges of the other are on one side
+/// of its line. The sides of all pairs of edges serve both.
+///
+/// The origin o is the first corner of a; p and q are its others. Of the volumes of a pair of edges, those with op and
+/// qo are determinants.
 struct TriangleTriangle {
   static constexpr std::size_t columns = 18;
   static constexpr std::uint8_t set = 2, clear = 0;  // segment, none
   static Verdict of(const Lanes* n) {
-    const InSpace a[] = {InSpace(n), InSpace(n + 3), InSpace(n + 6)};
-    const InSpace b[] = {InSpace(n + 9), InSpace(n + 12), InSpace(n + 15)};
-    const FacePlane of_a(a[0], a[1], a[2]), of_b(b[0], b[1], b[2]);
-    const Certain at_a[] = {of_a.side(b[0]), of_a.side(b[1]), of_a.side(b[2])};
-    const Certain at_b[] = {of_b.side(a[0]), of_b.side(a[1]), of_b.side(a[2])};
-    const Mask apart =
-        (alike(at_a[0], at_a[1]) & alike(at_a[0], at_a[2])) | (alike(at_b[0], at_b[1]) & alike(at_b[0], at_b[2]));
-    const Mask certain =
-        at_a[0].known() & at_a[1].known() & at_a[2].known() & at_b[0].known() & at_b[1].known() & at_b[2].known();
-    if ((certain & ~apart) == 0) return {apart, 0};
-    Certain sides[3][3];  // for edge i of a and edge j of b
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) sides[i][j] = FacePlane(a[i], a[(i + 1) % 3], b[j]).side(b[(j + 1) % 3]);
-    Mask crosses = 0, passes = all_lanes;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Edges a_edge(sides[k][0], sides[k][1], sides[k][2]), b_edge(sides[0][k], sides[1][k], sides[2][k]);
-      const Mask a_beside = alike(at_b[k], at_b[(k + 1) % 3]), b_beside = alike(at_a[k], at_a[(k + 1) % 3]);
-      crosses |= (a_edge.inside & ~a_beside) | (b_edge.inside & ~b_beside);
-      passes &= (a_edge.outside | a_beside) & (b_edge.outside | b_beside);
+    const InSpace o(n), p = InSpace(n + 3) - o, q = InSpace(n + 6) - o;
+    const InSpace b[] = {InSpace(n + 9) - o, InSpace(n + 12) - o, InSpace(n + 15) - o};
+    const InSpace sizes_of_a = greater(magnitudes(p), magnitudes(q));
+    const InSpace sizes_of_b = greater(greater(magnitudes(b[0]), magnitudes(b[1])), magnitudes(b[2]));
+    const InSpace sizes = greater(sizes_of_a, sizes_of_b), normal = cross(p, q);
+    const Lanes bound = bound_of(sizes), at_a[] = {dot(normal, b[0]), dot(normal, b[1]), dot(normal, b[2])};
+    const Mask decidable = moderate(sizes);
+    const Corners of_b(at_a, bound);
+    if ((decidable & of_b.apart & all_lanes) == all_lanes) return {all_lanes, 0};
+    const InSpace moments[] = {cross(b[0], b[1]), cross(b[1], b[2]), cross(b[2], b[0])};
+    Lanes sides[3][3];  // of edge i of a and edge j of b
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Lanes with_p = dot(moments[j], p), with_q = dot(moments[j], q);
+      sides[0][j] = with_p, sides[2][j] = same(0) - with_q;
+      sides[1][j] = (with_q - with_p) + (at_a[(j + 1) % 3] - at_a[j]);
     }
-    return {apart | (certain & (crosses | passes)), crosses & ~apart};
+    const Lanes with_o = dot(moments[0], b[2]);
+    const Lanes at_b[] = {with_o, (with_o - sides[0][0]) - (sides[0][1] + sides[0][2]),
+                          (with_o + sides[2][0]) + (sides[2][1] + sides[2][2])};
+    const Corners of_a(at_b, bound);
+    Mask below[3][3];
+    Lanes least = magnitude(sides[0][0]);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        below[i][j] = negative(sides[i][j]), least = lesser(least, magnitude(sides[i][j]));
+    Mask crosses = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      crosses |= (of_a.differ(k, (k + 1) % 3) & ~differ(below[k][0], below[k][1], below[k][2])) |
+                 (of_b.differ(k, (k + 1) % 3) & ~differ(below[0][k], below[1][k], below[2][k]));
+    const Mask apart = of_a.apart | of_b.apart, certain = of_a.certain & of_b.certain & above(least, bound);
+    return {decidable & (apart | certain), crosses & ~apart};
   }
+
+ private:
+  static Mask differ(Mask x, Mask y, Mask z) { return (x ^ y) | (x ^ z); }
+
+  /// The corners of one triangle on the sides of the other's plane.
+  struct Corners {
+    Mask below[3], certain, apart;
+    Corners(const Lanes* at, Lanes bound)
+        : below{negative(at[0]), negative(at[1]), negative(at[2])},
+          certain(above(magnitude(at[0]), bound) & above(magnitude(at[1]), bound) & above(magnitude(at[2]), bound)),
+          apart(certain & ~TriangleTriangle::differ(below[0], below[1], below[2])) {}
+    Mask differ(std::size_t i, std::size_t j) const { return below[i] ^ below[j]; }
+  };
 };
 
 }  // namespace
