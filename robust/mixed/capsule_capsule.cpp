@@ -13,12 +13,19 @@ void validate_capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
   validation::validate_all("a", a, "b", b);
 }
 
+bool interiors(const Capsule3d& a, const Capsule3d& b) {
+  return !validation::zero(a.radius) && !validation::zero(b.radius);
+}
+
 }  // namespace
 
 Perhaps<Contact> stages::capsule_capsule::filter(const Capsule3d& a, const Capsule3d& b) {
   if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius)) return std::nullopt;  // -0.0, or to be refused
-  const bool interiors = !validation::zero(a.radius) && !validation::zero(b.radius);
-  return filters::contact(a.segment, a.radius, b.segment, b.radius, interiors);
+  return filters::contact(a.segment, a.radius, b.segment, b.radius, interiors(a, b));
+}
+
+Perhaps<Contact> stages::capsule_capsule::enclosed(const Capsule3d& a, const Capsule3d& b) {
+  return kernel::close_contact(a.segment, a.radius, b.segment, b.radius, interiors(a, b));
 }
 
 Contact stages::capsule_capsule::exact(const Capsule3d& a, const Capsule3d& b) {
@@ -31,7 +38,7 @@ Contact stages::capsule_capsule::exact(const Capsule3d& a, const Capsule3d& b) {
 }
 
 Decided<Contact> stages::capsule_capsule::ask(const Capsule3d& a, const Capsule3d& b) {
-  return in_turn<capsule_capsule, Stage::filter, validate_capsule_capsule, Stage::exact>(a, b);
+  return in_turn<capsule_capsule, Stage::filter, validate_capsule_capsule, Stage::enclosed, Stage::exact>(a, b);
 }
 
 Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b) { return stages::capsule_capsule::ask(a, b).answer; }

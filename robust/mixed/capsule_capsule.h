@@ -20,7 +20,7 @@ Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b);
 namespace stages {
 
 struct capsule_capsule : Signatures<decltype(robust::capsule_capsule)> {
-  static Partial filter;
+  static Partial filter, enclosed;
   static Total exact;
   static Staged ask;
 };

@@ -18,6 +18,10 @@ void validate_sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
 /// or read as zero less than 2^-1020; the product loses another 2^-52. Not proved by machine.
 double at_least_sum(double r, double s) { return (r + s) * (1 + 0x1p-50) + 0x1p-1000; }
 
+bool interiors(const Sphere3d& sphere, const Capsule3d& capsule) {
+  return !validation::zero(sphere.radius) && !validation::zero(capsule.radius);
+}
+
 }  // namespace
 
 Perhaps<Contact> stages::sphere_capsule::filter(const Sphere3d& sphere, const Capsule3d& capsule) {
@@ -25,8 +29,12 @@ Perhaps<Contact> stages::sphere_capsule::filter(const Sphere3d& sphere, const Ca
   const auto& [a, b] = capsule.segment;
   if (const auto apart = filters::beyond_box(sphere.center, at_least_sum(sphere.radius, capsule.radius), a, b))
     return apart;
-  const bool interiors = !validation::zero(sphere.radius) && !validation::zero(capsule.radius);
-  return filters::contact(capsule.segment, capsule.radius, sphere.center, sphere.radius, interiors);
+  return filters::contact(capsule.segment, capsule.radius, sphere.center, sphere.radius, interiors(sphere, capsule));
+}
+
+Perhaps<Contact> stages::sphere_capsule::enclosed(const Sphere3d& sphere, const Capsule3d& capsule) {
+  return kernel::close_contact(capsule.segment, capsule.radius, sphere.center, sphere.radius,
+                               interiors(sphere, capsule));
 }
 
 Contact stages::sphere_capsule::exact(const Sphere3d& sphere, const Capsule3d& capsule) {
@@ -39,7 +47,8 @@ Contact stages::sphere_capsule::exact(const Sphere3d& sphere, const Capsule3d& c
 }
 
 Decided<Contact> stages::sphere_capsule::ask(const Sphere3d& sphere, const Capsule3d& capsule) {
-  return in_turn<sphere_capsule, Stage::filter, validate_sphere_capsule, Stage::exact>(sphere, capsule);
+  return in_turn<sphere_capsule, Stage::filter, validate_sphere_capsule, Stage::enclosed, Stage::exact>(sphere,
+                                                                                                        capsule);
 }
 
 Contact sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {

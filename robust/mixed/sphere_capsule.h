@@ -22,7 +22,7 @@ namespace stages {
 
 /// The filter first decides balls that are beyond the box around the ends of the segment.
 struct sphere_capsule : Signatures<decltype(robust::sphere_capsule)> {
-  static Partial filter;
+  static Partial filter, enclosed;
   static Total exact;
   static Staged ask;
 };

@@ -23,6 +23,10 @@ Perhaps<Contact> stages::sphere_triangle::filter(const Sphere3d& sphere, const T
   return filters::contact(triangle, 0, sphere.center, sphere.radius, true);
 }
 
+Perhaps<Contact> stages::sphere_triangle::enclosed(const Sphere3d& sphere, const Triangle3d& triangle) {
+  return kernel::close_contact(triangle, 0, sphere.center, sphere.radius, true);
+}
+
 /// No distance is less than the radius 0 of a point, so that its lack of an interior needs no special case.
 Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d& triangle) {
   using namespace kernel;
@@ -33,7 +37,8 @@ Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d&
 }
 
 Decided<Contact> stages::sphere_triangle::ask(const Sphere3d& sphere, const Triangle3d& triangle) {
-  return in_turn<sphere_triangle, Stage::filter, validate_sphere_triangle, Stage::exact>(sphere, triangle);
+  return in_turn<sphere_triangle, Stage::filter, validate_sphere_triangle, Stage::enclosed, Stage::exact>(sphere,
+                                                                                                          triangle);
 }
 
 Contact sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {

@@ -21,7 +21,7 @@ namespace stages {
 
 /// The filter first decides balls that are beyond the box around the corners.
 struct sphere_triangle : Signatures<decltype(robust::sphere_triangle)> {
-  static Partial filter;
+  static Partial filter, enclosed;
   static Total exact;
   static Staged ask;
 };

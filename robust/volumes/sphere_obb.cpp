@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/volumes/sphere_obb.h"
 
+#include "robust/kernel/enclosed/enclosed_in_obb.h"
 #include "robust/kernel/enclosed/round_solids.h"
 #include "robust/kernel/shapes/nearest_points.h"
 #include "robust/kernel/solids/parallelepiped.h"
@@ -24,6 +25,10 @@ Perhaps<Contact> stages::sphere_obb::filter(const Sphere3d& sphere, const Obb3d&
   return filters::Differences<3>{{u, v, w}, sphere.center - obb.center}.contact(r);
 }
 
+Perhaps<Contact> stages::sphere_obb::enclosed(const Sphere3d& sphere, const Obb3d& obb) {
+  return kernel::close_contact(sphere, obb);
+}
+
 /// No distance is less than the radius 0 of a point, so that its lack of an interior needs no special case.
 Contact stages::sphere_obb::exact(const Sphere3d& sphere, const Obb3d& obb) {
   using namespace kernel;
@@ -34,7 +39,7 @@ Contact stages::sphere_obb::exact(const Sphere3d& sphere, const Obb3d& obb) {
 }
 
 Decided<Contact> stages::sphere_obb::ask(const Sphere3d& sphere, const Obb3d& obb) {
-  return in_turn<sphere_obb, Stage::filter, validate_sphere_obb, Stage::exact>(sphere, obb);
+  return in_turn<sphere_obb, Stage::filter, validate_sphere_obb, Stage::enclosed, Stage::exact>(sphere, obb);
 }
 
 Contact sphere_obb(const Sphere3d& sphere, const Obb3d& obb) { return stages::sphere_obb::ask(sphere, obb).answer; }

@@ -20,7 +20,7 @@ Contact sphere_obb(const Sphere3d& sphere, const Obb3d& obb);
 namespace stages {
 
 struct sphere_obb : Signatures<decltype(robust::sphere_obb)> {
-  static Partial filter;
+  static Partial filter, enclosed;
   static Total exact;
   static Staged ask;
 };

@@ -45,12 +45,9 @@ Foot foot_of_perpendicular(const LooseVector& from, const std::array<LooseVector
           dot(normal, normal)};
 }
 
-}  // namespace
-
-Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d& obb) {
+/// The foot that is certainly the nearest point of the box, with a unit that is certainly positive.
+std::optional<Foot> nearest_foot(const Point3d& point, const Obb3d& obb) {
   using filters::moderate;
-  if (const auto location = filters::point_in_obb<double>(obb, point); location && *location == Location::inside)
-    return ClosestPoint3<double>{{positive_zero(point.x), positive_zero(point.y), positive_zero(point.z)}, 0, 0};
   if (!(moderate(point) & moderate(obb)) || !rounds_to_nearest()) return std::nullopt;
   const auto& [u, v, w] = obb.half_axes;
   const auto guess = filters::Differences<3>{{u, v, w}, point - obb.center}.guess();
@@ -67,12 +64,24 @@ Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d&
     }
   }
   if (fixed == 0) return std::nullopt;
-  const auto [place, coefficients, square, unit] = foot_of_perpendicular(from, free, frees);
+  const Foot foot = foot_of_perpendicular(from, free, frees);
+  const auto& [place, coefficients, square, unit] = foot;
   for (std::size_t k = 0; k < frees; ++k)
     if (!surely_positive(unit - coefficients[k]) || !surely_positive(unit + coefficients[k])) return std::nullopt;
   for (std::size_t k = 0; k < fixed; ++k)
     if (!surely_positive(-dot(place, outwards[k]))) return std::nullopt;
   if (!surely_positive(unit)) return std::nullopt;
+  return foot;
+}
+
+}  // namespace
+
+Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d& obb) {
+  if (const auto location = filters::point_in_obb<double>(obb, point); location && *location == Location::inside)
+    return ClosestPoint3<double>{{positive_zero(point.x), positive_zero(point.y), positive_zero(point.z)}, 0, 0};
+  const auto foot = nearest_foot(point, obb);
+  if (!foot) return std::nullopt;
+  const auto& [place, coefficients, square, unit] = *foot;
   const Divisor<double> divisor(unit);
   const auto coordinate = [&divisor](double start, const Loose& way) {
     return rounded(Loose(start) + Loose(way / divisor));
@@ -83,6 +92,14 @@ Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d&
   const auto squared = rounded(squared_distance), distance = rounded(square_root(squared_distance));
   if (!squared || !distance) return std::nullopt;
   return ClosestPoint3<double>{{*x, *y, *z}, *squared, *distance};
+}
+
+Perhaps<Contact> close_contact(const Sphere3d& sphere, const Obb3d& obb) {
+  const auto foot = filters::moderate(sphere.radius) ? nearest_foot(sphere.center, obb) : std::nullopt;
+  if (!foot) return std::nullopt;
+  const Loose radius(sphere.radius), apart = ordered(foot->square - radius * radius * foot->unit);
+  if (!certain(apart)) return std::nullopt;
+  return apart.high > 0 ? Contact::disjoint : Contact::overlapping;
 }
 
 }  // namespace touchstone::robust::kernel

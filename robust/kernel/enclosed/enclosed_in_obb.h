@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/answers.h"
 #include "geometry/closest.h"
 #include "geometry/volumes.h"
 #include "robust/kernel/filters/staged.h"
@@ -15,5 +16,8 @@ namespace touchstone::robust::kernel {
 /// corner. The proof is that of Karush, Kuhn and Tucker: the free coefficients of the foot are between -1 and 1, and
 /// along each other half axis the way from it to the point leads outwards. Then no other point of the box is as near.
 Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d& obb);
+
+/// The contact of a ball and a valid oriented box, by the same proof; empty if the center may be inside.
+Perhaps<Contact> close_contact(const Sphere3d& sphere, const Obb3d& obb);
 
 }  // namespace touchstone::robust::kernel

@@ -30,6 +30,9 @@ auto with_square(const Parts& parts, const Between& between, const Number& one, 
   return with_n_and_d(height * height, dot(normal, normal));
 }
 
+/// The contact of what is nearer than its reach.
+Contact of_nearer(bool interiors) { return interiors ? Contact::overlapping : Contact::touching; }
+
 }  // namespace
 
 Perhaps<Contact> filters::contact(const Parts& parts, double radius_of_a, double radius_of_b, bool interiors) {
@@ -39,7 +42,7 @@ Perhaps<Contact> filters::contact(const Parts& parts, double radius_of_a, double
     const auto apart = n - reach * reach * d;
     if (apart.positive()) return Contact::disjoint;
     if (!apart.negative()) return std::nullopt;
-    return interiors ? Contact::overlapping : Contact::touching;
+    return of_nearer(interiors);
   });
 }
 
@@ -81,6 +84,16 @@ std::optional<Point3d> nearest_on(const Part& a, const Part& b) {
 bool zero(const Enclosed<double>& x) { return x.high == 0 && x.low == 0 && x.error == 0; }
 
 }  // namespace
+
+Perhaps<Contact> close_contact(const Parts& parts, double radius_of_a, double radius_of_b, bool interiors) {
+  if (!parts || !rounds_to_nearest()) return std::nullopt;
+  const Loose reach = Loose(radius_of_a) + Loose(radius_of_b);
+  return with_square(parts, loose_between, Loose(1), [&](const Loose& n, const Loose& d) -> Perhaps<Contact> {
+    const Loose apart = ordered(n - reach * reach * d);
+    if (!certain(apart)) return std::nullopt;
+    return apart.high > 0 ? Contact::disjoint : of_nearer(interiors);
+  });
+}
 
 Perhaps<ClosestPair3<double>> closest_pair(const Parts& parts) {
   if (!parts || !rounds_to_nearest()) return std::nullopt;

@@ -24,6 +24,15 @@ Perhaps<Contact> contact(const A& a, double radius_of_a, const B& b, double radi
 
 namespace kernel {
 
+/// The same contact, with one and a half times the precision.
+Perhaps<Contact> close_contact(const filters::Parts& parts, double radius_of_a, double radius_of_b, bool interiors);
+template <class A, class B>
+Perhaps<Contact> close_contact(const A& a, double radius_of_a, const B& b, double radius_of_b, bool interiors) {
+  using filters::moderate;
+  if (!(moderate(a) & moderate(b) & moderate(radius_of_a) & moderate(radius_of_b))) return std::nullopt;
+  return close_contact(filters::nearest_parts(a, b), radius_of_a, radius_of_b, interiors);
+}
+
 /// Empty if a part or a number is unknown.
 Perhaps<ClosestPair3<double>> closest_pair(const filters::Parts& parts);
 Perhaps<ClosestPoint3<double>> closest_point(const filters::Parts& parts);

@@ -24,6 +24,12 @@ inline Loose operator*(const Loose& x, const Loose& y) {
   return times(static_cast<const Enclosed<double>&>(x), static_cast<const Enclosed<double>&>(y));
 }
 
+/// The same number with its high part rounded, after cancellation.
+inline Loose ordered(const Loose& x) {
+  const Pair<double> pair = in_order(static_cast<const Enclosed<double>&>(x));
+  return Enclosed<double>{pair.high, pair.low, x.error};
+}
+
 /// Its sign is known, and is not 0.
 inline bool certain(const Loose& x) { return x.settled() && x.high != 0; }
 /// It is exactly 0.
