@@ -31,12 +31,13 @@ class FirstFace {
     const Triangle3d triangle = triangle_of_face(mesh_, face);
     const auto relation = Each::decision::filter(ray_, triangle);
     if (relation && *relation == SegmentTriangleRelation::none) return;
+    const structures::FaceTree::Stay bounds = stay();
     if (relation && waiting_ < hits_.size()) {
-      const structures::FaceTree::Stay bounds = stay();
       hits_[waiting_++] = {face, bounds.first};
       least_last_ = std::min(least_last_, bounds.last);
       return;
     }
+    if (!bounds.begins()) return;
     if (!relation) {
       const auto known = Each::decision::lattice(ray_, triangle);
       if (known && *known == SegmentTriangleRelation::none) return note(Stage::lattice);
@@ -122,25 +123,33 @@ class FirstFace {
   float least_last_ = std::numeric_limits<float>::infinity();
 };
 
+/// One question asks all faces sooner than it makes a tree.
+template <class Wanted>
+bool any_along(const structures::FaceTree* tree, const Ray3d& ray, const Meshd& mesh, const Wanted& wanted) {
+  return tree != nullptr ? tree->any_along(ray, wanted) : structures::FaceTree::any_of_all(mesh, ray, wanted);
+}
+
 Decided<RayMesh<double>> first_of_valid(const Ray3d& ray, const Meshd& mesh, const std::vector<Index>& named,
-                                        const std::optional<structures::FaceTree>& faces) {
+                                        const structures::FaceTree* tree) {
   const kernel::ControlWord guard;
   FirstFace first(ray, mesh, named);
-  if (faces) {
-    faces->any_along(ray, [&first](Index face, const auto& stay) {
-      first.meet(face, stay);
-      return false;
-    });
-  }
+  any_along(tree, ray, mesh, [&first](Index face, const auto& stay) {
+    first.meet(face, stay);
+    return false;
+  });
   return first.found();
 }
 
-bool meets_valid(const Ray3d& ray, const Meshd& mesh, const std::optional<structures::FaceTree>& faces) {
+bool meets_valid(const Ray3d& ray, const Meshd& mesh, const structures::FaceTree* tree) {
+  using Decision = stages::ray_triangle::decision;
   const kernel::ControlWord guard;
-  return faces && faces->any_along(ray, [&](Index face, const auto&) {
-    return ray_triangle_relation(ray, triangle_of_face(mesh, face)) != SegmentTriangleRelation::none;
+  return any_along(tree, ray, mesh, [&](Index face, const auto& stay) {
+    const Triangle3d triangle = triangle_of_face(mesh, face);
+    if (const auto relation = Decision::filter(ray, triangle)) return *relation != SegmentTriangleRelation::none;
+    return stay().begins() && Decision::past_filter(ray, triangle).answer != SegmentTriangleRelation::none;
   });
 }
+const structures::FaceTree* tree_of(const Surface& surface) { return surface.tree() ? &*surface.tree() : nullptr; }
 PassageRelation relation(bool meets) { return meets ? PassageRelation::hit : PassageRelation::none; }
 
 void validate(const Ray3d& ray, const Meshd& mesh) {
@@ -152,24 +161,24 @@ void validate(const Ray3d& ray, const Meshd& mesh) {
 
 Decided<RayMesh<double>> stages::ray_mesh::ask(const Ray3d& ray, const Meshd& mesh) {
   validate(ray, mesh);
-  return first_of_valid(ray, mesh, Surface::named_of(mesh), Surface::tree_of(mesh));
+  return first_of_valid(ray, mesh, Surface::named_of(mesh), nullptr);
 }
 
 RayMesh<double> ray_mesh(const Ray3d& ray, const Meshd& mesh) { return stages::ray_mesh::ask(ray, mesh).answer; }
 
 RayMesh<double> ray_mesh(const Ray3d& ray, const Surface& surface) {
   validation::validate_all("ray", ray);
-  return first_of_valid(ray, surface.mesh(), surface.named(), surface.tree()).answer;
+  return first_of_valid(ray, surface.mesh(), surface.named(), tree_of(surface)).answer;
 }
 
 PassageRelation ray_mesh_relation(const Ray3d& ray, const Meshd& mesh) {
   validate(ray, mesh);
-  return relation(meets_valid(ray, mesh, Surface::tree_of(mesh)));
+  return relation(meets_valid(ray, mesh, nullptr));
 }
 
 PassageRelation ray_mesh_relation(const Ray3d& ray, const Surface& surface) {
   validation::validate_all("ray", ray);
-  return relation(meets_valid(ray, surface.mesh(), surface.tree()));
+  return relation(meets_valid(ray, surface.mesh(), tree_of(surface)));
 }
 
 }  // namespace touchstone::robust

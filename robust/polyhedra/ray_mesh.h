@@ -12,7 +12,7 @@ namespace touchstone::robust {
 /// `inside` that face, on an `edge` or at a `vertex` of it.
 ///
 /// The origin, edges and vertices belong to them, so no ray passes between two faces that share an edge. Each call
-/// sorts the faces into a tree; for many rays on one mesh keep a robust::Surface. Right for all finite doubles in every
+/// asks every face; for many rays on one mesh keep a robust::Surface. Right for all finite doubles in every
 /// floating-point environment, and every number correctly rounded (infinite if the exact one is beyond the range). NaN
 /// and infinities throw InvalidInput, which names the field and "finite number"; so do a direction of length 0
 /// ("nonzero direction"), a face that names no vertex, and a face of more than three corners that is no planar polygon.

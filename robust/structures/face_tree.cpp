@@ -46,8 +46,9 @@ std::uint32_t spread(std::uint32_t n) {
 
 }  // namespace
 
-/// Sorts by the midpoints' positions on Morton's curve. An estimate: a NaN is placed at 0.
+/// Sorts by the midpoints' positions on Morton's curve. An estimate: a NaN is placed at 0. One block needs no order.
 void FaceTree::sort_faces(const Meshd& mesh) {
+  if (order_.size() <= 8) return;
   const Place first = rounded(mesh.vertices[mesh.faces[0].a]);
   Extent all{first, first};
   for (const Point3d& p : mesh.vertices) all.add(rounded(p));
@@ -113,6 +114,21 @@ float FaceTree::greatest() const {
   for (std::size_t axis = 0; axis < 3; ++axis)
     found = std::max({found, std::fabs(top.low[axis][0]), std::fabs(top.high[axis][0])});
   return found;
+}
+
+/// Numbers of vertices that no face names make it greater than it has to be.
+float FaceTree::greatest_of(const Meshd& mesh) {
+  float found = 0;
+  for (const Point3d& p : mesh.vertices)
+    for (const float x : rounded(p)) found = std::max(found, std::fabs(x));
+  return found;
+}
+
+FaceTree::Stay FaceTree::stay_of(const Face& face, const Meshd& mesh, const Slabs& slabs) {
+  const Extent box = around(mesh, face);
+  Block block;
+  block.set(0, box.low, box.high);
+  return block.stay(slabs, 0);
 }
 
 FaceTree::Slabs::Slabs(const Ray3d& ray, float greatest, float radius) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "geometry/polyhedra.h"
@@ -68,6 +69,7 @@ class FaceTree {
   /// times one power of two for all faces.
   struct Stay {
     float first = 0, last = endless;
+    bool begins() const { return first <= last; }
   };
 
   /// Returns whether wanted(index, stay) is true for a face that the ray can meet, or for one of some others, in any
@@ -93,6 +95,21 @@ class FaceTree {
         if (node.above > 1) left[size++] = {node.above - 1, child};
         else if (wanted(order_[child], [&] { return block.stay(slabs, lane); })) return true;
       }
+    }
+    return false;
+  }
+
+  /// The same for one question, without a tree: wanted is called for all faces of a mesh, and a Stay that ends before it
+  /// begins says that the ray does not meet the face.
+  template <class Wanted>
+  static bool any_of_all(const Meshd& mesh, const Ray3d& ray, const Wanted& wanted) {
+    std::optional<Slabs> slabs;
+    for (Index face = 0; face < mesh.faces.size(); ++face) {
+      const auto stay = [&] {
+        if (!slabs) slabs.emplace(ray, greatest_of(mesh));
+        return slabs->moderate ? stay_of(mesh.faces[face], mesh, *slabs) : Stay();
+      };
+      if (wanted(face, stay)) return true;
     }
     return false;
   }
@@ -206,6 +223,8 @@ class FaceTree {
   };
 
   float greatest() const;
+  static float greatest_of(const Meshd& mesh);
+  static Stay stay_of(const Face& face, const Meshd& mesh, const Slabs& slabs);
 
   /// Eight boxes; missing ones meet none.
   struct Block {
