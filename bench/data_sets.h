@@ -65,13 +65,25 @@ std::vector<catalogue::HardCase<typename Row::Question>> near_misses() {
   return chosen.empty() ? all : chosen;
 }
 
+/// The elements of each list: as many as in exhaustive runs, or three where these have a world of their own.
+template <class Row>
+inline constexpr std::size_t list_length = Row::metadata.list_length != 0 ? Row::metadata.list_length : 3;
+
+template <class Row>
+bool has_lists() {
+  bool found = false;
+  typename Row::Question question{};
+  catalogue::walk(question, [](double&) {}, [&found](auto&) { found = true; });
+  return found;
+}
+
 template <class Row>
 typename Row::Question drawn(DataSet set, catalogue::DrawStream& draws) {
   typename Row::Question question{};
   const auto fill = [&](double (*number)(catalogue::DrawStream&)) {
     catalogue::walk(
         question, [&](double& value) { value = number(draws); },
-        [](auto& list) { list.resize(Row::metadata.list_length); });
+        [](auto& list) { list.resize(list_length<Row>); });
     if (const auto repair = Row::hooks().repair) repair(question);
   };
   switch (set) {
@@ -96,7 +108,7 @@ template <class Row>
 std::vector<typename Row::Question> draw_cases(DataSet set) {
   const std::string stream = std::string(Row::metadata.name) + "/" + name_of(set);
   std::vector<typename Row::Question> cases;
-  const std::size_t count = Row::metadata.list_length == 0 ? case_count : case_count_of_lists;
+  const std::size_t count = has_lists<Row>() ? case_count_of_lists : case_count;
   cases.reserve(count);
   for (std::uint64_t index = 0; cases.size() < count; ++index) {
     if (index > 1000 * (cases.size() + 1000))
