@@ -3,7 +3,7 @@
 
 #include "geometry/impacts.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/filters/strict_math.h"
+#include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
 
@@ -24,5 +24,15 @@ namespace touchstone::robust {
 /// or less ("timestep > 0"). Contract: reference/response/impact_step.h.
 ImpactStepd impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,
                         double timestep);
+
+namespace stages {
+
+struct impact_step : Signatures<decltype(robust::impact_step)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

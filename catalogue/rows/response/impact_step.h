@@ -14,7 +14,7 @@
 namespace touchstone::catalogue::rows {
 
 struct impact_step : signatures::impact_step {
-  TOUCHSTONE_MODULES(impact_step)
+  TOUCHSTONE_STAGED_MODULES(impact_step)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{

@@ -13,7 +13,7 @@
 namespace touchstone::catalogue::rows {
 
 struct simulation_step : signatures::simulation_step {
-  TOUCHSTONE_MODULES(simulation_step)
+  TOUCHSTONE_STAGED_MODULES(simulation_step)
   using decision = NoDecision;
 
   static constexpr Metadata metadata{
