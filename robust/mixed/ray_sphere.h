@@ -2,7 +2,8 @@
 #pragma once
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/filters/passage_filter.h"
+#include "robust/kernel/filters/decode.h"
+#include "robust/kernel/filters/ray_filter.h"
 #include "robust/kernel/solids/ball_passage.h"
 
 namespace touchstone::robust {
@@ -29,7 +30,9 @@ struct ray_sphere : kernel::BallPassage {
 
   struct decision : Filtered<decision> {
     static Perhaps<PassageRelation> filter(const kernel::Line& ray, const kernel::Ball& sphere) {
-      return filters::ball_relation(ray, sphere);
+      if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
+      const filters::RayAndBall<double> both(ray.from, {ray.to.x, ray.to.y, ray.to.z}, sphere);
+      return filters::by_sign(both.meets(), PassageRelation::hit, PassageRelation::none);
     }
     static PassageRelation exact(const kernel::Line& ray, const kernel::Ball& sphere);
     static Decided<PassageRelation> past_filter(const kernel::Line& ray, const kernel::Ball& sphere);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/filters/passage_filter.h"
+#include "robust/kernel/filters/segment_ball_filter.h"
 #include "robust/kernel/solids/ball_passage.h"
 
 namespace touchstone::robust {
@@ -28,8 +28,10 @@ struct segment_sphere : kernel::BallPassage {
   static Decided<Passage<double>> ask(const kernel::Line& segment, const kernel::Ball& sphere);
 
   struct decision : Filtered<decision> {
-    static Perhaps<PassageRelation> filter(const kernel::Line& segment, const kernel::Ball& sphere) {
-      return filters::ball_relation(segment, sphere);
+    static Perhaps<PassageRelation> filter(const auto& segment, const auto& sphere) {
+      if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
+      const auto sign = filters::segment_meets_ball(segment.a, segment.b, sphere.center, sphere.radius);
+      return filters::by_sign(sign, PassageRelation::hit, PassageRelation::none);
     }
     static PassageRelation exact(const kernel::Line& segment, const kernel::Ball& sphere);
     static Decided<PassageRelation> past_filter(const kernel::Line& segment, const kernel::Ball& sphere);

@@ -38,7 +38,6 @@ Rational rational(double value) {
   else mpq_div_2exp(result.get_mpq_t(), Rational(dyadic_value.n).get_mpq_t(), -dyadic_value.exponent);
   return result;
 }
-Vector3<Rational> rational(const Vector3d& v) { return {rational(v.x), rational(v.y), rational(v.z)}; }
 
 int sign(const Rational& x) { return sgn(x); }
 double at_least(const Rational& x) { return std::nextafter(nearest(x), -HUGE_VAL); }

@@ -2,14 +2,12 @@
 #pragma once
 
 #include "geometry/rays.h"
-#include "robust/kernel/filters/decode.h"
+#include "robust/kernel/filters/filters.h"
 #include "robust/kernel/filters/line_in_space.h"
-#include "robust/kernel/filters/ray_filter.h"
 #include "robust/kernel/filters/sized.h"
 #include "robust/kernel/filters/staged.h"
-#include "robust/kernel/filters/sweep_filter.h"
 
-/// Decides whether a line meets a box or a ball, or returns unknown. Numbers need not be valid.
+/// Decides whether a line meets a box, or returns unknown. Numbers need not be valid.
 namespace touchstone::robust::filters {
 
 /// The numbers of an axis of a ray and a box.
@@ -100,30 +98,6 @@ inline Perhaps<PassageRelation> box_relation(const kernel::Line& line, const ker
   if (misses + meets == 0) [[unlikely]]  // one branch
     return std::nullopt;
   return misses != 0 ? PassageRelation::none : PassageRelation::hit;
-}
-
-/// Decides rays by ray_filter.h, and segments by the signs that sweep_filter.h proves, for a point that moves along it.
-inline Perhaps<PassageRelation> ball_relation(const kernel::Line& line, const kernel::Ball& ball) {
-  if (kernel::sign_bit(ball.radius)) return std::nullopt;  // -0.0, or negative, which validation refuses
-  const auto& [from, to, ends] = line;
-  if (!ends) {
-    const RayAndBall<double> both(from, {to.x, to.y, to.z}, ball);
-    return by_sign(both.meets(), PassageRelation::hit, PassageRelation::none);
-  }
-  const Sweep<double> sweep({from, 0}, ball, {to.x, to.y, to.z}, {from.x, from.y, from.z});
-  const Sign start = sweep.start(), slope = sweep.slope_at_start(), passage = sweep.passage(), end = sweep.end(),
-             slope_at_end = sweep.slope_at_end();
-  const auto is = [](Sign sign, Sign which) { return static_cast<int>(sign == which); };
-  constexpr Sign negative = Sign::negative, positive = Sign::positive;
-  // If the slope is unknown, the ball perhaps rests, or the direction is zero, to be refused.
-  const int inside = is(start, negative) & (is(slope, negative) | is(slope, positive));
-  const int outside = is(start, positive), approaches = outside & is(slope, negative);
-  const int enters = approaches & is(end, positive) & is(passage, negative);
-  const int hit = inside | (approaches & is(end, negative)) | (enters & is(slope_at_end, positive));
-  const int none = (outside & (is(slope, positive) | is(passage, positive))) | (enters & is(slope_at_end, negative));
-  if (hit + none == 0) [[unlikely]]  // one branch: the answer is unpredictable
-    return std::nullopt;
-  return none != 0 ? PassageRelation::none : PassageRelation::hit;
 }
 
 }  // namespace touchstone::robust::filters
