@@ -135,7 +135,8 @@ class ImpactStep {
       std::vector<BodyPair> all;
       for (const auto& group : groups) {
         for (const Met& contact : group) all.push_back(contact);
-        if (group.size() > most_contacts_at_a_root && !is_rational(*t)) step.relation = StepCourse::too_many_contacts;
+        if (group.size() > most_contacts_at_a_root && touching_ && !is_rational(*t))
+          step.relation = StepCourse::too_many_contacts;
       }
       std::sort(all.begin(), all.end());
       Moment<double> moment{nearest(*t), {}};
@@ -229,7 +230,9 @@ class ImpactStep {
     const Vector3<AtTime> apart_there = a.at(limit) - b.at(limit);
     const bool parts_there = sign(dot(apart_there, kernel::with_root(displacement))) > 0;
     if (!parts_there && sign(gap(pair, apart_there)) > 0) return;
-    least = kernel::with_root(start - slope / square, Number(-1) / square, discriminant);
+    if constexpr (std::is_same_v<Numbers, ExactStep>)
+      least = kernel::with_root(start - slope / square, Number(-1) / square, discriminant);
+    else least = start + from / (square_root(discriminant) - slope);  // no cancellation
     touching_ = pair;
   }
   std::optional<AtTime> next_moment() {

@@ -83,6 +83,7 @@ class SimulationStep {
     find_contacts();
     if (approach_) respond();
     NextStated next;
+    next.contacts.reserve(touches_.size()), next.bodies.reserve(bodies_.size());
     for (const Touch& touch : touches_)
       next.contacts.push_back({static_cast<Index>(touch.body), static_cast<Index>(touch.other)});
     for (std::size_t i = 0; i < bodies_.size(); ++i) next.bodies.push_back({position(i), {}});

@@ -22,17 +22,20 @@ std::vector<OneRoot> impulses_of(const PushProgram<OneRoot>& program);
 /// Throws Unsure.
 std::vector<Sure> impulses_of(const PushProgram<Sure>& program);
 
-/// The program of contacts, each of a body and another. push(contact, place) is 1, -1 or 0 times the inverse mass of the
-/// body there: what the contact's impulse does to it. Its parting speed, which is not positive, has to change by as much
-/// as `bounce` times its size.
+/// The program of contacts, each of a body and another. push(contact, place) is 1, -1 or 0 times the inverse mass of
+/// the body there: what the contact's impulse does to it. The parting speed, which is not positive, has to change by as
+/// much as `bounce` times its size.
 template <class Number, class Contact, class Push>
 PushProgram<Number> push_program(const std::vector<Contact>& contacts, const Number& bounce, const Push& push) {
   PushProgram<Number> program;
-  for (const Contact& c : contacts) {
-    std::vector<Number>& row = program.effects.emplace_back();
-    for (const Contact& d : contacts) {
-      const Number mass = push(d, c.body) - push(d, c.other);
-      row.push_back(sign(mass) == 0 ? Number() : mass * dot(c.normal, d.normal));
+  const std::size_t n = contacts.size();
+  program.effects.assign(n, std::vector<Number>(n)), program.wanted.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Contact& c = contacts[i];
+    for (std::size_t j = i; j < n; ++j) {
+      const Number mass = push(contacts[j], c.body) - push(contacts[j], c.other);
+      if (sign(mass) == 0) continue;
+      program.effects[i][j] = program.effects[j][i] = mass * dot(c.normal, contacts[j].normal);
     }
     program.wanted.push_back(Number() - bounce * c.parting);
   }

@@ -68,17 +68,17 @@ struct Differences {
       for (std::size_t k = 0; k < separate; ++k) reached = reached + farthest(k, dot(between, edges[k]));
       if constexpr (triangle) reached = reached + farthest_in_triangle(between);
       if (dot(between, way) - reached > heights * length) return Contact::disjoint;
-      if (!approach(t)) break;
+      if (approach(t) == 0) break;
       if (turn > 0) leap(t);
     }
     return std::nullopt;
   }
 
-  /// The guess alone.
+  /// The guess alone; what only rounding still moves is not moved again.
   std::array<double, n> guess() const {
     std::array<double, n> t = first_guess();
-    for (int turn = 0; turn < turns && approach(t); ++turn)
-      if (turn > 0) leap(t);
+    for (int turn = 0; turn < turns && approach(t) > 0x1p-48; ++turn)
+      leap(t);
     return t;
   }
 
@@ -127,17 +127,17 @@ struct Differences {
     return way - along;
   }
 
-  /// Moves each t_k once; returns whether any has changed.
-  bool approach(std::array<double, n>& t) const {
+  /// Moves each t_k once; returns how far they have moved together.
+  double approach(std::array<double, n>& t) const {
     Vector3d rest = displacement(t);
-    bool changed = false;
+    double changed = 0;
     for (std::size_t k = 0; k < n; ++k) {
       const double next = moved(k, t, rest);
-      changed = changed || next != t[k];
+      changed = changed + magnitude(next - t[k]);
       rest = rest - (next - t[k]) * edges[k];
       t[k] = next;
     }
-    if constexpr (triangle) changed = slide(t, rest) || changed;
+    if constexpr (triangle) changed = changed + slide(t, rest);
     return changed;
   }
 
@@ -178,17 +178,17 @@ struct Differences {
   }
   bool open(std::size_t k, const std::array<double, n>& t) const { return least(k) < t[k] && t[k] < greatest(k, t); }
 
-  /// Along the third side of the triangle.
-  bool slide(std::array<double, n>& t, const Vector3d& rest) const {
+  /// Along the third side of the triangle; returns how far.
+  double slide(std::array<double, n>& t, const Vector3d& rest) const {
     double &first = t[n - 2], &second = t[n - 1];
     const Vector3d side = edges[n - 1] - edges[n - 2];
     const double length = dot(side, side), sum = first + second, most = sum > 1 ? 1.0 : sum;
-    if (!(length > 0)) return false;
+    if (!(length > 0)) return 0;
     const double foot = second + dot(rest, side) / length, before = second;
     second = foot > most ? most : foot < 0 ? 0.0 : moderated(foot);
     const double left = moderated(most - second), room = greatest(n - 2, t);
     first = left > room ? room : left;
-    return second != before;
+    return magnitude(second - before);
   }
 };
 

@@ -26,8 +26,12 @@ class Sure {
   friend Sure operator+(const Sure& x, const Sure& y) { return Sure(x.value_ + y.value_); }
   friend Sure operator-(const Sure& x, const Sure& y) { return Sure(x.value_ - y.value_); }
   friend Sure operator-(const Sure& x) { return Sure(-x.value_); }
-  friend Sure operator*(const Sure& x, const Sure& y) { return Sure(x.value_ * y.value_); }
+  friend Sure operator*(const Sure& x, const Sure& y) {
+    if (x.is_one()) return y;
+    return y.is_one() ? x : Sure(x.value_ * y.value_);
+  }
   friend Sure operator/(const Sure& x, const Sure& y) {
+    if (y.is_one()) return x;
     const Enclosed<double> below = y.in_order();
     if (!below.settled() || !(magnitude(below.high) >= 0x1p-200)) end();
     return Sure(Loose(x.in_order() / Divisor(below)));
@@ -42,14 +46,14 @@ class Sure {
   friend int sign(const Sure& x) {
     if (none_of(x.value_)) return 0;
     const Enclosed<double> value = x.in_order();
-    if (!value.settled() || !(magnitude(value.high) > 0)) end();
+    if (!(value.settled() && magnitude(value.high) > 0)) end();
     return value.high > 0 ? 1 : -1;
   }
   /// Bounds of the number.
   friend double at_least(const Sure& x) { return x.middle() - x.reach(); }
   friend double at_most(const Sure& x) { return x.middle() + x.reach(); }
   friend double nearest(const Sure& x) {
-    const auto number = rounded(static_cast<const Enclosed<double>&>(x.value_));
+    const auto number = rounded(x.in_order());
     if (!number) end();
     return *number;
   }
@@ -69,6 +73,7 @@ class Sure {
     return {parts.high, parts.low, value_.error};
   }
 
+  bool is_one() const { return value_.high == 1 && value_.low == 0 && value_.error == 0; }
   double middle() const { return value_.high + value_.low; }
   /// Twice the error, and four times what rounds in the middle, here, and in the sum of both.
   double reach() const { return 2 * value_.error + 0x1p-50 * (magnitude(value_.high) + magnitude(value_.low)); }
