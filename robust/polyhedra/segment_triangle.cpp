@@ -53,6 +53,23 @@ void validate_segment_triangle(const Segment3d& s, const Triangle3d& t) {
 
 }  // namespace
 
+/// Every sign is that of FacePlane.
+Perhaps<Relation> stages::segment_triangle::decision::by_planes(const Segment3d& segment, const Triangle3d& triangle) {
+  using filters::Sign;
+  using Plane = filters::FacePlane<double>;
+  const auto& [p, q] = segment;
+  const auto& [a, b, c] = triangle;
+  const Plane plane(a, b, c);
+  const Sign at_p = plane.side(p), at_q = plane.side(q);
+  if (at_p == Sign::unknown || at_q == Sign::unknown) return std::nullopt;
+  if (at_p == at_q) return Relation::none;
+  const Sign ab = Plane(p, q, a).side(b), bc = Plane(p, q, b).side(c), ca = Plane(p, q, c).side(a);
+  const auto any = [&](Sign sign) { return ab == sign || bc == sign || ca == sign; };
+  if (any(Sign::positive) && any(Sign::negative)) return Relation::none;
+  if (any(Sign::unknown)) return std::nullopt;
+  return Relation::point;
+}
+
 Perhaps<Relation> stages::segment_triangle::decision::lattice(const Segment3d& segment, const Triangle3d& triangle) {
   const auto dimension = kernel::common_dimension_on_lattice(segment, triangle);
   if (!dimension) return std::nullopt;
@@ -65,12 +82,14 @@ Relation stages::segment_triangle::decision::exact(const Segment3d& segment, con
 
 Decided<Relation> stages::segment_triangle::decision::past_filter(const Segment3d& segment,
                                                                   const Triangle3d& triangle) {
+  if (const auto known = by_planes(segment, triangle)) return {*known, Stage::filter};
   return in_turn<decision, validate_segment_triangle, Stage::lattice, Stage::exact>(segment, triangle);
 }
 
 Perhaps<SegmentTriangle<double>> stages::segment_triangle::enclosed(const Segment3d& segment,
                                                                     const Triangle3d& triangle) {
-  const auto relation = decision::filter(segment, triangle);
+  auto relation = decision::filter(segment, triangle);
+  if (!relation) relation = decision::by_planes(segment, triangle);
   if (!relation) return std::nullopt;
   if (*relation == Relation::none) return SegmentTriangle<double>{Relation::none, {}, {}, {}};
   if (!kernel::crossable(segment.a, segment.b, triangle.a, triangle.b, triangle.c)) return std::nullopt;

@@ -3,7 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/triangles.h"
-#include "robust/kernel/filters/face_filter.h"
+#include "robust/kernel/filters/segment_triangle_filter.h"
 #include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {
@@ -29,22 +29,21 @@ struct segment_triangle : Signatures<decltype(robust::segment_triangle)> {
   struct decision : Filtered<decision, decltype(robust::segment_triangle_relation)> {
     /// Decides if both ends are certainly not on the triangle's plane. On one side of it there is no intersection. On
     /// two sides the line crosses the plane once, inside the triangle if it has all three edges on one side, outside if
-    /// it has two of them on different sides. Every sign is that of FacePlane.
+    /// it has two of them on different sides. One branch: the answer is unpredictable.
     static Perhaps<SegmentTriangleRelation> filter(const Segment3d& segment, const Triangle3d& triangle) {
       using filters::Sign;
-      using Plane = filters::FacePlane<double>;
-      const auto& [p, q] = segment;
-      const auto& [a, b, c] = triangle;
-      const Plane plane(a, b, c);
-      const Sign at_p = plane.side(p), at_q = plane.side(q);
-      if (at_p == Sign::unknown || at_q == Sign::unknown) return std::nullopt;
-      if (at_p == at_q) return SegmentTriangleRelation::none;
-      const Sign ab = Plane(p, q, a).side(b), bc = Plane(p, q, b).side(c), ca = Plane(p, q, c).side(a);
-      const auto any = [&](Sign sign) { return ab == sign || bc == sign || ca == sign; };
-      if (any(Sign::positive) && any(Sign::negative)) return SegmentTriangleRelation::none;
-      if (any(Sign::unknown)) return std::nullopt;
-      return SegmentTriangleRelation::point;
+      const filters::SegmentAndTriangle<double> both(segment, triangle);
+      const Sign at_p = both.at_p(), at_q = both.at_q();
+      const Sign ab = both.beside_ab(), bc = both.beside_bc(), ca = both.beside_ca();
+      const auto any = [&](Sign sign) { return (ab == sign) | (bc == sign) | (ca == sign); };
+      const int certain = (at_p != Sign::unknown) & (at_q != Sign::unknown), apart = at_p == at_q;
+      const int outside = any(Sign::positive) & any(Sign::negative), unknown = any(Sign::unknown);
+      if ((certain & (apart | outside | !unknown)) == 0) [[unlikely]]
+        return std::nullopt;
+      return (apart | outside) != 0 ? SegmentTriangleRelation::none : SegmentTriangleRelation::point;
     }
+    /// The same by planes through three points, of which more signs are certain.
+    static Perhaps<SegmentTriangleRelation> by_planes(const Segment3d& segment, const Triangle3d& triangle);
     static Partial lattice;
     static Total exact;
     static Staged past_filter;

@@ -13,9 +13,9 @@ namespace touchstone::robust::filters {
 ///
 /// As RayAndBall, with v from a to b: |c + t v|^2 - r^2 is start + 2 slope t + v . v t^2, and end at t = 1, where half
 /// its derivative is slope_at_end = slope + v . v. The line misses the ball if value = slope^2 - v . v start is
-/// negative, and the segment meets it if start or end is negative. If all are positive, the segment meets the ball if it
-/// approaches at its start and parts at its end. In units of |c|^2, r^2 and |v|^2, whose sum is U; |c| |v| is at most half of |c|^2 +
-/// |v|^2:
+/// negative, and the segment meets it if start or end is negative. If all are positive, the segment meets the ball if
+/// it approaches at its start and parts at its end. In units of |c|^2, r^2 and |v|^2, whose sum is U; |c| |v| is at
+/// most half of |c|^2 + |v|^2:
 ///
 /// start: as for RayAndBall, C = 5 u + 128 u^2.
 ///
