@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/filters/segment_ball_filter.h"
+#include "robust/kernel/filters/segments/segment_ball_filter.h"
 #include "robust/kernel/solids/ball_passage.h"
 
 namespace touchstone::robust {

@@ -3,7 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "geometry/triangles.h"
-#include "robust/kernel/filters/segment_triangle_filter.h"
+#include "robust/kernel/filters/segments/segment_triangle_filter.h"
 #include "robust/kernel/filters/staged.h"
 
 namespace touchstone::robust {

@@ -74,7 +74,7 @@ class ActiveSet {
     }
   }
 
-  /// Of contacts that do not push: the others hold.
+  /// Looks at the contacts that do not push: the others hold.
   std::optional<std::size_t> broken_by(const Column& all) const {
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (std::find(active_.begin(), active_.end(), i) != active_.end()) continue;

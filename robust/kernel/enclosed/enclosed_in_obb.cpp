@@ -11,38 +11,105 @@ namespace touchstone::robust::kernel {
 namespace {
 
 using LooseVector = filters::Triple<Loose>;
+using SizedVector = filters::Triple<filters::Sized<1>>;
+using SizedPlace = filters::Triple<filters::Sized<4>>;  ///< a difference and up to three sums
 
 double positive_zero(double x) { return validation::zero(x) ? 0.0 : x; }
 bool surely_positive(const Loose& x) { return x.settled() && x.high > 0; }
+template <int k>
+bool surely_positive(const filters::Sized<k>& x) {
+  return x.positive();
+}
 
-LooseVector sum(const LooseVector& v, const LooseVector& w) { return {v.x + w.x, v.y + w.y, v.z + w.z}; }
-LooseVector negative(const LooseVector& v) { return {-v.x, -v.y, -v.z}; }
-LooseVector times(const Loose& t, const LooseVector& v) { return {t * v.x, t * v.y, t * v.z}; }
+template <class X, class Y>
+auto sum(const filters::Triple<X>& v, const filters::Triple<Y>& w) {
+  return filters::Triple{v.x + w.x, v.y + w.y, v.z + w.z};
+}
+template <class X>
+auto negative(const filters::Triple<X>& v) {
+  return filters::Triple{-v.x, -v.y, -v.z};
+}
+template <class T, class X>
+auto times(const T& t, const filters::Triple<X>& v) {
+  return filters::Triple{t * v.x, t * v.y, t * v.z};
+}
 
-/// Seen from the point, and times `unit`, which is positive: the foot of the perpendicular, and its coefficients of the
-/// vectors that span the edge or face; and the square of its distance times `unit` once.
+SizedVector sized(const Vector3d& v) {
+  const auto one = [](double x) { return filters::Sized<1>{x, filters::FloatFormat<double>::magnitude(x)}; };
+  return {one(v.x), one(v.y), one(v.z)};
+}
+void move(LooseVector& place, const LooseVector& by) { place = sum(place, by); }
+void move(SizedPlace& place, const SizedVector& by) {
+  const auto add = [](filters::Sized<4>& x, const filters::Sized<1>& y) { x = {x.value + y.value, x.size + y.size}; };
+  add(place.x, by.x), add(place.y, by.y), add(place.z, by.z);
+}
+
+/// An edge or a face of the box, or a corner, seen from the point: that through `from` which the first `frees` of
+/// `free` span; the half axes `outwards` lead to it from within the box.
+template <class Place, class Edge>
+struct BoxPart {
+  Place from;
+  std::array<Edge, 3> free, outwards;
+  std::size_t frees = 0, fixed = 0;
+
+  /// Takes what the guess says of the box with its center at `center`, seen from the point.
+  BoxPart(const Place& center, const std::array<Edge, 3>& half_axes, const std::array<double, 3>& guess)
+      : from(center), free(half_axes), outwards(half_axes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (guess[k] > -1 && guess[k] < 1) {
+        free[frees++] = half_axes[k];
+      } else {
+        outwards[fixed] = guess[k] > 0 ? half_axes[k] : negative(half_axes[k]);
+        move(from, outwards[fixed++]);
+      }
+    }
+  }
+
+  /// True if it certainly has the nearest point: the foot of the perpendicular is on it, and the box behind it.
+  bool nearest() const {
+    const auto& [e, f, rest] = free;
+    if (frees == 0) return behind(from);
+    if (frees == 1) {
+      const auto along = -dot(from, e);
+      const auto unit = dot(e, e);
+      return within(along, unit) && behind(sum(times(unit, from), times(along, e)));
+    }
+    const auto normal = cross(e, f);
+    const auto unit = dot(normal, normal);
+    return within(dot(cross(f, from), normal), unit) && within(dot(cross(from, e), normal), unit) &&
+           surely_positive(-(dot(from, normal) * dot(normal, outwards[0])));
+  }
+
+ private:
+  bool behind(const auto& place) const {
+    for (std::size_t k = 0; k < fixed; ++k)
+      if (!surely_positive(-dot(place, outwards[k]))) return false;
+    return true;
+  }
+  static bool within(const auto& coefficient, const auto& unit) {
+    return surely_positive(unit - coefficient) && surely_positive(unit + coefficient);
+  }
+};
+
+/// The foot of the perpendicular seen from the point, and times `unit`, which is positive; and the square of its
+/// distance times `unit` once.
 struct Foot {
   LooseVector place;
-  std::array<Loose, 2> coefficients;
   Loose square, unit;
 };
 
-/// On the edge or face through `from` that the first `count` vectors span, or at that point.
-Foot foot_of_perpendicular(const LooseVector& from, const std::array<LooseVector, 3>& edges, std::size_t count) {
-  const Loose zero(0);
-  const auto& [e, f, rest] = edges;
-  if (count == 0) return {from, {zero, zero}, dot(from, from), Loose(1)};
-  if (count == 1) {
-    const Loose along = -dot(from, e), unit = dot(e, e);
+Foot foot_of_perpendicular(const BoxPart<LooseVector, LooseVector>& part) {
+  const auto& [e, f, rest] = part.free;
+  const LooseVector& from = part.from;
+  if (part.frees == 0) return {from, dot(from, from), Loose(1)};
+  if (part.frees == 1) {
     const LooseVector across = cross(from, e);
-    return {sum(times(unit, from), times(along, e)), {along, zero}, dot(across, across), unit};
+    const Loose unit = dot(e, e);
+    return {sum(times(unit, from), times(-dot(from, e), e)), dot(across, across), unit};
   }
   const LooseVector normal = cross(e, f);
   const Loose height = dot(from, normal);
-  return {times(height, normal),
-          {dot(cross(f, from), normal), dot(cross(from, e), normal)},
-          height * height,
-          dot(normal, normal)};
+  return {times(height, normal), height * height, dot(normal, normal)};
 }
 
 /// The foot that is certainly the nearest point of the box, with a unit that is certainly positive.
@@ -51,26 +118,13 @@ std::optional<Foot> nearest_foot(const Point3d& point, const Obb3d& obb) {
   if (!(moderate(point) & moderate(obb)) || !rounds_to_nearest()) return std::nullopt;
   const auto& [u, v, w] = obb.half_axes;
   const auto guess = filters::Differences<3>{{u, v, w}, point - obb.center}.guess();
-  const std::array half_axes{loose(u), loose(v), loose(w)};
-  std::array free = half_axes, outwards = half_axes;
-  std::size_t frees = 0, fixed = 0;
-  LooseVector from = loose_between(point, obb.center);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (guess[k] > -1 && guess[k] < 1) {
-      free[frees++] = half_axes[k];
-    } else {
-      outwards[fixed] = guess[k] > 0 ? half_axes[k] : negative(half_axes[k]);
-      from = sum(from, outwards[fixed++]);
-    }
-  }
-  if (fixed == 0) return std::nullopt;
-  const Foot foot = foot_of_perpendicular(from, free, frees);
-  const auto& [place, coefficients, square, unit] = foot;
-  for (std::size_t k = 0; k < frees; ++k)
-    if (!surely_positive(unit - coefficients[k]) || !surely_positive(unit + coefficients[k])) return std::nullopt;
-  for (std::size_t k = 0; k < fixed; ++k)
-    if (!surely_positive(-dot(place, outwards[k]))) return std::nullopt;
-  if (!surely_positive(unit)) return std::nullopt;
+  const auto [cx, cy, cz] = filters::sized_between(point, obb.center);
+  const auto wide = [](const filters::Sized<1>& x) { return filters::Sized<4>{x.value, x.size}; };
+  const BoxPart<SizedPlace, SizedVector> sized_part({wide(cx), wide(cy), wide(cz)}, {sized(u), sized(v), sized(w)}, guess);
+  const BoxPart<LooseVector, LooseVector> part(loose_between(point, obb.center), {loose(u), loose(v), loose(w)}, guess);
+  if (part.fixed == 0 || !(sized_part.nearest() || part.nearest())) return std::nullopt;
+  const Foot foot = foot_of_perpendicular(part);
+  if (!surely_positive(foot.unit)) return std::nullopt;
   return foot;
 }
 
@@ -81,7 +135,7 @@ Perhaps<ClosestPoint3<double>> closest_in_obb(const Point3d& point, const Obb3d&
     return ClosestPoint3<double>{{positive_zero(point.x), positive_zero(point.y), positive_zero(point.z)}, 0, 0};
   const auto foot = nearest_foot(point, obb);
   if (!foot) return std::nullopt;
-  const auto& [place, coefficients, square, unit] = *foot;
+  const auto& [place, square, unit] = *foot;
   const Divisor<double> divisor(unit);
   const auto coordinate = [&divisor](double start, const Loose& way) {
     return rounded(Loose(start) + Loose(way / divisor));
