@@ -7,7 +7,8 @@
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
 own text. Text that this does not understand is an error, never left out. enclosed.py does the same for enclosed.h and
-push.h; lane_text.py, lane_shapes.py, lane_solids.py, lane_linear.py and lane_close.py do it for arrays.
+push.h; lane_text.py, lane_shapes.py, lane_solids.py, lane_triangles.py, lane_linear.py and lane_close.py do it for
+arrays.
 """
 import hashlib
 import pathlib
@@ -20,6 +21,7 @@ import lane_linear
 import lane_shapes
 import lane_solids
 import lane_text
+import lane_triangles
 from cpp import Body, Run
 from source import Source, split
 from values import TYPES, Array, Index, Number, Truth, chosen_bounds
@@ -257,7 +259,8 @@ def all_of(root):
     files["enclosed"], others = enclosed.all_of(root)
     for name, reader in (("lane_filters", lane_text), ("lane_shape_filters", lane_shapes),
                          ("lane_solid_filters", lane_solids), ("lane_linear_filters", lane_linear),
-                         ("lane_close_filters", lane_close)):
+                         ("lane_close_filters", lane_close),
+                         ("lane_triangle_filters", lane_triangles)):
         files[name], lanes = reader.all_of(root)
         others += lanes
     return files, found + [(name, definition, digest(parts)) for name, definition, parts in others]

@@ -17,11 +17,6 @@ Notation some := (bpow radix2 (-510)).
 Notation one := (number 1 0).
 
 (* How large numbers are at most. *)
-Lemma mag_product x y i j k : mag x i -> mag y j -> (i + j = k)%Z -> (-1000 <= k <= 1022)%Z -> mag (times x y) k.
-Proof.
-intros [X LX] [Y LY] <- K. apply mag_times; try assumption. rewrite Rabs_mult, bpow_plus.
-apply Rmult_le_compat; auto using Rabs_pos.
-Qed.
 Definition dot3 ax ay az bx by_ bz := plus (plus (times ax bx) (times ay by_)) (times az bz).
 Lemma mag_dot3 ax ay az bx by_ bz i j k : mag ax i -> mag ay i -> mag az i -> mag bx j -> mag by_ j -> mag bz j ->
   (i + j = k)%Z -> (-1000 <= k <= 1000)%Z -> mag (dot3 ax ay az bx by_ bz) (k + 2).
@@ -29,30 +24,7 @@ Proof.
 intros AX AY AZ BX BY BZ E K. replace (k + 2)%Z with (k + 1 + 1)%Z by ring.
 apply mag_plus; [apply mag_plus; [|..|lia]|apply mag_more with k; [|lia]|lia]; eapply mag_product; eauto; lia.
 Qed.
-Lemma mag_multiply_add fused a b c i j k : mag a i -> mag b j -> mag c k -> (i + j <= k)%Z -> (-1000 <= k <= 1000)%Z
-  ->
-  (-1000 <= i + j)%Z -> mag (multiply_add fused a b c) (k + 1).
-Proof.
-intros A B C L K J. unfold multiply_add. destruct fused.
-- destruct A as [FA A], B as [FB B], C as [FC C].
-  apply (outcome_mag _ _ _ (outcome_fma mode_NE a b c FA FB FC)).
-  + rewrite bpow_plus. simpl (bpow radix2 1). apply Rle_trans with (1 := Rabs_triang _ _).
-    assert (Rabs (a * b) <= bpow radix2 k); [|lra]. rewrite Rabs_mult.
-    apply Rle_trans with (bpow radix2 i * bpow radix2 j); [apply Rmult_le_compat; auto using Rabs_pos|].
-    rewrite <- bpow_plus. now apply bpow_le.
-  + unfold fair. apply andb_true_intro. split; apply Z.leb_le; lia.
-- apply mag_plus; [|exact C|lia]. apply mag_more with (i + j)%Z; [|exact L]. eapply mag_product; eauto; lia.
-Qed.
 #[local] Opaque plus minus times multiply_add.
-Lemma mag_number m e k : (Z.abs m < 2 ^ 53)%Z -> (-1074 <= e <= 971)%Z -> (Z.abs m <= 2 ^ (k - e))%Z -> (e <= k)%Z ->
-  mag (number m e) k.
-Proof.
-intros M E L K. destruct (number_value m e M E) as [F V]. split; [exact F|]. rewrite V, Rabs_mult.
-rewrite (Rabs_right (bpow radix2 e)) by (apply Rle_ge, bpow_ge_0). rewrite <- abs_IZR.
-replace (bpow radix2 k) with (IZR (2 ^ (k - e)) * bpow radix2 e).
-- apply Rmult_le_compat_r; [apply bpow_ge_0|now apply IZR_le].
-- change 2%Z with (radix_val radix2) at 1. rewrite IZR_Zpower by lia. rewrite <- bpow_plus. f_equal. ring.
-Qed.
 Lemma least_is : finite least /\ value least = 1024 * some.
 Proof.
 destruct (number_value 1 (-500)) as [F V]; [lia|lia|]. split; [exact F|]. rewrite V, Rmult_1_l.

@@ -1,10 +1,9 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* FacePlane in a lane: on which side of the plane through three points another lies, or to which a displacement
-   leads. *)
+(* On which side of a face's plane a point lies: a product with a normal, and its bound. *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
 From Filters Require Import model constants steps format floats ghost lanes.
-From Filters Require Import lane_bounds lane_turns lane_values lane_sums lane_shape_filters.
+From Filters Require Import lane_bounds lane_turns lane_values lane_sums.
 Import ListNotations.
 Open Scope R_scope.
 #[local] Coercion value : float >-> R.
@@ -162,38 +161,9 @@ destruct (signs _ _ _ _ _ _ _ 8 (-50) E L ltac:(lia) ltac:(lia) ltac:(lra) ltac:
 split; intros K; [exact (N (SN K))|exact (P (SP K))].
 Qed.
 
-(* And with the normal. *)
-Definition face fused s1 s2 s3 t1 t2 t3 d1 d2 d3 :=
-  let value := plus (plus (times (difference_of s2 t3 s3 t2) d1) (times (difference_of s3 t1 s1 t3) d2))
-    (times (difference_of s1 t2 s2 t1) d3) in
-  let terms := plus (plus (times (terms_of s2 t3 s3 t2) (size d1)) (times (terms_of s3 t1 s1 t3) (size d2)))
-    (times (terms_of s1 t2 s2 t1) (size d3)) in
-  (value, bound fused (-50) terms).
+(* And with the normal of a face. *)
 Definition face_exact s1 s2 s3 t1 t2 t3 d1 d2 d3 :=
   (s2 * t3 - s3 * t2) * d1 + (s3 * t1 - s1 * t3) * d2 + (s1 * t2 - s2 * t1) * d3.
-
-Lemma face_finite fused s1 s2 s3 t1 t2 t3 d1 d2 d3 : let '(z, b) := face fused s1 s2 s3 t1 t2 t3 d1 d2 d3 in
-  above (size z) b = true -> Forall finite [s1; s2; s3; t1; t2; t3; d1; d2; d3].
-Proof.
-cbv beta zeta delta [face]. intros A.
-match type of A with above _ (bound _ _ ?m) = true => assert (U : up m) by (unfold terms_of; ups) end.
-destruct (bound_says _ _ _ _ A U ltac:(lia)) as (M & _). clear A U. unfold terms_of in M. finites.
-repeat constructor; assumption.
-Qed.
-Lemma face_right fused s1 s2 s3 t1 t2 t3 d1 d2 d3 s1' s2' s3' t1' t2' t3' d1' d2' d3' :
-  near s1 s1' -> near s2 s2' -> near s3 s3' -> near t1 t1' -> near t2 t2' -> near t3 t3' ->
-  near d1 d1' -> near d2 d2' -> near d3 d3' ->
-  let '(z, b) := face fused s1 s2 s3 t1 t2 t3 d1 d2 d3 in above (size z) b = true ->
-  (negative_lane z = true -> face_exact s1' s2' s3' t1' t2' t3' d1' d2' d3' < 0) /\
-  (negative_lane z = false -> face_exact s1' s2' s3' t1' t2' t3' d1' d2' d3' > 0).
-Proof.
-intros S1 S2 S3 T1 T2 T3 D1 D2 D3. cbv beta zeta delta [face]. intros A.
-assert (C : forall p q r w p' q' r' w', near p p' -> near q q' -> near r r' -> near w w' ->
-  coordinate (difference_of p q r w) (terms_of p q r w) (p' * q' - r' * w') (total_of p' q' r' w'))
-  by (intros; split; [apply up_terms|now apply coordinate_says]).
-exact (product_right fused _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ (C _ _ _ _ _ _ _ _ S2 T3 S3 T2)
-  (C _ _ _ _ _ _ _ _ S3 T1 S1 T3) (C _ _ _ _ _ _ _ _ S1 T2 S2 T1) D1 D2 D3 A).
-Qed.
 
 (* Where the side is known, the numbers are finite, and the exact volume has that sign. *)
 Definition sides_right (known : bool * bool) (arguments : list float) exact :=
@@ -207,28 +177,4 @@ Proof.
 intros W. split; intros [A B]%andb_prop; destruct (W A) as (F & N & P); (split; [exact F|]).
 - apply negb_true_iff in B. exact (P B).
 - exact (N B).
-Qed.
-
-Theorem lane_face_leading_right fused (ax ay az bx by_ bz cx cy cz dx dy dz : float) :
-  sides_right (lane_face_leading fused ax ay az bx by_ bz cx cy cz dx dy dz)
-    [ax; ay; az; bx; by_; bz; cx; cy; cz; dx; dy; dz]
-    (face_exact (bx - ax) (by_ - ay) (bz - az) (cx - ax) (cy - ay) (cz - az) dx dy dz).
-Proof.
-apply sides_of. intros A. assert (F := face_finite fused (minus bx ax) (minus by_ ay) (minus bz az) (minus cx ax)
-  (minus cy ay) (minus cz az) dx dy dz A). repeat apply Forall_cons_iff in F as [? F]. clear F.
-split; [finites; repeat constructor; assumption|].
-refine (face_right fused (minus bx ax) (minus by_ ay) (minus bz az) (minus cx ax) (minus cy ay) (minus cz az) dx dy dz
-  _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ A); first [apply near_given | now apply near_difference].
-Qed.
-
-Theorem lane_face_side_right fused (ax ay az bx by_ bz cx cy cz px py pz : float) :
-  sides_right (lane_face_side fused ax ay az bx by_ bz cx cy cz px py pz)
-    [ax; ay; az; bx; by_; bz; cx; cy; cz; px; py; pz]
-    (face_exact (bx - ax) (by_ - ay) (bz - az) (cx - ax) (cy - ay) (cz - az) (px - ax) (py - ay) (pz - az)).
-Proof.
-apply sides_of. intros A. assert (F := face_finite fused (minus bx ax) (minus by_ ay) (minus bz az) (minus cx ax)
-  (minus cy ay) (minus cz az) (minus px ax) (minus py ay) (minus pz az) A). repeat apply Forall_cons_iff in F as [? F].
-clear F. split; [finites; repeat constructor; assumption|].
-refine (face_right fused (minus bx ax) (minus by_ ay) (minus bz az) (minus cx ax) (minus cy ay) (minus cz az)
-  (minus px ax) (minus py ay) (minus pz az) _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ A); now apply near_difference.
 Qed.

@@ -170,7 +170,7 @@ class Definition:
     def __init__(self, shapes, name, names, dimensions, bits=()):
         self.name, self.names, self.bits, self.used = f"lane_{name}", names, bits, {}
         self.run = Run(shapes.source, None, self.used)
-        self.run.shapes, self.run.open, self.run.early, self.run.skipped = shapes, None, None, None
+        self.run.shapes, self.run.points, self.run.skipped = shapes, None, None
         self.run.given = {**shapes.counts, "dimensions": dimensions, "all_lanes": Truth("true"),
                           "infinity": Term("infinity")}
         self.run.taken.update([*names, *bits])

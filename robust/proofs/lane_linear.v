@@ -10,30 +10,6 @@ Open Scope R_scope.
 #[local] Coercion value : float >-> R.
 #[local] Existing Instances p53 fexp_valid below_1024.
 
-(* What is not NaN comes of what is not. *)
-Definition known (x : float) := is_nan x = false.
-Lemma known_plus x y : known (plus x y) -> known x /\ known y.
-Proof. destruct x as [|[]| |], y as [|[]| |]; try discriminate; easy. Qed.
-Lemma known_minus x y : known (minus x y) -> known x /\ known y.
-Proof. destruct x as [|[]| |], y as [|[]| |]; try discriminate; easy. Qed.
-Lemma known_times x y : known (times x y) -> known x /\ known y.
-Proof. destruct x as [|[]| |], y as [|[]| |]; try discriminate; easy. Qed.
-Lemma known_opposite x : known (negated x) -> known x.
-Proof. now destruct x. Qed.
-Lemma known_multiply_add fused x y z : known (multiply_add fused x y z) -> known x /\ known y /\ known z.
-Proof.
-unfold multiply_add. destruct fused; [|now intros [[A B]%known_times C]%known_plus].
-destruct x as [|[]| |], y as [|[]| |], z as [|[]| |]; try discriminate; easy.
-Qed.
-Lemma known_above x y : above (size x) y = true -> known x.
-Proof. destruct x, y; try discriminate; easy. Qed.
-Ltac knowns := repeat match goal with
-  | H : known (plus _ _) |- _ => apply known_plus in H as [? ?]
-  | H : known (minus _ _) |- _ => apply known_minus in H as [? ?]
-  | H : known (times _ _) |- _ => apply known_times in H as [? ?]
-  | H : known (negated _) |- _ => apply known_opposite in H
-  | H : known (multiply_add _ _ _ _) |- _ => apply known_multiply_add in H as (? & ? & ?) end.
-
 (* Beyond neither end, as comparisons find; and then in fact. *)
 Definition in_box (o m x : float) := above o x = false /\ above x m = false.
 Definition between (o m x : float) := finite x /\ o <= x <= m.

@@ -120,12 +120,42 @@ intros [FX X] [FY Y] I J L. assert (F : finite (times x y)).
   change 1019%Z with (2 + 1017)%Z. rewrite bpow_plus. change (bpow radix2 2) with 4. lra. }
 split; [exact F|]. now apply of_times.
 Qed.
-Lemma lane_absorbed j A x t T : lane j A x t T -> (1 <= j)%nat -> A <= 4 * eta -> lane j 0 x t (T + spare).
+Lemma lane_absorbed j A x t T : lane j A x t T -> (1 <= j)%nat -> A <= 64 * eta -> lane j 0 x t (T + spare).
 Proof.
 intros [F E] J L. split; [exact F|]. apply est_absorb with (A := A); [exact J| |exact E].
 apply Rle_trans with (1 := L). unfold eta, v. pose proof (bpow_gt_0 radix2 (-1074)).
 replace (/ 2 * bpow radix2 (-52) * spare) with (/ 2 * bpow radix2 (-1062)).
-- assert (4 * bpow radix2 (-1074) <= bpow radix2 (-1062)); [|lra].
-  change 4 with (bpow radix2 2). rewrite <- bpow_plus. apply bpow_le. lia.
+- assert (64 * bpow radix2 (-1074) <= bpow radix2 (-1062)); [|lra].
+  change 64 with (bpow radix2 6). rewrite <- bpow_plus. apply bpow_le. lia.
 - change (-1062)%Z with (-52 + -1010)%Z. rewrite bpow_plus. ring.
+Qed.
+
+(* How large numbers are at most. *)
+Lemma mag_product x y i j k : mag x i -> mag y j -> (i + j = k)%Z -> (-1000 <= k <= 1022)%Z -> mag (times x y) k.
+Proof.
+intros [X LX] [Y LY] <- K. apply mag_times; try assumption. rewrite Rabs_mult, bpow_plus.
+apply Rmult_le_compat; auto using Rabs_pos.
+Qed.
+Lemma mag_multiply_add fused a b c i j k : mag a i -> mag b j -> mag c k -> (i + j <= k)%Z -> (-1000 <= k <= 1000)%Z
+  ->
+  (-1000 <= i + j)%Z -> mag (multiply_add fused a b c) (k + 1).
+Proof.
+intros A B C L K J. unfold multiply_add. destruct fused.
+- destruct A as [FA A], B as [FB B], C as [FC C].
+  apply (outcome_mag _ _ _ (outcome_fma mode_NE a b c FA FB FC)).
+  + rewrite bpow_plus. simpl (bpow radix2 1). apply Rle_trans with (1 := Rabs_triang _ _).
+    assert (Rabs (a * b) <= bpow radix2 k); [|lra]. rewrite Rabs_mult.
+    apply Rle_trans with (bpow radix2 i * bpow radix2 j); [apply Rmult_le_compat; auto using Rabs_pos|].
+    rewrite <- bpow_plus. now apply bpow_le.
+  + unfold fair. apply andb_true_intro. split; apply Z.leb_le; lia.
+- apply mag_plus; [|exact C|lia]. apply mag_more with (i + j)%Z; [|exact L]. eapply mag_product; eauto; lia.
+Qed.
+Lemma mag_number m e k : (Z.abs m < 2 ^ 53)%Z -> (-1074 <= e <= 971)%Z -> (Z.abs m <= 2 ^ (k - e))%Z -> (e <= k)%Z ->
+  mag (number m e) k.
+Proof.
+intros M E L K. destruct (number_value m e M E) as [F V]. split; [exact F|]. rewrite V, Rabs_mult.
+rewrite (Rabs_right (bpow radix2 e)) by (apply Rle_ge, bpow_ge_0). rewrite <- abs_IZR.
+replace (bpow radix2 k) with (IZR (2 ^ (k - e)) * bpow radix2 e).
+- apply Rmult_le_compat_r; [apply bpow_ge_0|now apply IZR_le].
+- change 2%Z with (radix_val radix2) at 1. rewrite IZR_Zpower by lia. rewrite <- bpow_plus. f_equal. ring.
 Qed.

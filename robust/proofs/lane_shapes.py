@@ -2,7 +2,7 @@
 """Filters of robust/batch/isa that work with points, axes and sides, as Coq functions: lane_text.py does the others.
 
 Points and axes are fields of numbers here, and classes have constructors, methods and operators: each is run from its
-own text. A side of a FacePlane is a function of its own, which the filters that ask for it call.
+own text.
 """
 import copy
 import re
@@ -11,27 +11,20 @@ from fractions import Fraction
 import lane_text
 from lane_text import Body, Run, Source, Term, Truth
 
-HEADERS = ["robust/batch/isa/triangles.h", "robust/batch/isa/beside.h"]
+HEADERS = ["robust/batch/isa/beside.h"]
 NUMBERS = "robust/batch/shapes/faces.h"  # what a convex solid's faces are to beside.h
 SPACE = "geometry/space.h"
 HEAD = lane_text.HEAD.replace("Import floats lanes.", "Import floats lanes lane_filters.")
-# Definition, class, method or None, its arguments.
-FILTERS = [("lane_face_side", "FacePlane", "side", "abcp"), ("lane_face_leading", "FacePlane", "leading", "abcd"),
-           ("lane_segment_triangle", "SegmentTriangle", None, 15), ("lane_ray_triangle", "RayTriangle", None, 15),
-           ("lane_triangle_triangle", "TriangleTriangle", None, 18), ("lane_side_of_face", None, "side_of_face", 9),
-           ("lane_ray_box_2", "RayBox", None, 8, 2), ("lane_ray_box_3", "RayBox", None, 12, 3)]
+# Definition, class or None, a function without one, how many arguments, dimensions.
+FILTERS = [("lane_side_of_face", None, "side_of_face", 9), ("lane_ray_box_2", "RayBox", None, 8, 2),
+           ("lane_ray_box_3", "RayBox", None, 12, 3)]
 NAMES = {name for name, *_ in FILTERS}
-SIDES = {method: name for name, owner, method, *_ in FILTERS if owner and method}
 FIELDS = {"Certain": ("positive", "negative"), "Verdict": ("known", "set")}
-KINDS = ("InSpace", "FacePlane", "Certain", "Edges", "OfAxis")
+KINDS = ("InSpace", "Certain", "OfAxis")
 
 
 class Break(Exception):
     """Out of a loop."""
-
-
-class NoLane(str):
-    """That a bit is set in no lane: not in this one, and not in the others."""
 
 
 class Pointer:
@@ -39,10 +32,6 @@ class Pointer:
 
     def __init__(self, offset):
         self.offset = offset
-
-
-class Plane(list):
-    """A FacePlane that is not looked into: its corners."""
 
 
 class Lambda:
@@ -56,7 +45,7 @@ def parameters_of(text):
 
 
 class Shapes:
-    """The text of the classes and functions of triangles.h."""
+    """The text of classes, and of the functions of beside.h."""
 
     def __init__(self, source, root):
         self.source = source
@@ -118,9 +107,6 @@ class Reader(Body):
         return self.call(text, scope, kind, (owner, fields))["return"]
 
     def constructed(self, kind, arguments):
-        if kind == "FacePlane" and not self.run.open:
-            self.run.used["FacePlane"] = self.run.source.classes["FacePlane"]
-            return Plane(arguments)
         if kind not in KINDS:
             return super().constructed(kind, arguments)
         self.run.used[kind] = self.run.source.classes[kind]
@@ -162,11 +148,7 @@ class Reader(Body):
         elif self.peek() == "if":
             self.take()
             (condition,) = self.arguments()
-            if isinstance(condition, NoLane):  # only where it is so in all lanes
-                self.take("return")
-                self.run.early = condition, self.expression()
-                self.take(";")
-            elif not isinstance(condition, bool):
+            if not isinstance(condition, bool):
                 raise SystemExit("a branch by what is not a constant")
             elif condition:
                 self.statement()
@@ -241,9 +223,7 @@ class Reader(Body):
 
     def operation(self, operator, left, right):
         if isinstance(left, dict) and isinstance(right, dict):
-            return self.method(None if self.run.open is None else "InSpace", f"operator{operator}", {}, [left, right])
-        if operator == "==" and isinstance(left, Truth) and right == 0:
-            return NoLane(left)
+            return self.method(self.run.points, f"operator{operator}", {}, [left, right])
         if isinstance(left, Term) and isinstance(right, Fraction):
             right = lane_text.number(right)
         if isinstance(left, Pointer) and isinstance(right, int) and operator == "+":
@@ -290,13 +270,6 @@ class Reader(Body):
         return dict(zip(FIELDS[self.result], Body.made_of(fields).values()))
 
     def member(self, value, name):
-        if isinstance(value, Plane):
-            if name not in SIDES:
-                raise SystemExit(f"{name} of a plane")
-            (point,) = self.arguments()
-            numbers = [n for corner in [*value, point] for n in corner.values()]
-            pair = self.run.named(name, Truth(f"({SIDES[name]} fused {' '.join(numbers)})"))
-            return {"positive": Truth(f"(fst {pair})"), "negative": Truth(f"(snd {pair})")}
         if self.peek() == "(":
             return self.method("Certain", name, value, self.arguments())
         return super().member(value, name)
@@ -310,28 +283,21 @@ class Reader(Body):
         return Body.element(value, index)
 
 
-def extracted(shapes, name, owner, method, arguments, dimensions=None):
+def extracted(shapes, name, owner, function, arguments, dimensions=None):
     used = {}
     run = Run(shapes.source, dimensions, used)
-    run.shapes, run.open, run.early = shapes, method is not None, None
+    run.shapes, run.points = shapes, "InSpace"
     reader = Reader(run, "")
-    if not owner:
+    if function:
         names = [f"n{i}" for i in range(arguments)]
         points = [f"p{axis}" for axis in "xyz"]
         run.taken.update([*names, *points])
-        found = reader.method(None, method, {}, [list(map(Term, names)), list(map(Term, points))])
+        found = reader.method(None, function, {}, [list(map(Term, names)), list(map(Term, points))])
         result = f"({found['positive']}, {found['negative']})"
         names += points
-    elif method:
-        names = [f"{point}{axis}".replace("by", "by_") for point in arguments for axis in "xyz"]  # by is Coq's
-        points = [dict(zip("xyz", map(Term, names[i:i + 3]))) for i in range(0, len(names), 3)]
-        run.taken.update(names)
-        plane = reader.constructed(owner, points[:3])
-        found = reader.method(owner, method, plane, points[3:])
-        result = f"({found['positive']}, {found['negative']})"
     else:
         names = [f"c{i}" for i in range(arguments)]
-        run.taken.update({*names, *SIDES.values()})
+        run.taken.update(names)
         used[owner] = shapes.source.classes[owner]
         counted = re.search(r"columns = ([\w +*]+);", used[owner])[1]
         if eval(counted, {}, {"dimensions": dimensions}) != arguments:  # of digits, names, + and *
@@ -340,11 +306,7 @@ def extracted(shapes, name, owner, method, arguments, dimensions=None):
         scope = {given: Pointer(0), "all_lanes": Truth("true"), "dimensions": dimensions}
         found = reader.call(text, scope, kind)["return"]
         result = f"({found['known']}, {found['set']})"
-        if run.early:
-            bit, other = run.early
-            result = f"if others && negb {bit} then ({other['known']}, {other['set']}) else {result}"
-    others = " others" if run.early else ""
-    lines = [f"Definition {name} (fused{others} : bool) ({' '.join(names)} : float) : bool * bool :=", *run.lets,
+    lines = [f"Definition {name} (fused : bool) ({' '.join(names)} : float) : bool * bool :=", *run.lets,
              f"  {result}."]
     return "\n".join(lines), [used[k] for k in sorted(used)]
 
@@ -353,7 +315,7 @@ def plane_numbers(shapes):
     """The numbers of a face, from its corners and the side that is outside."""
     used = {}
     run = Run(shapes.source, None, used)
-    run.shapes, run.open, run.early = shapes, None, None
+    run.shapes, run.points = shapes, None  # of geometry/space.h
     names = [f"{point}{axis}".replace("by", "by_") for point in "abc" for axis in "xyz"]
     run.taken.update([*names, "outside"])
     points = [dict(zip("xyz", map(Term, names[i:i + 3]))) for i in range(0, 9, 3)]

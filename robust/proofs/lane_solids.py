@@ -13,7 +13,8 @@ import lane_text
 from lane_shapes import Lambda, Reader, Shapes, parameters_of
 from lane_text import Run, Source, Term, Truth
 
-HEADERS = [f"robust/batch/isa/{name}.h" for name in ("vectors", "obbs", "round_solids")]
+HEADERS = [f"robust/batch/isa/{name}.h" for name in ("obbs", "round_solids")]
+VECTORS = "robust/batch/isa/vectors.h"
 AXES = "robust/kernel/solids/axes_of_boxes.h"
 HEAD = """(* Written by extract.py from robust/batch/isa. *)
 From Coq Require Import Reals ZArith Bool List.
@@ -67,9 +68,9 @@ class Edges:
 
 
 class Solids(Shapes):
-    """The text of classes, and of the functions of one header, with those of kernels.h and triangles.h."""
+    """The text of classes, with those of kernels.h and vectors.h, and of the functions of one header."""
 
-    def __init__(self, root, headers=tuple(HEADERS), functions=HEADERS[0]):
+    def __init__(self, root, headers=tuple(HEADERS), functions=VECTORS):
         self.source = Source(root, [*lane_text.HEADERS, *headers])
         text = (root / functions).read_text(encoding="utf-8")
         self.text = re.sub(r"//.*", "", text)
@@ -167,7 +168,7 @@ class Function:
 
     def __init__(self, shapes, used, taken, scope):
         self.run = Run(shapes.source, None, used)
-        self.run.shapes, self.run.open, self.run.early = shapes, False, None
+        self.run.shapes = shapes
         self.run.taken.update(taken)
         self.run.scope.update(scope)
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from tokens import Tokens
 
-HEADERS = [f"robust/batch/isa/{name}.h" for name in ("kernels", "triangles", "beside")]
+HEADERS = [f"robust/batch/isa/{name}.h" for name in ("kernels", "vectors", "beside")]
 # What the functions of lanes.v are; their text is reviewed with each filter.
 LANES = ["robust/batch/isa/lanes.h",
          *(f"robust/batch/isa/lanes/{name}.h" for name in ("lanes", "avx512", "avx2", "sse2", "neon", "one"))]

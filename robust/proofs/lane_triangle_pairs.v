@@ -2,7 +2,7 @@
 (* Two triangles in a lane: where the planes of both part the other's corners, their edges say what is common. *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
-From Filters Require Import model floats lanes lane_shape_filters lane_faces lane_triangles.
+From Filters Require Import model floats lanes lane_faces lane_triangles.
 Import ListNotations.
 Open Scope R_scope.
 #[local] Coercion value : float >-> R.
@@ -258,60 +258,3 @@ split; [|split; [exact I|split]].
   assert (S0 : s <> 0) by lra. assert (F0 : f <> 0) by (destruct O; lra). repeat split; field; auto.
 Qed.
 End Pair.
-
-(* An edge of one triangle and the other one, by five signs: of the lines, and of the ends. *)
-Definition on_both_sides (e f g : bool * bool) := (fst e || fst f || fst g) && (snd e || snd f || snd g).
-Definition on_one_side (e f g : bool * bool) := fst e && fst f && fst g || snd e && snd f && snd g.
-Definition beside (e f : bool * bool) := fst e && fst f || snd e && snd f.
-Section Edge.
-Variables px py pz qx qy qz ax ay az bx by_ bz cx cy cz : R.
-Variables ab bc ca at_p at_q : bool * bool.
-Definition signs_of_edge :=
-  sign_at (face_exact (qx - px) (qy - py) (qz - pz) (ax - px) (ay - py) (az - pz) (bx - px) (by_ - py) (bz - pz))
-    (fst ab) (snd ab) /\
-  sign_at (face_exact (qx - px) (qy - py) (qz - pz) (bx - px) (by_ - py) (bz - pz) (cx - px) (cy - py) (cz - pz))
-    (fst bc) (snd bc) /\
-  sign_at (face_exact (qx - px) (qy - py) (qz - pz) (cx - px) (cy - py) (cz - pz) (ax - px) (ay - py) (az - pz))
-    (fst ca) (snd ca) /\
-  sign_at (volume ax ay az bx by_ bz cx cy cz px py pz) (fst at_p) (snd at_p) /\
-  sign_at (volume ax ay az bx by_ bz cx cy cz qx qy qz) (fst at_q) (snd at_q).
-Notation is_common := (common (fun t => 0 <= t <= 1) px py pz (qx - px) (qy - py) (qz - pz) ax ay az bx by_ bz cx cy
-  cz).
-Let vp := volume ax ay az bx by_ bz cx cy cz px py pz.
-Let along := rise ax ay az bx by_ bz cx cy cz (qx - px) (qy - py) (qz - pz).
-Lemma other_end : volume ax ay az bx by_ bz cx cy cz qx qy qz = vp + along.
-Proof. unfold vp, along, volume, rise, face_exact. ring. Qed.
-Lemma as_rise x y z u v w : face_exact (qx - px) (qy - py) (qz - pz) (x - px) (y - py) (z - pz) (u - px) (v - py) (w -
-  pz) =
-  rise px py pz x y z u v w (qx - px) (qy - py) (qz - pz).
-Proof. unfold rise, face_exact. ring. Qed.
-
-Lemma edge_passes t i j k : signs_of_edge -> on_both_sides ab bc ca || beside at_p at_q = true -> ~ is_common t i j k.
-Proof.
-unfold signs_of_edge. rewrite !as_rise, other_end. fold vp. intros (AB & BC & CA & P & Q) [K|K]%orb_prop C.
-- apply andb_prop in K as [K1 K2]. apply (outside_says _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ t i j k) in C; [exact C| |];
-    [clear K2|clear K1]; bools; signs_of; auto.
-- pose proof (common_in_plane _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ C) as Z. fold vp along in Z.
-  assert (T : 0 <= t <= 1) by apply C. unfold beside in K.
-  destruct (Rle_or_lt 0 along) as [M|M]; bools; signs_of; nra.
-Qed.
-Lemma edge_crosses : signs_of_edge -> on_one_side ab bc ca = true -> beside at_p at_q = false ->
-  fst at_p || snd at_p = true -> fst at_q || snd at_q = true ->
-  exists t i j k, 0 < t < 1 /\ 0 < i /\ 0 < j /\ 0 < k /\ is_common t i j k.
-Proof.
-unfold signs_of_edge. rewrite !as_rise, other_end. fold vp. intros (AB & BC & CA & P & Q) I B KP KQ.
-assert (T : exists t, 0 < t < 1 /\ vp + t * along = 0).
-{ assert (O : (vp > 0 /\ vp + along < 0) \/ (vp < 0 /\ vp + along > 0)).
-  { clear - KP KQ B P Q. unfold beside in B. destruct (fst at_p), (snd at_p), (fst at_q), (snd at_q); try discriminate;
-    destruct P, Q; intuition lra. }
-  exists (vp / - along). assert (along <> 0) by lra. split; [|field; assumption].
-  destruct O as [[O1 O2]|[O1 O2]].
-  - split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with (- along); [lra|]. field_simplify; lra.
-  - replace (vp / - along) with (- vp / along) by (field; assumption).
-    split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with along; [lra|]. field_simplify; lra. }
-destruct T as (t & T & Z).
-destruct (inside_says px py pz (qx - px) (qy - py) (qz - pz) ax ay az bx by_ bz cx cy cz (fun t => 0 <= t <= 1) t)
-  as [(i & j & k & X) _]; [|exact Z|lra|exists t, i, j, k; tauto].
-unfold on_one_side in I. bools; signs_of; auto.
-Qed.
-End Edge.

@@ -2,7 +2,7 @@
 (* Segments and rays with triangles in a lane: what the signs of volumes say. *)
 From Coq Require Import Reals ZArith Lra Lia Psatz Bool List.
 From Flocq Require Import Core IEEE754.BinarySingleNaN.
-From Filters Require Import model floats lanes lane_shape_filters lane_faces.
+From Filters Require Import model floats lanes lane_faces.
 Import ListNotations.
 Open Scope R_scope.
 #[local] Coercion value : float >-> R.
@@ -107,132 +107,88 @@ Qed.
 End Line.
 
 Definition sign_at s (b c : bool) := (b = true -> s > 0) /\ (c = true -> s < 0).
-Lemma sides_sign known arguments exact : sides_right known arguments exact -> sign_at exact (fst known) (snd known).
-Proof. intros [P N]. split; intros K; [now apply P|now apply N]. Qed.
-Lemma sides_finite known arguments exact : sides_right known arguments exact ->
-  fst known || snd known = true -> Forall finite arguments.
-Proof. intros [P N] [K|K]%orb_prop; [now apply P|now apply N]. Qed.
-
-(* The decision, of the signs alone: at_p and the direction's, or the other end's. *)
 Ltac bools := repeat match goal with
   | H : _ && _ = true |- _ => apply andb_prop in H as [? ?]
   | H : _ || _ = true |- _ => apply orb_prop in H as [?|?]
   | H : negb _ = true |- _ => apply negb_true_iff in H end.
 Ltac signs_of := repeat match goal with S : sign_at _ ?b ?c, H : ?b = true |- _ => apply (proj1 S) in H
   | S : sign_at _ ?b ?c, H : ?c = true |- _ => apply (proj2 S) in H end.
+Lemma sign_opposite s p : sign_at (- s) (fst p) (snd p) -> sign_at s (snd p) (fst p).
+Proof. intros [A B]. split; intros K; [specialize (B K)|specialize (A K)]; lra. Qed.
 
-(* Where it answers none, no point of the segment is in the triangle; where a point, exactly one is, inside of both. *)
-Theorem lane_segment_triangle_right fused (px py pz qx qy qz ax ay az bx by_ bz cx cy cz : float) :
-  let '(known, set) := lane_segment_triangle fused px py pz qx qy qz ax ay az bx by_ bz cx cy cz in
-  let is_common := common (fun t => 0 <= t <= 1) px py pz (qx - px) (qy - py) (qz - pz) ax ay az bx by_ bz cx cy cz in
-  known = true -> Forall finite [px; py; pz; qx; qy; qz; ax; ay; az; bx; by_; bz; cx; cy; cz] /\
-  (set = true -> exists t, 0 < t < 1 /\ (exists i j k, 0 < i /\ 0 < j /\ 0 < k /\ is_common t i j k) /\
-    forall t' i j k, is_common t' i j k -> t' = t) /\
-  (set = false -> forall t i j k, ~ is_common t i j k).
-Proof.
-cbv beta zeta delta [lane_segment_triangle].
-assert (SP := lane_face_side_right fused ax ay az bx by_ bz cx cy cz px py pz).
-assert (SQ := lane_face_side_right fused ax ay az bx by_ bz cx cy cz qx qy qz).
-assert (AB := sides_sign _ _ _ (lane_face_side_right fused px py pz qx qy qz ax ay az bx by_ bz)).
-assert (BC := sides_sign _ _ _ (lane_face_side_right fused px py pz qx qy qz bx by_ bz cx cy cz)).
-assert (CA := sides_sign _ _ _ (lane_face_side_right fused px py pz qx qy qz cx cy cz ax ay az)).
-set (at_p := lane_face_side fused ax ay az bx by_ bz cx cy cz px py pz) in *.
-set (at_q := lane_face_side fused ax ay az bx by_ bz cx cy cz qx qy qz) in *.
-set (ab := lane_face_side fused px py pz qx qy qz ax ay az bx by_ bz) in *.
-set (bc := lane_face_side fused px py pz qx qy qz bx by_ bz cx cy cz) in *.
-set (ca := lane_face_side fused px py pz qx qy qz cx cy cz ax ay az) in *.
-intros [[KP KQ]%andb_prop K]%andb_prop.
-assert (FP := sides_finite _ _ _ SP KP). assert (FQ := sides_finite _ _ _ SQ KQ).
-apply sides_sign in SP, SQ. clearbody at_p at_q ab bc ca.
-set (vp := volume ax ay az bx by_ bz cx cy cz px py pz). change (sign_at vp (fst at_p) (snd at_p)) in SP.
-set (along := rise ax ay az bx by_ bz cx cy cz (qx - px) (qy - py) (qz - pz)).
-assert (EQ : face_exact (bx - ax) (by_ - ay) (bz - az) (cx - ax) (cy - ay) (cz - az) (qx - ax) (qy - ay) (qz - az) =
-  vp + along) by (unfold vp, along, volume, rise, face_exact; ring). rewrite EQ in SQ. clear EQ.
-assert (EQ : forall ax ay az bx by_ bz, face_exact (qx - px) (qy - py) (qz - pz) (ax - px) (ay - py) (az - pz) (bx - px)
-  (by_ - py) (bz - pz) = rise px py pz ax ay az bx by_ bz (qx - px) (qy - py) (qz - pz))
-  by (intros; unfold rise, face_exact; ring). rewrite EQ in AB, BC, CA. clear EQ.
-split.
-{ repeat apply Forall_cons_iff in FP as [? FP]. repeat apply Forall_cons_iff in FQ as [? FQ].
-  repeat constructor; assumption. }
-split.
-- intros [I A]%andb_prop. apply negb_true_iff, orb_false_elim in A as [A1 A2].
-  assert (T : exists t, 0 < t < 1 /\ vp + t * along = 0).
-  { assert (O : (vp > 0 /\ vp + along < 0) \/ (vp < 0 /\ vp + along > 0)).
-    { clear - KP KQ A1 A2 SP SQ. destruct (fst at_p), (snd at_p), (fst at_q), (snd at_q); try discriminate;
-      destruct SP, SQ;
-      intuition lra. }
-    exists (vp / - along). assert (along <> 0) by lra. split; [|field; assumption].
-    destruct O as [[O1 O2]|[O1 O2]].
-    - split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with (- along); [lra|]. field_simplify; lra.
-    - replace (vp / - along) with (- vp / along) by (field; assumption).
-      split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with along; [lra|]. field_simplify; lra. }
-  destruct T as (t & T & Z). exists t. split; [exact T|]. apply inside_says; [|exact Z|lra].
-  bools; signs_of; auto.
-- intros N t i j k C. pose proof (common_in_plane _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ C) as Z.
-  fold vp along in Z. assert (T : 0 <= t <= 1) by apply C.
-  assert (A : (fst at_p && fst at_q) || (snd at_p && snd at_q) = true -> False).
-  { intros A. destruct (Rle_or_lt 0 along) as [M|M]; bools; signs_of; nra. }
-  assert (O : (fst ab || fst bc || fst ca) && (snd ab || snd bc || snd ca) = true -> False).
-  { intros [O1 O2]%andb_prop. apply (outside_says _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ t i j k) in C; [exact C| |];
-      [clear O2|clear O1]; bools; signs_of; auto. }
-  apply andb_false_iff in N as [N|N].
-  + rewrite N, orb_false_r in K. apply orb_prop in K as [K|K]; auto.
-  + apply negb_false_iff in N. auto.
-Qed.
+(* A segment or a ray and a triangle, by five signs: of its line and the edges, and of its ends. *)
+Definition on_both_sides (e f g : bool * bool) := (fst e || fst f || fst g) && (snd e || snd f || snd g).
+Definition on_one_side (e f g : bool * bool) := fst e && fst f && fst g || snd e && snd f && snd g.
+Definition beside (e f : bool * bool) := fst e && fst f || snd e && snd f.
+Definition known_side (s : bool * bool) := fst s || snd s.
+Section Signs.
+Variables px py pz wx wy wz ax ay az bx by_ bz cx cy cz : R.
+Variables ab bc ca start stop : bool * bool.
+Let at_p := volume ax ay az bx by_ bz cx cy cz px py pz.
+Let along := rise ax ay az bx by_ bz cx cy cz wx wy wz.
+Definition signs_of_line := sign_at (rise px py pz ax ay az bx by_ bz wx wy wz) (fst ab) (snd ab) /\
+  sign_at (rise px py pz bx by_ bz cx cy cz wx wy wz) (fst bc) (snd bc) /\
+  sign_at (rise px py pz cx cy cz ax ay az wx wy wz) (fst ca) (snd ca) /\ sign_at at_p (fst start) (snd start).
+(* At the other end, or of the direction. *)
+Definition signs_of_segment := signs_of_line /\ sign_at (at_p + along) (fst stop) (snd stop).
+Definition signs_of_ray := signs_of_line /\ sign_at along (fst stop) (snd stop).
+Notation is_common low := (common low px py pz wx wy wz ax ay az bx by_ bz cx cy cz).
+Notation unit := (fun t => 0 <= t <= 1).
+Notation ahead := (fun t => 0 <= t).
 
-(* The same of a ray, which has an origin and a direction; the direction is not 0. *)
-Theorem lane_ray_triangle_right fused (px py pz wx wy wz ax ay az bx by_ bz cx cy cz : float) :
-  let '(known, set) := lane_ray_triangle fused px py pz wx wy wz ax ay az bx by_ bz cx cy cz in
-  let is_common := common (fun t => 0 <= t) px py pz wx wy wz ax ay az bx by_ bz cx cy cz in
-  known = true -> Forall finite [px; py; pz; wx; wy; wz; ax; ay; az; bx; by_; bz; cx; cy; cz] /\
-  ~ (value wx = 0 /\ value wy = 0 /\ value wz = 0) /\
-  (set = true -> exists t, 0 < t /\ (exists i j k, 0 < i /\ 0 < j /\ 0 < k /\ is_common t i j k) /\
-    forall t' i j k, is_common t' i j k -> t' = t) /\
-  (set = false -> forall t i j k, ~ is_common t i j k).
+Lemma line_passes (low : R -> Prop) t i j k : signs_of_line -> on_both_sides ab bc ca = true -> ~ is_common low t i j k.
 Proof.
-cbv beta zeta delta [lane_ray_triangle].
-assert (SP := lane_face_side_right fused ax ay az bx by_ bz cx cy cz px py pz).
-assert (SW := lane_face_leading_right fused ax ay az bx by_ bz cx cy cz wx wy wz).
-assert (AB := sides_sign _ _ _ (lane_face_leading_right fused px py pz ax ay az bx by_ bz wx wy wz)).
-assert (BC := sides_sign _ _ _ (lane_face_leading_right fused px py pz bx by_ bz cx cy cz wx wy wz)).
-assert (CA := sides_sign _ _ _ (lane_face_leading_right fused px py pz cx cy cz ax ay az wx wy wz)).
-set (at_p := lane_face_side fused ax ay az bx by_ bz cx cy cz px py pz) in *.
-set (at_w := lane_face_leading fused ax ay az bx by_ bz cx cy cz wx wy wz) in *.
-set (ab := lane_face_leading fused px py pz ax ay az bx by_ bz wx wy wz) in *.
-set (bc := lane_face_leading fused px py pz bx by_ bz cx cy cz wx wy wz) in *.
-set (ca := lane_face_leading fused px py pz cx cy cz ax ay az wx wy wz) in *.
-intros [[KP KW]%andb_prop K]%andb_prop.
-assert (FP := sides_finite _ _ _ SP KP). assert (FW := sides_finite _ _ _ SW KW).
-apply sides_sign in SP, SW. clearbody at_p at_w ab bc ca.
-set (vp := volume ax ay az bx by_ bz cx cy cz px py pz). change (sign_at vp (fst at_p) (snd at_p)) in SP.
-set (along := rise ax ay az bx by_ bz cx cy cz wx wy wz). change (sign_at along (fst at_w) (snd at_w)) in SW.
-split.
-{ repeat apply Forall_cons_iff in FP as [? FP]. repeat apply Forall_cons_iff in FW as [? FW].
-  repeat constructor; assumption. }
-split.
-{ intros (Z1 & Z2 & Z3).
-  assert (Z : along = 0) by (unfold along; rewrite Z1, Z2, Z3; unfold rise, face_exact; ring).
-  bools; signs_of; lra. }
-split.
-- intros [I A]%andb_prop. apply negb_true_iff, orb_false_elim in A as [A1 A2].
-  assert (T : exists t, 0 < t /\ vp + t * along = 0).
-  { assert (O : (vp > 0 /\ along < 0) \/ (vp < 0 /\ along > 0)).
-    { clear - KP KW A1 A2 SP SW. destruct (fst at_p), (snd at_p), (fst at_w), (snd at_w); try discriminate;
-      destruct SP, SW;
-      intuition lra. }
-    exists (vp / - along). assert (along <> 0) by lra. split; [|field; assumption].
-    destruct O as [[O1 O2]|[O1 O2]]; [apply Rdiv_lt_0_compat; lra|].
-    replace (vp / - along) with (- vp / along) by (field; assumption). apply Rdiv_lt_0_compat; lra. }
-  destruct T as (t & T & Z). exists t. split; [exact T|]. apply inside_says; [|exact Z|lra].
-  bools; signs_of; auto.
-- intros N t i j k C. pose proof (common_in_plane _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ C) as Z.
-  fold vp along in Z. assert (T : 0 <= t) by apply C.
-  assert (A : (fst at_p && fst at_w) || (snd at_p && snd at_w) = true -> False).
-  { intros A. bools; signs_of; nra. }
-  assert (O : (fst ab || fst bc || fst ca) && (snd ab || snd bc || snd ca) = true -> False).
-  { intros [O1 O2]%andb_prop. apply (outside_says _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ t i j k) in C; [exact C| |];
-      [clear O2|clear O1]; bools; signs_of; auto. }
-  apply andb_false_iff in N as [N|N].
-  + rewrite N, orb_false_r in K. apply orb_prop in K as [K|K]; auto.
-  + apply negb_false_iff in N. auto.
+intros (AB & BC & CA & _) [K1 K2]%andb_prop C. apply (outside_says _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ t i j k) in C;
+  [exact C| |]; [clear K2|clear K1]; bools; signs_of; auto.
 Qed.
+Lemma segment_passes t i j k : signs_of_segment -> on_both_sides ab bc ca || beside start stop = true ->
+  ~ is_common unit t i j k.
+Proof.
+intros [L Q] [K|K]%orb_prop C; [exact (line_passes _ _ _ _ _ L K C)|]. destruct L as (_ & _ & _ & P).
+pose proof (common_in_plane _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ C) as Z. fold at_p along in Z.
+assert (T : 0 <= t <= 1) by apply C. unfold beside in K. destruct (Rle_or_lt 0 along) as [M|M]; bools; signs_of; nra.
+Qed.
+Lemma ray_passes t i j k : signs_of_ray -> on_both_sides ab bc ca || beside start stop = true ->
+  ~ is_common ahead t i j k.
+Proof.
+intros [L Q] [K|K]%orb_prop C; [exact (line_passes _ _ _ _ _ L K C)|]. destruct L as (_ & _ & _ & P).
+pose proof (common_in_plane _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ C) as Z. fold at_p along in Z.
+assert (T : 0 <= t) by apply C. unfold beside in K. bools; signs_of; nra.
+Qed.
+Lemma line_crosses (low : R -> Prop) t : signs_of_line -> on_one_side ab bc ca = true -> at_p + t * along = 0 ->
+  low t ->
+  (exists i j k, 0 < i /\ 0 < j /\ 0 < k /\ is_common low t i j k) /\
+  forall t' i j k, is_common low t' i j k -> t' = t.
+Proof.
+intros (AB & BC & CA & _) I Z L. apply inside_says; [|exact Z|exact L]. unfold on_one_side in I. bools; signs_of; auto.
+Qed.
+Lemma segment_crosses : signs_of_segment -> known_side start = true -> known_side stop = true ->
+  on_one_side ab bc ca = true -> beside start stop = false ->
+  exists t, 0 < t < 1 /\ (exists i j k, 0 < i /\ 0 < j /\ 0 < k /\ is_common unit t i j k) /\
+  forall t' i j k, is_common unit t' i j k -> t' = t.
+Proof.
+intros [L Q] KP KQ I B. assert (T : exists t, 0 < t < 1 /\ at_p + t * along = 0).
+{ assert (O : (at_p > 0 /\ at_p + along < 0) \/ (at_p < 0 /\ at_p + along > 0)).
+  { destruct L as (_ & _ & _ & P). unfold beside, known_side in *.
+    destruct (fst start), (snd start), (fst stop), (snd stop); try discriminate; destruct P, Q; intuition lra. }
+  exists (at_p / - along). assert (along <> 0) by lra. split; [|field; assumption]. destruct O as [[O1 O2]|[O1 O2]].
+  - split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with (- along); [lra|]. field_simplify; lra.
+  - replace (at_p / - along) with (- at_p / along) by (field; assumption).
+    split; [apply Rdiv_lt_0_compat; lra|]. apply Rmult_lt_reg_r with along; [lra|]. field_simplify; lra. }
+destruct T as (t & T & Z). exists t. split; [exact T|]. apply line_crosses; auto. lra.
+Qed.
+Lemma ray_crosses : signs_of_ray -> known_side start = true -> known_side stop = true ->
+  on_one_side ab bc ca = true -> beside start stop = false ->
+  exists t, 0 < t /\ (exists i j k, 0 < i /\ 0 < j /\ 0 < k /\ is_common ahead t i j k) /\
+  forall t' i j k, is_common ahead t' i j k -> t' = t.
+Proof.
+intros [L Q] KP KW I B. assert (T : exists t, 0 < t /\ at_p + t * along = 0).
+{ assert (O : (at_p > 0 /\ along < 0) \/ (at_p < 0 /\ along > 0)).
+  { destruct L as (_ & _ & _ & P). unfold beside, known_side in *.
+    destruct (fst start), (snd start), (fst stop), (snd stop); try discriminate; destruct P, Q; intuition lra. }
+  exists (at_p / - along). assert (along <> 0) by lra. split; [|field; assumption].
+  destruct O as [[O1 O2]|[O1 O2]]; [apply Rdiv_lt_0_compat; lra|].
+  replace (at_p / - along) with (- at_p / along) by (field; assumption). apply Rdiv_lt_0_compat; lra. }
+destruct T as (t & T & Z). exists t. split; [exact T|]. apply line_crosses; auto. lra.
+Qed.
+End Signs.

@@ -129,3 +129,27 @@ Ltac lows_of := match goal with
   | |- least_of _ _ (value (times ?x ?y)) _ => eapply low_times; [assumption|lows_of|lows_of]
   | |- least_of _ _ (value (size ?x)) _ => is_var x; apply low_of_given end.
 Ltac small_rest := pose proof eta_pos; pose proof eta_spare; lra.
+
+(* What is not NaN comes of what is not. *)
+Definition known (x : float) := is_nan x = false.
+Lemma known_plus x y : known (plus x y) -> known x /\ known y.
+Proof. destruct x as [|[]| |], y as [|[]| |]; try discriminate; easy. Qed.
+Lemma known_minus x y : known (minus x y) -> known x /\ known y.
+Proof. destruct x as [|[]| |], y as [|[]| |]; try discriminate; easy. Qed.
+Lemma known_times x y : known (times x y) -> known x /\ known y.
+Proof. destruct x as [|[]| |], y as [|[]| |]; try discriminate; easy. Qed.
+Lemma known_opposite x : known (negated x) -> known x.
+Proof. now destruct x. Qed.
+Lemma known_multiply_add fused x y z : known (multiply_add fused x y z) -> known x /\ known y /\ known z.
+Proof.
+unfold multiply_add. destruct fused; [|now intros [[A B]%known_times C]%known_plus].
+destruct x as [|[]| |], y as [|[]| |], z as [|[]| |]; try discriminate; easy.
+Qed.
+Lemma known_above x y : above (size x) y = true -> known x.
+Proof. destruct x, y; try discriminate; easy. Qed.
+Ltac knowns := repeat match goal with
+  | H : known (plus _ _) |- _ => apply known_plus in H as [? ?]
+  | H : known (minus _ _) |- _ => apply known_minus in H as [? ?]
+  | H : known (times _ _) |- _ => apply known_times in H as [? ?]
+  | H : known (negated _) |- _ => apply known_opposite in H
+  | H : known (multiply_add _ _ _ _) |- _ => apply known_multiply_add in H as (? & ? & ?) end.

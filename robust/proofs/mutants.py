@@ -13,6 +13,7 @@ import lane_linear
 import lane_shapes
 import lane_solids
 import lane_text
+import lane_triangles
 import source
 
 RELATIVE = re.compile(r"relative<(\d+), (\d+)>")
@@ -23,7 +24,8 @@ MULTIPLE = re.compile(r"above\((\d+) \* B::u\)")
 LEAST = re.compile(r"least\(\) \{ return Format::above\(power_of_two\(-(\d+)")
 UNITS_OF_LANES = re.compile(r"(\d+) \* (?=v\b|size \*)")
 # For the filters of arrays: the other choice, 0 taken for positive, an answer turned over, numbers that may be infinite.
-OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.compile(r"\bgreater\("), "lesser("),
+OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("),
+            ("flipped", re.compile(r"\bgreater\((?!const |(?:greater\()?(?:magnitudes|sizes))"), "lesser("),
             ("flipped", re.compile(r"\babove\((?=\w+(?:\([\w, ]*\))?, same\(0\)\))"), "not_below("),
             ("flipped", re.compile(r"\bnegative\(depth\)"), "above(depth, same(0))"),
             ("left out", re.compile(r"not_below\(same\(0x1\.f+p1023\), [\w +]+\) & "), ""),
@@ -34,18 +36,23 @@ OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.c
             ("flipped", re.compile(r"same\(0\) - value"), "value"),
             ("flipped", re.compile(r"same\(0\) - gap"), "gap"),
             ("left out", re.compile(r" & not_below\(reach, same\(0x1p-250\)\)"), ""),
-            # of triangles: what pays for underflow, sides, edges on two sides of a line, ends on one side of a plane
-            ("left out", re.compile(r" \+ same\(tiny\)"), ""),
-            ("flipped", re.compile(r"known & ~below, known & below"), "known & below, known & ~below"),
-            ("flipped", re.compile(r"(?<=ca\.positive\)) & "), " | "),
-            ("left out", re.compile(r"(?<=edges\.inside) & ~apart"), ""),
+            # of triangles: what pays for underflow, what overflows, volumes, edges on two sides of a line, ends on one
+            ("left out", re.compile(r"same\(for_underflow\)"), "same(0)"),
+            ("left out", re.compile(r"(?:\bmoderate\([\w(), ]+\)|(?<=\{)decidable) & "), ""),
+            ("flipped", re.compile(r"same\(0\) - (?=ac|bound|with_q)"), ""),
+            ("flipped", re.compile(r"(?<=ab \+ bc\)) - "), " + "),
+            ("flipped", re.compile(r"(?<=with_q - with_p\)) \+ "), " - "),
+            ("flipped", re.compile(r"(?<=above\(least, bound\)) \| "), " & "),
+            ("flipped", re.compile(r"(?<=above\(greatest, bound\)) & "), " | "),
+            ("left out", re.compile(r"(?<=apart\()certain & | & above\(least, bound\)(?=;)| & ~apart(?=\};)"), ""),
             # of linear functions: signs of their numbers, corners of the box, NaN, the other side of a shape
             ("flipped", re.compile(r"-(?=\(along_x|constant)"), ""),
             ("flipped", re.compile(r"std::min\(least"), "std::max(least"),
             ("left out", re.compile(r"std::min\(std::numeric_limits<double>::infinity\(\), (?=other)"), "("),
             ("left out", re.compile(r"same\(0\) - (?=error|point\.error)"), ""),
             ("flipped", re.compile(r"(?<=beyond) \| (?=outside)"), " & ")]
-HEADERS_OF_LANES = lane_text.HEADERS + lane_solids.HEADERS + lane_linear.HEADERS + lane_close.HEADERS
+HEADERS_OF_LANES = [*lane_text.HEADERS, *lane_solids.HEADERS, *lane_linear.HEADERS, *lane_close.HEADERS,
+                    *lane_triangles.HEADERS]
 TEXTS = source.READ + enclosed.HEADERS + HEADERS_OF_LANES
 
 

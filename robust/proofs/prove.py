@@ -33,13 +33,15 @@ import lane_linear
 import lane_shapes
 import lane_solids
 import lane_text
+import lane_triangles
 import mutants
 
 SKIPPED = 77  # for CTest
 SHARE = {"cross_sign", "orientation", "elevation", "plane"}
 KINDS = ("right", "binary64", "runs")
 OF_REALS = {"crossings"}  # not yet on all of binary64
-OF_LANES = lane_text.NAMES | lane_shapes.NAMES | lane_solids.NAMES | lane_linear.NAMES | lane_close.NAMES
+OF_LANES = (lane_text.NAMES | lane_shapes.NAMES | lane_solids.NAMES | lane_triangles.NAMES | lane_linear.NAMES
+            | lane_close.NAMES)
 OTHERS = ["segments_meet", "ray_meets", "obb_axis_separates", "in_space", "point_in_obb_solid", "zero_is_positive",
           "rounds_to_nearest_right", "gradual_computes", "flushed_computes", "convex_ring_inside", "convex_ring_outside",
           "convex_solid_outside", "solid_counts"]

@@ -4,7 +4,8 @@
 
 #include "robust/batch/isa/vectors.h"
 
-/// Filters of triangles in space: the model of kernels.h.
+/// Filters of triangles in space: the model of kernels.h. Their answers are proved by machine from this text
+/// (robust/proofs/lane_volumes.v, lane_triangle_lines.v, lane_triangle_triangle.v).
 ///
 /// One of the points is the origin of the others. The volumes that decide are determinants of three displacements, or,
 /// by the identity of five points, sums of four of these.
@@ -17,9 +18,9 @@
 /// The direction (x, y, z) of a ray may be of another size. With S = |x| Y Z + |y| Z X + |z| X Y, a determinant that
 /// has it is at most 2 S, and off by 16 v S; the sum of three by 3 * 16 + 4 = 52 v. C = 64 v.
 ///
-/// Only numbers below 2^330 are decided, so nothing overflows. A product that underflows is off by 2^-1075, times a
-/// third coordinate by 2^-745; 2^-700 pays for all of them. An infinite or NaN coordinate makes a displacement infinite
-/// or NaN. greater() may lose a NaN, but each displacement is in a value that has to be certain.
+/// Only displacements and directions below 2^330 are decided, so nothing overflows. A product that underflows is off by
+/// 2^-1075, times a third coordinate by 2^-745; 2^-700 pays for all of them. An infinite or NaN coordinate makes a
+/// displacement infinite or NaN. greater() may lose a NaN, but each displacement is in a value that has to be certain.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -85,8 +86,8 @@ struct RayTriangle {
 /// segment. An edge crosses if its ends are on different sides of the plane and all edges of the other are on one side
 /// of its line. The sides of all pairs of edges serve both.
 ///
-/// The origin o is the first corner of a; p and q are its others. Of the volumes of a pair of edges, those with op and
-/// qo are determinants.
+/// The origin o is the first corner of a; p and q are its others. The volume of a pair of edges is a determinant if one
+/// of these is op or qo.
 struct TriangleTriangle {
   static constexpr std::size_t columns = 18;
   static constexpr std::uint8_t set = 2, clear = 0;  // segment, none
