@@ -27,7 +27,7 @@ HELD = [
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/signatures)/{CHAPTER}/\w+\.h",
     r"include/touchstone/reference/standard/\w+\.h",
-    r"include/touchstone/robust/(masked_exceptions|(kernel/\w+|batch|batch/isa|prepared|structures)/\w+)\.h",
+    r"include/touchstone/robust/(masked_exceptions|(kernel(/\w+){1,2}|batch|batch/isa|prepared|structures)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact/\w+|rings)/\w+|certificates/(certificate|check))\.h",
     r"include/touchstone/catalogue/((shape|numbers|codec|draw|families(/\w+)?|judge|operation(/\w+)?)/)?\w+\.h",
     r"include/touchstone/catalogue/signatures/(all|signature)\.h",

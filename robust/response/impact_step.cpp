@@ -19,8 +19,8 @@
 namespace touchstone::robust {
 namespace {
 
-using kernel::OneRoot, kernel::Sure;
 using kernel::nearest, kernel::sign;
+using kernel::OneRoot, kernel::Sure;
 using Rational = mpq_class;
 
 void validate_impact_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls, double restitution,

@@ -52,7 +52,9 @@ class FaceTree {
     std::atomic<bool> found{false};
     in_parallel(threads, pairs.size(), [&](std::size_t n) {
       std::size_t all = std::numeric_limits<std::size_t>::max();
-      if (any_pair(pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); }, all)) found = true;
+      if (any_pair(
+              pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); }, all))
+        found = true;
     });
     return found;
   }
@@ -99,12 +101,12 @@ class FaceTree {
     return false;
   }
 
-  /// The same for one question, without a tree: wanted is called for all faces of a mesh, and a Stay that ends before it
-  /// begins says that the ray does not meet the face.
+  /// The same for one question, without a tree: wanted is called for all faces of a mesh, the last one first, and a
+  /// Stay that ends before it begins says that the ray does not meet the face.
   template <class Wanted>
   static bool any_of_all(const Meshd& mesh, const Ray3d& ray, const Wanted& wanted) {
     std::optional<Slabs> slabs;
-    for (Index face = 0; face < mesh.faces.size(); ++face) {
+    for (auto face = static_cast<Index>(mesh.faces.size()); face-- > 0;) {
       const auto stay = [&] {
         if (!slabs) slabs.emplace(ray, greatest_of(mesh));
         return slabs->moderate ? stay_of(mesh.faces[face], mesh, *slabs) : Stay();

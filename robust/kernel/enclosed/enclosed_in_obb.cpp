@@ -120,7 +120,8 @@ std::optional<Foot> nearest_foot(const Point3d& point, const Obb3d& obb) {
   const auto guess = filters::Differences<3>{{u, v, w}, point - obb.center}.guess();
   const auto [cx, cy, cz] = filters::sized_between(point, obb.center);
   const auto wide = [](const filters::Sized<1>& x) { return filters::Sized<4>{x.value, x.size}; };
-  const BoxPart<SizedPlace, SizedVector> sized_part({wide(cx), wide(cy), wide(cz)}, {sized(u), sized(v), sized(w)}, guess);
+  const BoxPart<SizedPlace, SizedVector> sized_part({wide(cx), wide(cy), wide(cz)}, {sized(u), sized(v), sized(w)},
+                                                    guess);
   const BoxPart<LooseVector, LooseVector> part(loose_between(point, obb.center), {loose(u), loose(v), loose(w)}, guess);
   if (part.fixed == 0 || !(sized_part.nearest() || part.nearest())) return std::nullopt;
   const Foot foot = foot_of_perpendicular(part);

@@ -49,8 +49,8 @@ inline Perhaps<PassageRelation> ray_and_box(const Point3d& from, const Point3d& 
            (i.size_of_way * j.width + j.size_of_way * i.width);
   };
   const double xy = apart(x, y), yz = apart(y, z), zx = apart(z, x), least = RayOnAxis::least;
-  const int flat = validation::zero(from.z) & validation::zero(v.z) & validation::zero(box.min.z) &
-                   validation::zero(box.max.z);
+  const int flat =
+      validation::zero(from.z) & validation::zero(v.z) & validation::zero(box.min.z) & validation::zero(box.max.z);
   const int solid = (x.width > least) & (y.width > least) & ((z.width > least) | flat);
   const int valid = solid & (ways > 0) & (ways + reaches <= B::high());
   const int misses = x.beyond | y.beyond | z.beyond | (xy > error) | (yz > error) | (zx > error);
