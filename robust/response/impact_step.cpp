@@ -56,7 +56,7 @@ struct EnclosedStep {
   static Sure number(double x) { return Sure(x); }
 };
 
-/// A body that is at `from + t way` at time t of its flight, which began at `clock`.
+/// A body that is at `from + t displacement` at time t of its flight, which began at `clock`.
 template <class Numbers>
 struct Flight {
   using Number = typename Numbers::Number;

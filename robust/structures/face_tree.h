@@ -186,13 +186,12 @@ class FaceTree {
   /// direction is scaled by a power of two so that its greatest coordinate is between 1 and 2. On an axis where the ray
   /// rises, `from` is the origin o plus 16 u M and `until` o less 16 u M, so that with the bounds L and H of a face,
   /// exact, the first difference is at most L - o - 16 u M + 6.1 u M: o, `from` and the difference are rounded to
-  /// nearest, and so was L. A
-  /// direction, its reciprocal and the product, each rounded, are off by 3.1 u of their value, and L - o is at most
-  /// 2.1 M where both are on the ray: so the first t as computed is at most the exact one, and at most 0 where that is.
-  /// The last t as computed is at least the exact one likewise, where that is not negative. A direction below 2^-40 is
-  /// taken for 2^-40: in a box t is at most 2.1 M, and the ray has moved there by less than 2^-38 M; so the first t is
-  /// negative and the last at least 2^16 M. Hence no box that the ray meets is missed; nothing overflows, and what
-  /// underflows is a first t near 0. Not proved by machine.
+  /// nearest, and so was L. A direction, its reciprocal and the product, each rounded, are off by 3.1 u of their value,
+  /// and L - o is at most 2.1 M where both are on the ray: so the first t as computed is at most the exact one, and at
+  /// most 0 where that is. The last t as computed is at least the exact one likewise, where that is not negative. A
+  /// direction below 2^-40 is taken for 2^-40: in a box t is at most 2.1 M, and the ray has moved there by less than
+  /// 2^-38 M; so the first t is negative and the last at least 2^16 M. Hence no box that the ray meets is missed;
+  /// nothing overflows, and what underflows is a first t near 0. Not proved by machine.
   ///
   /// A ball of radius R around the point on the ray meets what is in a box no sooner than the point meets the box that
   /// is larger by R on each side. Let M be at least R too; then 16 u M are 32 u M, and `from` is o plus R and that. R

@@ -13,11 +13,12 @@ struct Unsure {};
 /// Call while a ControlWord is in scope: rounding is to nearest, and underflow gradual.
 ///
 /// Every number is 0, exactly; or exact and at least 2^-200 in size; or its bound is at least 2^-400; and none exceeds
-/// 2^200. So nothing overflows. A head that is a product of two exact numbers is at least 2^-402, and a seventh of its
-/// bound, E of it, is at least 2^-480. Where a factor is not exact, its bound times the other's size, or bound, is at
-/// least 2^-600, a quarter of which the bound has to spare; so it is with quotients by a settled number of at least
-/// 2^-200, and with roots of one. Underflow changes a result by less than 2^-1022, and by no more than 2^200 times that
-/// where it is divided afterwards: all of this is less. A sum that underflows is exact. Not proved by machine.
+/// 2^200. So nothing overflows. A head that is a product of two exact numbers is at least 2^-402, and a tenth of its
+/// bound, E of it, is at least 2^-480. Where a factor is not exact, its bound times the other's size is at least
+/// 2^-600, or times the other's bound 2^-800, a quarter of which the bound has to spare; so it is with quotients by a
+/// settled number of at least 2^-200, and with roots of one. Underflow changes a result by less than 2^-1022, and by no
+/// more than 2^200 times that where it is divided afterwards, which is less than 2^-820: all of this is less. A sum
+/// that underflows is exact. Not proved by machine.
 class Sure {
  public:
   Sure() = default;

@@ -10,12 +10,11 @@ namespace touchstone::robust::filters {
 /// The values of RayAndTriangle (ray_filter.h) for a segment from p to q, with v = q - p, s from a to p and t at p and
 /// q. height is that at p over the triangle's plane, height - rise that at q.
 ///
-/// One bound for ca, ab and bc: v is a computed difference here, so that a product of bc goes
-/// through ten roundings, the last of which is shared (4), and at least (1 - u)^11 of the terms is computed; the bound
-/// has two operations more. C (1 - u)^13 >= (1 + u) ((1 + u)^9 - 1) = 9 u + .... C = 9 u + 384 u^2: at u = 1/16, 1.785
-/// < 2.062. The same C for the two heights, in units of the products of `height` and of all the others together:
-/// through at most nine roundings, the last of them shared, where at least (1 - u)^12 of the units is computed: at u =
-/// 1/16, 1.638.
+/// One bound for ca, ab and bc: v is a computed difference here, so that a product of bc goes through ten roundings,
+/// the last of which is shared (4), and at least (1 - u)^11 of the terms is computed; the bound has two operations
+/// more. C (1 - u)^13 >= (1 + u) ((1 + u)^9 - 1) = 9 u + .... C = 9 u + 384 u^2: at u = 1/16, 1.785 < 2.062. The same C
+/// for the two heights, in units of the products of `height` and of all the others together: through at most nine
+/// roundings, the last of them shared, where at least (1 - u)^12 of the units is computed: at u = 1/16, 1.638.
 ///
 /// Guard and absolute terms: as for RayAndTriangle, whose bound has them for a v that is read; a difference is off by 5
 /// n, as those of FacePlane are, of which bc has three values, and height - rise two. Not proved by machine.
