@@ -52,9 +52,7 @@ class FaceTree {
     std::atomic<bool> found{false};
     in_parallel(threads, pairs.size(), [&](std::size_t n) {
       std::size_t all = std::numeric_limits<std::size_t>::max();
-      if (any_pair(
-              pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); }, all))
-        found = true;
+      if (any_pair(pairs[n], other, [&](Index f, Index g) { return found || wanted(f, g); }, all)) found = true;
     });
     return found;
   }

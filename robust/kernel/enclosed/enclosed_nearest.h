@@ -24,7 +24,9 @@ Perhaps<Contact> contact(const A& a, double radius_of_a, const B& b, double radi
 
 namespace kernel {
 
-/// The same contact, with one and a half times the precision.
+/// The same contact, with one and a half times the precision. Polynomials of degree 6 in `moderate` numbers have heads
+/// and tails that are multiples of 2^-492; an error of one of degree 3 is 0 or at least 2^-324, so that no product of
+/// two errors underflows. Not proved by machine.
 Perhaps<Contact> close_contact(const filters::Parts& parts, double radius_of_a, double radius_of_b, bool interiors);
 template <class A, class B>
 Perhaps<Contact> close_contact(const A& a, double radius_of_a, const B& b, double radius_of_b, bool interiors) {
